@@ -5,10 +5,10 @@
  * All molecular filters decide the radius of an atom here, in this order:
  *
  * 1. the value of the point array of radii, `Radius` unless another one is chosen;
- * 2. where there is no such array, the van der Waals radius of the element (DefaultRadius):
- * Bondi's, or Alvarez' where Bondi has none. A warning is issued if another array than `Radius` was
- * requested;
- * 3. where there are no elements either, std::invalid_argument.
+ * 2. if there is no such array, the van der Waals radius of the element (DefaultRadius): that of
+ * Bondi, or that of Alvarez if Bondi has none. A warning is issued if another array than `Radius`
+ * was requested;
+ * 3. if there are no elements either, std::invalid_argument is thrown.
  *
  * Readers that create the array (vtkMacromoleculeReader) use the table that is chosen there.
  *
@@ -61,7 +61,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT double CovalentRadius(int element);
 /// none; NaN where neither has.
 VTKISTHMUSFILTERSATOMS_EXPORT double DefaultRadius(int element);
 
-/// What replaces a missing array of radii.
+/// The replacement for a missing array of radii.
 enum class RadiusFallback
 {
   Element, ///< DefaultRadius; std::invalid_argument without elements
@@ -85,8 +85,8 @@ struct AtomRadii
 };
 
 /**
- * The radii of `count` atoms with point data `data`, from the array `name` (empty: `Radius`) or
- * according to `fallback`. `elements` is empty where the input has none.
+ * The radii of `count` atoms from the array `name` (empty: Radius) of their point data, or
+ * according to `fallback`. `elements` is empty if the input has no elements.
  *
  * Throws std::invalid_argument for an array with several components, and if there are no radii.
  */

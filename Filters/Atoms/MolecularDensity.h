@@ -39,8 +39,8 @@ struct DensityGrid
 };
 
 /**
- * The smallest grid with `spacing` whose box contains all balls and a margin of `padding` on each
- * side along x, y, z. Throws std::invalid_argument if the spacing is not positive, the padding is
+ * The smallest grid of this spacing whose box contains all balls and a margin (`padding` along x, y
+ * and z) on each side. Throws std::invalid_argument if the spacing is not positive, the padding is
  * negative, a ball is not finite, or there are more than 2^31 nodes along an axis.
  */
 VTKISTHMUSFILTERSATOMS_EXPORT DensityGrid GridAroundBalls(

@@ -36,7 +36,7 @@ struct PolymerOptions
   bool Hydrogens = false;
   bool Waters = false;
   bool Ions = false;              ///< residues of one heavy atom
-  bool Ligands = false;           ///< all else that is no part of a chain
+  bool Ligands = false;           ///< everything else that is not part of a chain
   bool ProstheticGroups = false;  ///< hemes, flavins, iron-sulphur clusters, chlorophylls, ...
   std::set<std::string> Residues; ///< always kept
 };

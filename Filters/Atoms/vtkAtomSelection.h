@@ -35,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Names of residues to keep in any case, between blanks or commas. Default: none.
+  /// Names of residues that are always kept, separated by blanks or commas. Default: none.
   vtkSetMacro(KeepResidues, std::string);
   vtkGetMacro(KeepResidues, std::string);
   ///@}

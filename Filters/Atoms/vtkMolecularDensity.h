@@ -66,7 +66,7 @@ public:
   ///@}
 
   ///@{
-  /// The factor eta of all radii. Default 1.
+  /// The factor eta by which all radii are multiplied. Default 1.
   vtkSetMacro(RadiusScale, double);
   vtkGetMacro(RadiusScale, double);
   ///@}
@@ -78,14 +78,14 @@ public:
   ///@}
 
   ///@{
-  /// Distance of the nodes, in the unit of the points. Default 0.5.
+  /// Spacing of the grid, in the unit of the points. Default 0.5.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Room between the outermost ball and the border of the grid, along x, y, z, in the unit of the
-  /// points. Default 3 each, so that the surface at level 1 is closed.
+  /// Distance between the outermost ball and the border of the grid, along x, y, z, in the unit of
+  /// the points. Default 3 each, so that the surface at level 1 is closed.
   vtkSetVector3Macro(Padding, double);
   vtkGetVector3Macro(Padding, double);
   ///@}

@@ -15,7 +15,7 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// Points of a uniform contour put together in an octree.
+// Points of a uniform contour, merged in an octree.
 //
 // S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610, doi:10.1109/TVCG.2007.1012: in each cell
 // of the octree, from small to large, the points that the surface joins within the cell become a
@@ -50,7 +50,7 @@ private:
     std::int64_t Id;
     QuadricError Errors;
   };
-  struct Level ///< what is left to put together
+  struct Level ///< the parts that remain to be merged
   {
     std::vector<Open> Clusters;
     std::vector<std::array<std::int64_t, 2>> Sides; ///< of quadrilaterals, between two clusters
@@ -75,7 +75,7 @@ private:
 };
 
 //--------------------------------------------------------------------------------------------------
-// The polygons of a contour whose points are put together, and finer ones where they cross.
+// The polygons of a contour whose points are merged, and finer ones where they cross.
 //
 // A quadrilateral whose points are merged becomes a triangle or vanishes. A cut one becomes
 // triangles around its crossing. Where it borders on another one (a "side": a face of the grid

@@ -3,12 +3,12 @@
  * @brief Computes a surface with sharp edges from crossings and normals on a grid.
  *
  * T. Ju, F. Losasso, S. Schaefer, J. Warren, ACM Trans. Graph. 21 (2002) 339,
- * doi:10.1145/566654.566586: in each cell the point nearest to the planes
- * of its crossings (QuadricError.h), around each crossed edge a quadrilateral of four of
- * them. A cell has a point for each piece of surface in it (UniformContour.h), so that the surface
- * is manifold; it is open only where it leaves the grid. Points are kept in their cells, except
- * those of edges that pass close to a cell (UniformContour.h). That makes crossing polygons rare
- * but does not prevent them; FreeOfCrossings does.
+ * doi:10.1145/566654.566586: each cell gets the point nearest to the planes of its crossings
+ * (QuadricError.h), and each crossed edge a quadrilateral of four such points. A cell has a point
+ * for each piece of surface in it (UniformContour.h), so that the surface is manifold; it is open
+ * only where it leaves the grid. Points are kept in their cells, except those of edges that pass
+ * close to a cell (UniformContour.h). That makes crossing polygons rare but does not prevent them;
+ * FreeOfCrossings does.
  *
  * With a tolerance, the points of the cells of an octree are merged (S. Schaefer, T. Ju, J. Warren,
  * doi:10.1109/TVCG.2007.1012; ContourClusters.h) and clusters are split again until the surface is

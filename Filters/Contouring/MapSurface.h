@@ -18,7 +18,7 @@ struct DustParameters
 {
   double MinimumArea = 0.0;  ///< length^2
   double MinimumShare = 0.0; ///< of the area of the largest component, from 0 to 1
-  int Largest = 0;           ///< keep that many of the largest; 0: all
+  int Largest = 0;           ///< number of components to keep; 0: all
 };
 
 struct DustResult

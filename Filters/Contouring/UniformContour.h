@@ -138,8 +138,8 @@ public:
   VertexPlacement(
     const HermiteGrid& grid, const DualCells& cells, const DualContouringParameters& parameters);
 
-  /// The vertex for piece `i` of the `count` pieces in the active cell `cell`. The planes are the
-  /// tangent planes or those that meet better (QuadricError.h). O(log n)
+  /// The vertex for piece `i` of the `count` pieces in an active cell. The planes are the tangent
+  /// planes or those that meet better (QuadricError.h). O(log n)
   PlacedVertex Place(
     std::int64_t cell, const QuadricError* pieces, std::size_t count, std::size_t i) const;
   /// The same, but always in the cell, regardless of other cells.
@@ -159,7 +159,7 @@ private:
 };
 
 //--------------------------------------------------------------------------------------------------
-// Dual contouring on every cell of a grid: what cells are put together from, or the result.
+// Dual contouring on every cell of a grid: the input for merging cells, or the result.
 
 /// A contour with one point for each piece of surface in a cell, and one quadrilateral for each
 /// crossed edge.

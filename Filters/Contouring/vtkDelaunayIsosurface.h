@@ -43,27 +43,28 @@ public:
   ///@}
 
   ///@{
-  /// Smallest angle of a triangle, in degrees, 0 to 30. Default 30.
+  /// Lower bound of the angles of triangles, in degrees, 0 to 30. Default 30.
   vtkSetMacro(Angle, double);
   vtkGetMacro(Angle, double);
   ///@}
 
   ///@{
-  /// Radius of a triangle's surface Delaunay ball at most, in the unit of the spacing; 0: 1.5 times
-  /// the smallest spacing. Default 0.
+  /// Upper bound of the radius of the surface Delaunay ball of a triangle, in the unit of the
+  /// spacing; 0: 1.5 times the smallest spacing. Default 0.
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /// Distance from a triangle's circumcentre to the level set at most, in the unit of the spacing;
-  /// 0: a quarter of the smallest spacing. Default 0.
+  /// Upper bound of the distance from the circumcentre of a triangle to the level set, in the unit
+  /// of the spacing; 0: a quarter of the smallest spacing. Default 0.
   vtkSetMacro(Distance, double);
   vtkGetMacro(Distance, double);
   ///@}
 
   ///@{
-  /// Points of the surface at which refinement gives up with an error. Default 5 million.
+  /// Number of points of the surface at which refinement is stopped with an error. Default 5
+  /// million.
   vtkSetMacro(MaximumNumberOfPoints, vtkIdType);
   vtkGetMacro(MaximumNumberOfPoints, vtkIdType);
   ///@}

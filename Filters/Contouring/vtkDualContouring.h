@@ -49,39 +49,40 @@ public:
   ///@}
 
   ///@{
-  /// How much normals must vary within a cell to count as an edge or a corner, as a part of the
-  /// largest eigenvalue, 0 to 1: smaller keeps blunter edges and more noise. For surfaces, edges of
-  /// at least this angle, and at least 30 degrees, are kept exactly. Default 0.07: 30 degrees.
+  /// How much normals must vary within a cell to count as an edge or a corner, as a fraction of the
+  /// largest eigenvalue, 0 to 1; a smaller value keeps blunter edges and more noise. For surfaces,
+  /// edges of at least this angle, and at least 30 degrees, are kept exactly. Default 0.07: 30
+  /// degrees.
   vtkSetMacro(FeatureThreshold, double);
   vtkGetMacro(FeatureThreshold, double);
   ///@}
 
   ///@{
-  /// Spacings by which a vertex may leave its cell, 0 to 1, into cells that have a vertex of their
-  /// own. A vertex may always move into empty cells and to edges. Polygons cross more easily above
+  /// How far, in spacings from 0 to 1, a vertex may move into other cells that have a vertex. A
+  /// vertex may always move into empty cells and to edges. Polygons cross more easily above
   /// 0. Default 0.
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}
 
   ///@{
-  /// Quadrilaterals, as the method makes them, instead of triangles. Default off.
+  /// Output the quadrilaterals of the method instead of triangles. Default off.
   vtkSetMacro(Quadrilaterals, bool);
   vtkGetMacro(Quadrilaterals, bool);
   vtkBooleanMacro(Quadrilaterals, bool);
   ///@}
 
   ///@{
-  /// How far the surface may be from that of all cells, in the unit of length of the input: above
-  /// 0, cells are put together where the surface is flat enough (octree), and it stays manifold.
-  /// Default 0: none are.
+  /// Allowed distance from the surface of all cells, in the unit of length of the input. Above 0,
+  /// cells are merged where the surface is flat enough (octree), and it stays manifold. Default 0:
+  /// no cells are merged.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /// No two triangles cross: those that do are cut into smaller ones that each stay in a cell,
-  /// which rounds edges there. Needs triangles and Reach 0. Default off.
+  /// Prevent triangles from crossing: those that cross are cut into smaller ones that each stay in
+  /// a cell, which rounds edges there. Needs triangles and Reach 0. Default off.
   vtkSetMacro(FreeOfCrossings, bool);
   vtkGetMacro(FreeOfCrossings, bool);
   vtkBooleanMacro(FreeOfCrossings, bool);

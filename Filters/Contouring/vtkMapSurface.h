@@ -63,7 +63,7 @@ public:
   void SetLevelOnly(double level);
 
   ///@{
-  /// Take the recommended level, or else an estimated one, instead of Level. Default on.
+  /// Use the recommended level, or otherwise an estimated one, instead of Level. Default on.
   vtkSetMacro(AutomaticLevel, bool);
   vtkGetMacro(AutomaticLevel, bool);
   vtkBooleanMacro(AutomaticLevel, bool);
@@ -81,19 +81,21 @@ public:
   ///@}
 
   ///@{
-  /// Leave out components of a smaller area, length^2 (angstrom^2 for maps). Default 0: none.
+  /// Drop components with an area below this value, in length^2 (angstrom^2 for maps). Default 0:
+  /// none.
   vtkSetMacro(MinimumComponentArea, double);
   vtkGetMacro(MinimumComponentArea, double);
   ///@}
 
   ///@{
-  /// Leave out components whose area is a smaller share, 0 to 1, of the largest one's. Default 0.
+  /// Drop components whose area, relative to that of the largest one, is below this value, 0 to 1.
+  /// Default 0.
   vtkSetMacro(MinimumComponentShare, double);
   vtkGetMacro(MinimumComponentShare, double);
   ///@}
 
   ///@{
-  /// Keep that many components, the largest. Default 0: all of them.
+  /// Number of components to keep, the largest ones. Default 0: all of them.
   vtkSetMacro(LargestComponents, int);
   vtkGetMacro(LargestComponents, int);
   ///@}
@@ -107,7 +109,7 @@ public:
   ///@}
 
   ///@{
-  /// Cubes (default): marching cubes, at once. Delaunay: no angle below 30 degrees, like that of
+  /// Cubes (default): marching cubes, immediate. Delaunay: no angle below 30 degrees, like that of
   /// vtkDelaunayIsosurface with its defaults; about 110 microseconds for each point.
   vtkSetMacro(Quality, int);
   vtkGetMacro(Quality, int);

@@ -20,13 +20,13 @@ class vtkUnstructuredGrid;
 namespace isthmus
 {
 
-/// Resizes `array`, whose type and number of components are set, to `tuples` tuples. Values are not
-/// set. Arrays of strings or bits grow as VTK does.
+/// Resizes `array`, whose type and number of components are set, to this number of tuples. Values
+/// are not set. Arrays of strings or bits grow as VTK does.
 /// @throws std::bad_alloc without memory; the array is then as it was.
 VTKISTHMUSFILTERSCORE_EXPORT void SizeArray(vtkAbstractArray* array, vtkIdType tuples);
 
-/// Reserves memory for `tuples` tuples, so that InsertNext... does not allocate up to that number.
-/// Empties `array`.
+/// Reserves memory for this number of tuples, so that InsertNext... does not allocate up to that
+/// number. Empties `array`.
 VTKISTHMUSFILTERSCORE_EXPORT void ReserveArray(vtkAbstractArray* array, vtkIdType tuples);
 
 /// The same as SizeArray for points, whose type must be set before.

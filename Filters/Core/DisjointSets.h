@@ -63,7 +63,7 @@ public:
     return low;
   }
 
-  /// Puts the set of root `under` below root `root`.
+  /// Joins the set with the root `under` to that with the root `root`, which stays a root.
   void JoinUnder(Index under, Index root) { this->Parent(under) = root; }
 
 private:

@@ -26,8 +26,8 @@ VTKISTHMUSFILTERSCORE_EXPORT void SetFailure(vtkAlgorithm* self, const std::stri
 VTKISTHMUSFILTERSCORE_EXPORT std::string PlainMessage(const std::string& message);
 
 /**
- * Updates `inner`, whose errors nothing else observes: without this, a failure inside of a filter
- * ends in an empty output without an error event of the filter that the user called.
+ * Updates `inner` and observes its errors. Otherwise a failure inside a filter would cause an empty
+ * output without an error event of the filter that the user called.
  *
  * Errors of `inner` and of its executive are thrown, so that Guarded (AlgorithmGuard.h) reports
  * them as those of the outer filter; an abort by `progress` ends `inner`. `warn` is called with

@@ -48,7 +48,7 @@ void AddColumn(vtkFieldData* data, const std::string& name, const Numbers& numbe
   }
 }
 
-/// A new array with of(row) for each of `rows` rows, numbered from 0.
+/// A new array with the values of(row) for rows 0 to `rows` - 1.
 template <typename Array, typename Of>
 void AddColumnOf(vtkFieldData* data, const std::string& name, std::size_t rows, Of&& of)
 {

@@ -20,8 +20,8 @@
 namespace isthmus
 {
 
-/// A number formatted for messages, with at most `digits` digits (six by default); NaN is written
-/// in words.
+/// A number formatted for messages, with at most `digits` significant digits (six by default); NaN
+/// is written in words.
 VTKISTHMUSFILTERSCORE_EXPORT std::string FormatNumber(double value, int digits = 6);
 
 /// A number with this many digits after the decimal point and no exponent.

@@ -45,8 +45,8 @@ VTKISTHMUSFILTERSCORE_EXPORT void ParallelFor(std::int64_t begin, std::int64_t e
 VTKISTHMUSFILTERSCORE_EXPORT int ParallelThreads();
 
 /**
- * Sum of what `work(partial, first, last)` adds to copies of `zero` for blocks of `block` indices
- * of [0, count). `Partial` has operator+=.
+ * Splits [0, count) into blocks of `block` indices, calls work(partial, first, last) on a copy of
+ * `zero` for each, and returns the sum of these partial results. `Partial` has operator+=.
  *
  * Blocks are fixed and added in their order, so the result does not depend on the threads. Sums of
  * sums also keep rounding errors small: about (block + count / block) roundings instead of count.

@@ -44,8 +44,8 @@ inline bool CountsToPlaces(std::vector<std::array<std::uint64_t, Digits>>& next,
   return several;
 }
 
-/// One stable pass: sorts `from` into `to` by the RadixBits bits of key(entry) that start at `bit`.
-/// Returns false and moves nothing if these bits are the same in all entries.
+/// One stable pass: sorts the entries of `from` into `to`, by RadixBits bits of key(entry) from
+/// `bit` on. Returns false and moves nothing if these bits are the same in all entries.
 template <typename Entry, typename Key>
 bool Pass(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int bit, const Key& key)
 {

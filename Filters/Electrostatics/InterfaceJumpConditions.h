@@ -84,7 +84,7 @@ struct FitTarget
 };
 
 /**
- * Fits at a point with frame `frame` and writes one functional for each target. The functionals
+ * Fits at a point with the given frame and writes one functional for each target. The functionals
  * take as data phi: u + T2G(y) at inside nodes, u at outside nodes. With None nothing is written.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT FitQuality FitInterface(const FitMedium& medium,

@@ -42,7 +42,7 @@ public:
   /// cavities, with the term that these share.
   void SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const;
 
-  /// The factor of the term of the ions in the equation of irregular row `row`.
+  /// The factor of the term of the ions in the equation of an irregular row.
   double RowScale(std::size_t row) const { return this->Rows.Scale[row]; }
 
 private:

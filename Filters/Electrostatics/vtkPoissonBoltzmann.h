@@ -150,8 +150,8 @@ public:
   ///@}
 
   ///@{
-  /// A salt of any ions instead: valence with sign, and concentration in mol/l. Charges must
-  /// cancel.
+  /// Adds ions of any kind, used instead of the 1:1 salt: valence with sign, and concentration in
+  /// mol/l. Charges must cancel.
   void AddIon(double valence, double concentration);
   /// Adds an ion with its own radius in angstrom, its closest distance to the surface; for other
   /// ions this is IonRadius.
@@ -161,31 +161,31 @@ public:
   ///@}
 
   ///@{
-  /// How near to the surface ions get, angstrom. Default 2.
+  /// Closest distance of the ions to the surface, in angstrom. Default 2.
   vtkSetMacro(IonRadius, double);
   vtkGetMacro(IonRadius, double);
   ///@}
 
   ///@{
-  /// Kelvin. Default 298.15.
+  /// Temperature in kelvin. Default 298.15.
   vtkSetMacro(Temperature, double);
   vtkGetMacro(Temperature, double);
   ///@}
 
   ///@{
-  /// Node distance of the grid where input 1 is no volume, angstrom. Default 0.5.
+  /// Spacing of the grid if input 1 is not a volume, in angstrom. Default 0.5.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Solvent around the surface, at least, angstrom. Default 10.
+  /// Minimum thickness of the solvent around the surface, in angstrom. Default 10.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}
 
   ///@{
-  /// The full Poisson-Boltzmann equation instead of the linearised one. Default off.
+  /// Solve the full Poisson-Boltzmann equation instead of the linearised one. Default off.
   vtkSetMacro(Nonlinear, bool);
   vtkGetMacro(Nonlinear, bool);
   vtkBooleanMacro(Nonlinear, bool);
@@ -201,9 +201,9 @@ public:
   };
 
   ///@{
-  /// Values on the border of the box: 0; the net charge's or every charge's Debye-Hueckel
-  /// potential; the latter corrected by what a coarser solution radiates (SelfConsistent, the
-  /// default); or input 2's.
+  /// Values on the border of the box: 0; the Debye-Hueckel potential of the net charge or of all
+  /// charges; the latter corrected by a coarser solution (SelfConsistent, the default); or the
+  /// values of input 2.
   vtkSetClampMacro(BoundaryCondition, int, Zero, FromInput);
   vtkGetMacro(BoundaryCondition, int);
   ///@}
@@ -215,14 +215,14 @@ public:
   };
 
   ///@{
-  /// The dielectric constant at the surface: its jump, or a permittivity for each edge of the grid.
-  /// Default SharpInterface.
+  /// Treatment of the dielectric constant at the surface: as a jump, or as one permittivity for
+  /// each edge of the grid. Default SharpInterface.
   vtkSetClampMacro(DielectricModel, int, SharpInterface, SmoothDielectric);
   vtkGetMacro(DielectricModel, int);
   ///@}
 
   ///@{
-  /// Residual at which the iteration ends, as part of the first. Default 1e-6.
+  /// Residual at which the iteration ends, as a fraction of the first one. Default 1e-6.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
@@ -234,7 +234,8 @@ public:
   ///@}
 
   ///@{
-  /// Adds the forces that the atoms feel through the surface they carry to output 2. Default off.
+  /// Adds the forces on the atoms through the surface that moves with them to output 2. Default
+  /// off.
   vtkSetMacro(ComputeBoundaryForces, bool);
   vtkGetMacro(ComputeBoundaryForces, bool);
   vtkBooleanMacro(ComputeBoundaryForces, bool);
@@ -254,7 +255,8 @@ public:
   };
 
   ///@{
-  /// Whose charges and radii atoms without charges get, by pdb2pqr. Default AMBER.
+  /// Force field by which pdb2pqr assigns charges and radii to atoms without charges. Default
+  /// AMBER.
   vtkSetClampMacro(ForceField, int, AMBER, PARSE);
   vtkGetMacro(ForceField, int);
   ///@}

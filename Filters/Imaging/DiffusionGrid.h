@@ -33,7 +33,7 @@ struct DiffusionGrid
   std::array<std::int64_t, 3> GlobalBegin{ 0, 0, 0 };          ///< First node in the whole grid.
   std::array<std::int64_t, 3> GlobalDimensions{ 0, 0, 0 };     ///< All zero: Dimensions.
   std::function<void(T* values)> ExchangeHalo;                 ///< Empty on a single rank.
-  std::function<void(double* values, int count)> SumOverRanks; ///< In place; empty on one rank.
+  std::function<void(double* values, int count)> SumOverRanks; ///< Sums in place; may be empty.
 
   std::int64_t Size() const
   {

@@ -53,8 +53,8 @@ NoiseSpectrum WhiteNoise(double deviation);
 VTKISTHMUSFILTERSIMAGING_EXPORT NoiseSpectrum EstimateNoiseSpectrum(
   const VolumeSample& sample, const std::array<double, 3>& spacing);
 
-/// Values of s for the modes of a grid, at most 64 along each axis (those of a longer axis are as
-/// dense): all combinations are the modes.
+/// Values of s along each axis, whose combinations are the modes of a grid; at most 64 for each
+/// axis, with which longer axes are sampled as densely.
 std::array<std::vector<double>, 3> ModesOf(
   const Index3& whole, const std::array<double, 3>& spacing);
 

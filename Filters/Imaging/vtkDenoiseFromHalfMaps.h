@@ -46,14 +46,15 @@ public:
   ///@}
 
   ///@{
-  /// What the choice is for: 0 (default) surfaces and curvature, 1 volumes; see
+  /// Purpose of the denoised volume: 0 (default) surfaces and curvature, 1 volumes; see
   /// vtkHighOrderDiffusion.
   vtkSetMacro(Goal, int);
   vtkGetMacro(Goal, int);
   ///@}
 
   ///@{
-  /// Not used since the order is chosen; kept for state files. From 0 to 3. Default 0.
+  /// Not used, because the order is chosen automatically; kept for state files. From 0 to 3.
+  /// Default 0.
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
   ///@}

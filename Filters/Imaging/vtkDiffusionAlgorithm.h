@@ -50,7 +50,7 @@ public:
   ///@}
 
   ///@{
-  /// Let values that are not finite pass through instead of refusing them. Default off.
+  /// Return values that are not finite unchanged instead of refusing them. Default off.
   vtkSetMacro(MaskInvalid, bool);
   vtkGetMacro(MaskInvalid, bool);
   vtkBooleanMacro(MaskInvalid, bool);
@@ -74,7 +74,7 @@ protected:
   virtual int HaloWidth() = 0;
 
   ///@{
-  /// The computation; results go to the image's AddResult.
+  /// Runs the computation; results are passed to AddResult of the image.
   virtual void Process(isthmus::DiffusionImage<float>& image) = 0;
   virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
   ///@}

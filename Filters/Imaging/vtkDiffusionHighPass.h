@@ -43,19 +43,19 @@ public:
   ///@}
 
   ///@{
-  /// epsilon_u, per unit of time: how v pulls u. Default 0.05.
+  /// epsilon_u, per unit of time: strength with which v pulls u. Default 0.05.
   vtkSetMacro(CouplingU, double);
   vtkGetMacro(CouplingU, double);
   ///@}
 
   ///@{
-  /// epsilon_v, per unit of time: how u pulls v. Default 0.05.
+  /// epsilon_v, per unit of time: strength with which u pulls v. Default 0.05.
   vtkSetMacro(CouplingV, double);
   vtkGetMacro(CouplingV, double);
   ///@}
 
   ///@{
-  /// Gradient at which diffusion stops, data unit / length; 0 (default): nowhere.
+  /// Gradient at which diffusion stops, in data units per length; 0 (default): it never stops.
   vtkSetMacro(Sigma, double);
   vtkGetMacro(Sigma, double);
   ///@}
@@ -67,7 +67,8 @@ public:
   ///@}
 
   ///@{
-  /// Steps in which coupling and diffusion alternate; 0 (default) chooses them.
+  /// Number of steps in which coupling and diffusion alternate; 0 (default) chooses it
+  /// automatically.
   vtkSetMacro(Steps, int);
   vtkGetMacro(Steps, int);
   ///@}

@@ -83,31 +83,31 @@ public:
   };
 
   ///@{
-  /// Choose Order, edge stopping, Sigma, PreSmoothing and Time by their estimated error. Default
-  /// on.
+  /// Choose Order, edge stopping, Sigma, PreSmoothing and Time automatically by the estimated
+  /// error. Default on.
   vtkSetMacro(Automatic, bool);
   vtkGetMacro(Automatic, bool);
   vtkBooleanMacro(Automatic, bool);
   ///@}
 
   ///@{
-  /// What the automatic choice is for: Surfaces (default), which are linear choices of which second
-  /// derivatives, so normals and curvature of level sets, profit, or Volumes, the least mean
-  /// squared error of the values. Read if Automatic is on.
+  /// Purpose of the denoised volume: Surfaces (default), for which linear diffusions are chosen
+  /// that improve second derivatives, and thus normals and curvature of level sets; or Volumes, for
+  /// the least mean squared error of the values. Used if Automatic is on.
   vtkSetMacro(Goal, int);
   vtkGetMacro(Goal, int);
   ///@}
 
   ///@{
-  /// How much to denoise, from 0 (light) to 1 (strong): the length of smoothing is 2^(Strength -
-  /// 1/2) times the best one. Default 0.5. Read if Automatic is on.
+  /// How much to denoise, from 0 (light) to 1 (strong): the smoothing length is 2^(Strength - 1/2)
+  /// times the best one. Default 0.5. Used if Automatic is on.
   vtkSetClampMacro(Strength, double, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the noise where it is known to be white; 0 (default): level and spectrum
-  /// are estimated from the volume where that is not constant. Read if Automatic is on.
+  /// Standard deviation of the noise if it is known to be white; 0 (default): level and spectrum
+  /// are estimated where the volume is not constant. Used if Automatic is on.
   vtkSetMacro(KnownNoise, double);
   vtkGetMacro(KnownNoise, double);
   ///@}
@@ -119,13 +119,15 @@ public:
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Default 0. Chosen where Automatic is on.
+  /// q, 0 to 3: the equation is of order 2q + 2. Default 0. Chosen automatically if Automatic is
+  /// on.
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
   ///@}
 
   ///@{
-  /// Hyperdiffusion of all orders from 0 to Order together instead of Order alone. Default off.
+  /// Combine the hyperdiffusions of all orders from 0 to Order instead of using only Order. Default
+  /// off.
   vtkSetMacro(LowerOrders, bool);
   vtkGetMacro(LowerOrders, bool);
   vtkBooleanMacro(LowerOrders, bool);
@@ -147,33 +149,36 @@ public:
   ///@}
 
   ///@{
-  /// Gradient that counts as an edge, data unit / length; 0 (default): from the noise level.
+  /// Gradient that counts as an edge, in data units per length; 0 (default): derived from the noise
+  /// level.
   vtkSetMacro(Sigma, double);
   vtkGetMacro(Sigma, double);
   ///@}
 
   ///@{
-  /// Nodes across the window of LocalVariance: odd, at least 3. Default 5.
+  /// Width of the window of LocalVariance in nodes: odd, at least 3. Default 5.
   vtkSetMacro(Window, int);
   vtkGetMacro(Window, int);
   ///@}
 
   ///@{
-  /// Standard deviation (length) of the Gaussian applied to u before the coefficient's gradient is
-  /// taken, so that noise is not mistaken for edges (Catte et al. 1992). Default 0: as in 4.34.
+  /// Standard deviation (length) of the Gaussian applied to u before the gradient of the
+  /// coefficient is computed, so that noise is not mistaken for edges (Catte et al. 1992). Default
+  /// 0: as in 4.34.
   vtkSetMacro(PreSmoothing, double);
   vtkGetMacro(PreSmoothing, double);
   ///@}
 
   ///@{
-  /// Standard deviation (length) of a Gaussian; what it leaves of input - result is added to the
-  /// result, which so keeps the input's long waves (AutomaticDenoising.h). Default 0: nothing is.
+  /// Standard deviation (length) of a Gaussian that smooths input - result; the smoothed difference
+  /// is added to the result, which thus keeps the long waves of the input (AutomaticDenoising.h).
+  /// Default 0: nothing is added.
   vtkSetMacro(ResidualSmoothing, double);
   vtkGetMacro(ResidualSmoothing, double);
   ///@}
 
   ///@{
-  /// Pull back to the input, per unit of time. Default 0.
+  /// Strength of the term that pulls the values back to the input, per unit of time. Default 0.
   vtkSetMacro(Fidelity, double);
   vtkGetMacro(Fidelity, double);
   ///@}
@@ -187,7 +192,7 @@ public:
   ///@}
 
   ///@{
-  /// End time, unit given by the lengths' and the diffusivities'. Default 1.
+  /// End time, in the unit given by those of lengths and diffusivities. Default 1.
   vtkSetMacro(Time, double);
   vtkGetMacro(Time, double);
   ///@}
@@ -200,8 +205,8 @@ public:
   ///@}
 
   ///@{
-  /// That many equal steps; 0 (default) chooses them. Too few steps are refused, with the limit in
-  /// the message.
+  /// Number of equal steps; 0 (default) chooses the steps automatically. Too few steps are refused,
+  /// with the limit in the message.
   vtkSetMacro(Steps, int);
   vtkGetMacro(Steps, int);
   ///@}

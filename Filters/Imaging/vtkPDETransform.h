@@ -35,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of modes, 1 to 16, beside the residue. Default 4.
+  /// Number of modes, 1 to 16, not counting the residue. Default 4.
   vtkSetMacro(NumberOfModes, int);
   vtkGetMacro(NumberOfModes, int);
   ///@}
@@ -47,19 +47,19 @@ public:
   ///@}
 
   ///@{
-  /// Order at which the falling ends. Default 0.
+  /// Order of the last low-pass. Default 0.
   vtkSetMacro(LastOrder, int);
   vtkGetMacro(LastOrder, int);
   ///@}
 
   ///@{
-  /// Wavelength (length) that the first low-pass halves. Default 4.
+  /// Wavelength (length) of the waves that the first low-pass halves. Default 4.
   vtkSetMacro(FirstWavelength, double);
   vtkGetMacro(FirstWavelength, double);
   ///@}
 
   ///@{
-  /// Ratio of a mode's wavelength to that of the mode before. Default 2.
+  /// Ratio of a mode's wavelength to that of the preceding mode. Default 2.
   vtkSetMacro(WavelengthRatio, double);
   vtkGetMacro(WavelengthRatio, double);
   ///@}

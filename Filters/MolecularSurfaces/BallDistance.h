@@ -18,10 +18,10 @@ namespace isthmus
 {
 
 /**
- * Writes d, in spacings and clamped to +-`band` spacings, to `to` (one value for each node of
- * `grid`), for balls whose radius is `scale` times the radius plus `more` angstrom. Time: O(nodes +
- * sum over balls of the nodes within radius and band). The result depends neither on the order of
- * the balls nor on the threads.
+ * Writes d, in spacings and clamped to +-`band` spacings, to the array `to` (one value for each
+ * node of `grid`), for balls whose radius is `scale` times the radius plus `more` angstrom. Time:
+ * O(nodes + sum over balls of the nodes within radius and band). The result depends neither on the
+ * order of the balls nor on the threads.
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void DistanceToBalls(const FlowGrid& grid,
   const std::vector<Ball>& balls, double scale, double more, double band, std::vector<float>& to,

@@ -26,9 +26,10 @@ namespace isthmus
 {
 
 /**
- * Writes phi, in spacings and clamped to FlowGrid::Band, to `to` (one value for each node); `probe`
- * is in angstrom. It is exact on convex patches, and accurate to (spacing / 4)^2 / (8 probe)
- * elsewhere outside the surface. Time O(balls x neighbours + nodes near the surface x neighbours).
+ * Writes phi, in spacings and clamped to FlowGrid::Band, to the array `to` (one value for each
+ * node); `probe` is in angstrom. It is exact on convex patches, and accurate to (spacing / 4)^2 /
+ * (8 probe) elsewhere outside the surface. Time O(balls x neighbours + nodes near the surface x
+ * neighbours).
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void SolventExcludedDistance(const FlowGrid& grid,
   const std::vector<Ball>& balls, double probe, std::vector<float>& to,

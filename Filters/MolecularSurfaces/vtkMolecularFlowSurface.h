@@ -81,25 +81,26 @@ public:
   enum Methods
   {
     SignedDistanceFlow = 0, ///< second order in the spacing
-    ThesisFlow = 1,         ///< as the thesis prints it, to compare with
+    ThesisFlow = 1,         ///< as printed in the thesis, for comparison
     SolventExcluded = 2     ///< no flow: the surface of a probe of ProbeRadius, to compare with
   };
 
   ///@{
-  /// Custom (default): as set below. Any other preset uses its own Enlargement, EvolutionTime,
-  /// Steady and ProbeRadius instead of those that are set.
+  /// Custom (default): the properties below are used. Any other preset uses its own Enlargement,
+  /// EvolutionTime, Steady and ProbeRadius instead of those that are set.
   vtkSetClampMacro(Preset, int, Custom, Channel);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// How the surface is made. Default SignedDistanceFlow.
+  /// Method of computing the surface. Default SignedDistanceFlow.
   vtkSetClampMacro(Method, int, SignedDistanceFlow, SolventExcluded);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /// The factor eta of the radii that the flow starts from, at least 1. Default 1.3.
+  /// The factor eta by which the radii are multiplied at the start of the flow, at least 1. Default
+  /// 1.3.
   vtkSetMacro(Enlargement, double);
   vtkGetMacro(Enlargement, double);
   ///@}
@@ -112,7 +113,7 @@ public:
   ///@}
 
   ///@{
-  /// Go on until the surface has converged. Default off.
+  /// Continue until the surface has converged. Default off.
   vtkSetMacro(Steady, bool);
   vtkGetMacro(Steady, bool);
   vtkBooleanMacro(Steady, bool);
@@ -125,21 +126,21 @@ public:
   ///@}
 
   ///@{
-  /// Distance of the nodes, in angstrom. Default 0.5.
+  /// Spacing of the grid, in angstrom. Default 0.5.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Room from the enlarged atoms to the border of the grid, in angstrom. Two spacings are always
-  /// kept, so that the surface never touches the border. Default 1.7.
+  /// Distance from the enlarged atoms to the border of the grid, in angstrom. Two spacings are
+  /// always kept, so that the surface never touches the border. Default 1.7.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}
 
   ///@{
-  /// Level of S that output 0 shows, between 0 and 1 (not included); by larger ones it lies further
-  /// inside: 1.2 Spacing (1 - 2 Level) outside of the flow's surface. Default 0.5.
+  /// Level of S that output 0 shows, between 0 and 1 (exclusive). Larger levels lie further inside:
+  /// the offset from the surface of the flow is 1.2 Spacing (1 - 2 Level) outwards. Default 0.5.
   vtkSetMacro(Level, double);
   vtkGetMacro(Level, double);
   ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
@@ -149,7 +150,7 @@ public:
   ///@}
 
   ///@{
-  /// Begin a Steady flow on coarser grids, many times faster. Default on.
+  /// Start a Steady flow on coarser grids, which is many times faster. Default on.
   vtkSetMacro(CoarseToFine, bool);
   vtkGetMacro(CoarseToFine, bool);
   vtkBooleanMacro(CoarseToFine, bool);
@@ -164,17 +165,17 @@ public:
   ///@}
 
   ///@{
-  /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface) in
-  /// place of those of the grid's cells; some ten times as long. Default off.
+  /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface)
+  /// instead of those of the cells of the grid; takes about ten times as long. Default off.
   vtkSetMacro(DelaunayQuality, bool);
   vtkGetMacro(DelaunayQuality, bool);
   vtkBooleanMacro(DelaunayQuality, bool);
   ///@}
 
   ///@{
-  /// Above 0: the outputs have so many time steps after the first, from 0 to EvolutionTime (square
-  /// angstrom), and are made for the one that the pipeline asks for. Not used with Steady, or if
-  /// the atoms have time steps of their own. Default 0.
+  /// Above 0: the outputs have this number of time steps after the first, from 0 to EvolutionTime
+  /// (square angstrom), and are computed for the one that the pipeline requests. Not used with
+  /// Steady, or if the atoms have time steps of their own. Default 0.
   vtkSetClampMacro(TimeSteps, int, 0, 10000);
   vtkGetMacro(TimeSteps, int);
   ///@}

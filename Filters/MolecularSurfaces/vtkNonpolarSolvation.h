@@ -48,8 +48,8 @@ public:
   ///@}
 
   ///@{
-  /// Half the distance of the minimum between two solvent molecules, angstrom, at least 0. Default
-  /// 1.7683 (TIP3P's oxygen).
+  /// Half the distance at which the energy of two solvent molecules is minimal, in angstrom, at
+  /// least 0. Default 1.7683 (TIP3P's oxygen).
   vtkSetMacro(SolventRadius, double);
   vtkGetMacro(SolventRadius, double);
   ///@}

@@ -276,8 +276,8 @@ public:
   }
 
   /**
-   * The edges whose loops `faces` fill, one after the other, as Fill would give them: calls
-   * found(i, edge) in their order. For a reduction that has filled nothing yet.
+   * Computes the edges that Fill would return for `faces`, one after the other, and calls found(i,
+   * edge) in this order. For a reduction that has filled nothing yet.
    *
    * The reduction works in rounds on all threads. Each of a few thousand faces adds columns of
    * earlier ones until it reaches an edge that none of them has. Then, in order, the earliest of

@@ -66,7 +66,7 @@ void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& r
     if (!(std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) < largest))
     {
       throw std::invalid_argument("Ball " + std::to_string(i) +
-        " has a coordinate that is no finite number, or beyond 1e9: these can't be atoms in "
+        " has a coordinate that is not a finite number, or beyond 1e9: these can't be atoms in "
         "angstrom.");
     }
     if (!(radii[i] >= 0.0 && radii[i] < largest))

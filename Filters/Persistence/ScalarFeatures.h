@@ -53,7 +53,7 @@ struct FeatureList
   /// is the FeatureId, which does not change with the threshold.
   std::vector<ScalarFeature> Features;
   double Threshold = 0.0; ///< what a persistence must reach, in units of the values
-  std::size_t Kept = 0;   ///< the first so many reach it
+  std::size_t Kept = 0;   ///< number of features that reach it
 };
 
 /// Throws std::invalid_argument for an invalid range or persistence.

@@ -40,8 +40,8 @@ inline GridShape ShapeOf(const DistanceGrid& grid)
 }
 
 /**
- * Distance to the surface at the nodes of a grid over `box`, with `cells` cells along its longest
- * side.
+ * Distance to the surface at the nodes of a grid over `box`; `cells` is the number of cells along
+ * its longest side.
  *
  * It is computed by DistanceToSurface(): exact within two spacings h of the surface, and farther
  * away too large by at most about h^2 / (2 distance), which is also the possible error of trilinear

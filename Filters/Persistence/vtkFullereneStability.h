@@ -71,21 +71,21 @@ public:
   ///@}
 
   ///@{
-  /// Distance at which the grid stops, in the unit of the points: bars that reach it end there (and
-  /// count, however short). Default 2. Not used by Exact.
+  /// Largest distance computed on the grid, in the unit of the points. Bars that reach it end there
+  /// and count even if they are short. Default 2. Not used by Exact.
   vtkSetMacro(Theta, double);
   vtkGetMacro(Theta, double);
   ///@}
 
   ///@{
-  /// Distance of the grid's nodes, in the unit of the points. Default 0.2. Not used by Exact.
+  /// Spacing of the grid, in the unit of the points. Default 0.2. Not used by Exact.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Distances on the grid by fast marching (first order, as the thesis) instead of exactly.
-  /// Default off. Not used by Exact.
+  /// Compute distances on the grid by fast marching (first order, as in the thesis) instead of
+  /// exactly. Default off. Not used by Exact.
   vtkSetMacro(FastMarching, bool);
   vtkGetMacro(FastMarching, bool);
   vtkBooleanMacro(FastMarching, bool);

@@ -74,14 +74,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Grow from the highest value down (density maps) instead of from the lowest up. Default off.
+  /// Let the set grow from the highest value down (density maps) instead of from the lowest value
+  /// up. Default off.
   vtkSetMacro(Superlevel, bool);
   vtkGetMacro(Superlevel, bool);
   vtkBooleanMacro(Superlevel, bool);
   ///@}
 
   ///@{
-  /// Least persistence of the classes listed, in PersistenceUnit; at least 0. Default 0.
+  /// Smallest persistence of the listed classes, in PersistenceUnit; at least 0. Default 0.
   vtkSetMacro(MinimumPersistence, double);
   vtkGetMacro(MinimumPersistence, double);
   ///@}
@@ -94,8 +95,9 @@ public:
   };
 
   ///@{
-  /// MinimumPersistence is a difference of values (Absolute, default) or counts standard deviations
-  /// of the volume; with LargestGap it is not used: what lies above the widest gap is kept.
+  /// MinimumPersistence is a difference of values (Absolute, default) or a number of standard
+  /// deviations of the volume. With LargestGap it is not used; the classes above the widest gap are
+  /// kept.
   vtkSetClampMacro(PersistenceUnit, int, Absolute, LargestGap);
   vtkGetMacro(PersistenceUnit, int);
   ///@}
@@ -111,7 +113,7 @@ public:
   ///@}
 
   ///@{
-  /// Rows of the Betti curves, from 2 to a million. Default 256.
+  /// Number of rows of the Betti curves, from 2 to a million. Default 256.
   vtkSetMacro(NumberOfLevels, int);
   vtkGetMacro(NumberOfLevels, int);
   ///@}
@@ -124,7 +126,8 @@ public:
   ///@}
 
   ///@{
-  /// The longest-lived tunnels only get a cycle, at most so many; at least 1. Default 100.
+  /// Maximum number of tunnels with a cycle; those with the largest persistence are chosen. At
+  /// least 1. Default 100.
   vtkSetMacro(MaximumNumberOfCycles, int);
   vtkGetMacro(MaximumNumberOfCycles, int);
   ///@}

@@ -81,7 +81,7 @@ double ExpectedTriangles(const SurfaceView& mesh, double length)
   if (!(expected < MostTriangles) || length < 1e-9 * longest)
   {
     throw std::invalid_argument("An edge length of " + FormatNumber(length) +
-      " is so small that more than 50 million triangles would come out: ask for a larger one.");
+      " is so small that more than 50 million triangles would result: choose a larger one.");
   }
   return expected;
 }

@@ -50,9 +50,9 @@ VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface RemeshSurface(const SurfaceVie
   const SurfaceRemeshParameters& parameters, const ProgressCallback& progress = {});
 
 /**
- * Edge collapse of `mesh` down to about `triangles` triangles. The result may have more if a
- * collapse would flip a triangle or change the topology. Preconditions and errors are as above. O(n
- * log n).
+ * Simplifies `mesh` by edge collapse to about this number of triangles. The result may have more if
+ * a collapse would flip a triangle or change the topology. Preconditions and errors are as above.
+ * O(n log n).
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
   const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});

@@ -52,7 +52,7 @@ public:
   ///@}
 
   ///@{
-  /// Edge length in mean edge lengths of the input. Default 1.
+  /// Edge length relative to the mean edge length of the input. Default 1.
   vtkSetMacro(RelativeEdgeLength, double);
   vtkGetMacro(RelativeEdgeLength, double);
   ///@}
@@ -98,7 +98,7 @@ public:
   ///@}
 
   ///@{
-  /// Rounds of isotropic remeshing. Default 5.
+  /// Number of rounds of isotropic remeshing. Default 5.
   vtkSetClampMacro(NumberOfIterations, int, 1, 100);
   vtkGetMacro(NumberOfIterations, int);
   ///@}

@@ -72,7 +72,8 @@ struct TransportDomain
 VTKISTHMUSFILTERSSOLVATION_EXPORT TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
 
-/// @throws std::runtime_error with the domain's size if so many bytes a node are not available.
+/// @throws std::runtime_error with the domain's size if this number of bytes for each node is not
+/// available.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
   const TransportDomain& domain, double bytesPerNode);
 

@@ -74,8 +74,8 @@ public:
 
   ///@{
   /// The ions: valence, concentrations (mol/l) in the bath below (that the normal points away from)
-  /// and above, diffusion coefficient (1e-9 m^2/s), the part of it that is left within the
-  /// membrane's slab. Default: potassium and chloride, 0.1 mol/l on both sides, diffusion
+  /// and above, diffusion coefficient (1e-9 m^2/s), and the fraction of it that applies within the
+  /// slab of the membrane. Default: potassium and chloride, 0.1 mol/l on both sides, diffusion
   /// coefficients 1.96 and 2.03, and a fraction of 1 in the channel.
   void AddSpecies(
     double valence, double below, double above, double diffusion, double channelFraction = 1.0);
@@ -84,23 +84,23 @@ public:
   ///@}
 
   ///@{
-  /// What the species are called in arrays and columns, between blanks or commas; those without a
+  /// Names of the species in arrays and columns, separated by blanks or commas; those without a
   /// name are `Ion1`, `Ion2`, ... Default "K Cl".
   vtkSetMacro(SpeciesNames, std::string);
   vtkGetMacro(SpeciesNames, std::string);
   ///@}
 
   ///@{
-  /// mV, of the bath below less that above: a positive one drives cations along the normal. Default
-  /// 100.
+  /// Potential of the bath below minus that of the bath above, in mV. A positive voltage drives
+  /// cations along the normal. Default 100.
   vtkSetMacro(Voltage, double);
   vtkGetMacro(Voltage, double);
   ///@}
 
   ///@{
   /// A point in the middle of the membrane and on the channel's axis, the axis' direction (of any
-  /// length), thickness and the radius around the axis where there is no membrane; angstrom.
-  /// Defaults (0, 0, 0), (0, 0, 1), 24, 5.
+  /// length), the thickness of the membrane, and the radius of the hole in it around the axis; in
+  /// angstrom. Defaults (0, 0, 0), (0, 0, 1), 24, 5.
   vtkSetVector3Macro(MembraneCenter, double);
   vtkGetVector3Macro(MembraneCenter, double);
   vtkSetVector3Macro(MembraneNormal, double);
@@ -112,21 +112,21 @@ public:
   ///@}
 
   ///@{
-  /// Of the probe that makes the surface, in angstrom; 0 for the atoms themselves. Default 1,
-  /// because the radius 1.4 of water closes the pore of gramicidin.
+  /// Radius of the probe for the solvent-excluded surface, in angstrom; 0 for the atoms themselves.
+  /// Default 1, because the radius 1.4 of water closes the pore of gramicidin.
   vtkSetMacro(ProbeRadius, double);
   vtkGetMacro(ProbeRadius, double);
   ///@}
 
   ///@{
-  /// Distance of the nodes, in angstrom. Default 0.5.
+  /// Spacing of the grid, in angstrom. Default 0.5.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Of the baths beyond atoms and membrane, along the axis and away from it, in angstrom; at least
-  /// two spacings. Default 8.
+  /// Extent of the baths beyond atoms and membrane, along the axis and away from it, in angstrom;
+  /// at least two spacings. Default 8.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}
@@ -140,14 +140,14 @@ public:
   ///@}
 
   ///@{
-  /// In kelvin. Default 298.15.
+  /// Temperature in kelvin. Default 298.15.
   vtkSetMacro(Temperature, double);
   vtkGetMacro(Temperature, double);
   ///@}
 
   ///@{
-  /// It has converged when the potential changes by less than this (kT/e) in all water; it ends
-  /// after MaximumIterations in any case. Defaults 1e-4 and 100.
+  /// The iteration has converged when the potential changes by less than this value (kT/e)
+  /// everywhere in the water; it always ends after MaximumIterations. Defaults 1e-4 and 100.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   vtkSetMacro(MaximumIterations, int);
@@ -162,8 +162,8 @@ public:
   };
 
   ///@{
-  /// What is swept, in how many points (at least two), between which ends: voltages in mV, or
-  /// factors. Defaults NoSweep, 9, -100 to 100, 0.1 to 10.
+  /// The quantity to sweep, the number of points (at least two), and the ends of the sweep:
+  /// voltages in mV, or factors. Defaults NoSweep, 9, -100 to 100, 0.1 to 10.
   vtkSetClampMacro(SweepOf, int, NoSweep, Concentrations);
   vtkGetMacro(SweepOf, int);
   vtkSetMacro(SweepPoints, int);
@@ -175,20 +175,20 @@ public:
   ///@}
 
   ///@{
-  /// Whether the surface moves with field and ions (thesis' LB-PNP, MovingChannel.h) from the one
-  /// that the atoms or input 1 give, behind which it never recedes, or is fixed there. A sweep uses
-  /// the surface at Voltage. Default off.
+  /// Whether the surface moves with the field and the ions (the LB-PNP model of the thesis,
+  /// MovingChannel.h) or is fixed. It starts from the surface of the atoms or of input 1 and never
+  /// recedes behind it. A sweep uses the surface at Voltage. Default off.
   vtkSetMacro(MovingSurface, bool);
   vtkGetMacro(MovingSurface, bool);
   vtkBooleanMacro(MovingSurface, bool);
   ///@}
 
   ///@{
-  /// Where it moves: steps of the flow between two solutions, fewer where the volume converges
-  /// before; the part of each period's motion and of each new force that is taken (above 0, at most
-  /// 1); it has converged when currents and the water in the membrane's hole change by less than
-  /// this part of them twice in a row, and ends after MaximumUpdates in any case. Defaults 20, 1,
-  /// 1, 1e-3, 10.
+  /// For a moving surface: the number of steps of the flow between two solutions, fewer if the
+  /// volume converges before; the fractions of each period's motion and of each new force that are
+  /// applied (above 0, at most 1); the relative change of the currents and of the water in the hole
+  /// of the membrane below which, twice in a row, the surface has converged; and the maximum number
+  /// of updates. Defaults 20, 1, 1, 1e-3, 10.
   vtkSetMacro(UpdatePeriod, int);
   vtkGetMacro(UpdatePeriod, int);
   vtkSetMacro(SurfaceRelaxation, double);

@@ -65,25 +65,28 @@ public:
   ///@}
 
   ///@{
-  /// The factor of the radii that the flow starts from, at least 1. Default 1.3.
+  /// The factor by which the radii are multiplied at the start of the flow, at least 1. Default
+  /// 1.3.
   vtkSetMacro(Enlargement, double);
   vtkGetMacro(Enlargement, double);
   ///@}
 
   ///@{
-  /// Of the probe: where it can't be, there is no solvent. In angstrom, 0 for none. Default 1.4.
+  /// Radius of the probe, in angstrom; there is no solvent where the probe does not fit. 0: no
+  /// probe. Default 1.4.
   vtkSetMacro(ProbeRadius, double);
   vtkGetMacro(ProbeRadius, double);
   ///@}
 
   ///@{
-  /// Distance of the nodes, in angstrom. Default 0.5.
+  /// Spacing of the grid, in angstrom. Default 0.5.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Solvent around the surface for the potential, in angstrom. Default 10.
+  /// Thickness of the solvent around the surface in which the potential is computed, in angstrom.
+  /// Default 10.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}
@@ -103,28 +106,28 @@ public:
   };
 
   ///@{
-  /// How the field sees the surface on the way: by its jump, or by a permittivity for each edge of
-  /// the grid; the last update is by the jump in any case, with SmoothDielectric a row of its own.
-  /// Default SharpInterface.
+  /// Treatment of the surface in the field during the iteration: as a jump, or by one permittivity
+  /// for each edge of the grid. The last update always uses the jump; with SmoothDielectric, this
+  /// is an additional row. Default SharpInterface.
   vtkSetClampMacro(DielectricModel, int, SharpInterface, SmoothDielectric);
   vtkGetMacro(DielectricModel, int);
   ///@}
 
   ///@{
-  /// Of a 1:1 salt, mol/l. Default 0.
+  /// Ionic strength of a 1:1 salt, in mol/l. Default 0.
   vtkSetMacro(IonicStrength, double);
   vtkGetMacro(IonicStrength, double);
   ///@}
 
   ///@{
-  /// In kelvin. Default 298.15.
+  /// Temperature in kelvin. Default 298.15.
   vtkSetMacro(Temperature, double);
   vtkGetMacro(Temperature, double);
   ///@}
 
   ///@{
-  /// Steps of the flow between two solutions, at least 1; with AdaptiveUpdate fewer, where the
-  /// volume converges before. Defaults 50 and on.
+  /// Number of steps of the flow between two solutions, at least 1; with AdaptiveUpdate fewer if
+  /// the volume converges before. Defaults 50 and on.
   vtkSetMacro(UpdatePeriod, int);
   vtkGetMacro(UpdatePeriod, int);
   vtkSetMacro(AdaptiveUpdate, bool);
@@ -133,9 +136,9 @@ public:
   ///@}
 
   ///@{
-  /// alpha and alpha': the part of each period's motion, and of each new field's force, that is
-  /// taken; above 0, at most 1. The defaults are 1; smaller values take more updates and are not
-  /// needed.
+  /// alpha and alpha': the fractions of each period's motion, and of each new field's force, that
+  /// are applied; above 0, at most 1. The defaults are 1; smaller values take more updates and are
+  /// not needed.
   vtkSetMacro(SurfaceRelaxation, double);
   vtkGetMacro(SurfaceRelaxation, double);
   vtkSetMacro(FieldRelaxation, double);
@@ -143,8 +146,8 @@ public:
   ///@}
 
   ///@{
-  /// The surface has converged when the energy changes by less than this part of it twice in a row;
-  /// it ends after MaximumUpdates in any case. Defaults 1e-3 and 20.
+  /// The surface has converged when the relative change of the energy is below this value twice in
+  /// a row; the iteration always ends after MaximumUpdates. Defaults 1e-3 and 20.
   vtkSetMacro(EnergyTolerance, double);
   vtkGetMacro(EnergyTolerance, double);
   vtkSetMacro(MaximumUpdates, int);

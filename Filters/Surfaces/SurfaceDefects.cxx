@@ -389,7 +389,7 @@ void RequireResolved(const SurfaceView& mesh)
     {
       throw std::invalid_argument("The edges at point " + std::to_string(i) + " are " +
         FormatNumber(longest[i]) + " long at most, and coordinates of " + FormatNumber(reach) +
-        " have no finer resolution: remove the points that are far off, or the tiny part.");
+        " have no finer resolution: remove the points that are far away, or the tiny part.");
     }
   }
 }

@@ -43,9 +43,10 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> JoinCracks(
   const SurfaceView& surface, SurfaceMending& done);
 
 /**
- * `surface` with neighbours turned alike: in each component, triangles that cover the smaller area
- * are turned. Components that cannot be oriented consistently (e.g. a Moebius strip) are not
- * changed. The orientation is not propagated across edges of more than two triangles. O(n log n).
+ * `surface` with neighbours oriented consistently: in each component, triangles that cover the
+ * smaller area are turned. Components that cannot be oriented consistently (e.g. a Moebius strip)
+ * are not changed. The orientation is not propagated across edges of more than two triangles. O(n
+ * log n).
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
   const SurfaceView& surface, SurfaceMending& done);

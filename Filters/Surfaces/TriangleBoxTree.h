@@ -31,8 +31,8 @@ public:
   std::int64_t Groups() const { return this->NumberOfGroups; }
 
   /**
-   * Calls visit(a, b) for all pairs of triangles with overlapping boxes of which one is in group
-   * `group` and the other in the same or a later group. Over all groups, each pair is visited once.
+   * Calls visit(a, b) for all pairs of triangles with overlapping boxes of which one is in this
+   * group and the other in the same or a later group. Over all groups, each pair is visited once.
    * The part of the tree for the group and the whole tree are traversed together, so that paths
    * from the root are shared.
    */

@@ -32,7 +32,7 @@
  * surface or image is not an error.
  *
  * **Cost.** A million triangles on 256^3 nodes take a few seconds on two cores. Memory: 26 bytes
- * for each node (1 without distances). On several MPI ranks, each works on its own piece of the
+ * for each node (1 without distances). On several MPI ranks, each uses only its piece of the
  * surface: gather it first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceToGrid_h
@@ -68,14 +68,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Node distance of the grid around a surface, in the unit of its points (angstrom). Default 0,
-  /// which means the longest side of the bounding box / 64.
+  /// Spacing of the grid around a surface, in the unit of its points (angstrom). Default 0, which
+  /// means the longest side of the bounding box / 64.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Spacings by which that grid is larger than the bounding box on each side. Default: 2.
+  /// Number of spacings by which that grid extends beyond the bounding box on each side. Default:
+  /// 2.
   vtkSetClampMacro(Padding, int, 0, 10000);
   vtkGetMacro(Padding, int);
   ///@}
@@ -129,7 +130,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether distances are exact outside the band, too, at some microseconds a node. Default: off.
+  /// Whether distances are exact outside the band, too, which takes a few microseconds for each
+  /// node. Default: off.
   vtkSetMacro(ExactEverywhere, bool);
   vtkGetMacro(ExactEverywhere, bool);
   vtkBooleanMacro(ExactEverywhere, bool);

@@ -27,7 +27,7 @@ struct SolidStuffingParameters
 };
 
 /**
- * Fills the points for which the winding number of `soup` is above one half, whatever its
+ * Meshes the space in which the winding number of `soup` is above one half, whatever its
  * orientation, with tetrahedra: region 1 inside, 0 outside. The distances to the soup determine the
  * position of the new surface between the points of the lattice, so that it is the old surface
  * where that is closed, and spans the holes.
@@ -54,8 +54,8 @@ struct AutomaticMesh
   std::string Report;     ///< the backend, why others failed, how far the surface moved
   std::string Changes;    ///< what repair changed, if it was used; else empty
   double Hausdorff = 0.0; ///< between the surface and the boundary of the solids
-  /// Enclosed by the triangles given, turned alike: holes are closed by cones to the middle of
-  /// their box, what they enclose twice counts twice.
+  /// Volume enclosed by the input triangles after consistent orientation. Holes are closed by cones
+  /// to the middle of their box; regions that are enclosed twice count twice.
   double VolumeBefore = 0.0;
   double VolumeAfter = 0.0; ///< of the solids
   /// These two differ by more than a hundredth: what the surface encloses is a matter of how its

@@ -56,7 +56,8 @@ public:
   ///@}
 
   ///@{
-  /// Inside: where the level set is filled; Outside: the box without that; Both. Default Inside.
+  /// Inside: fill the inside of the level set; Outside: fill the rest of the box; Both: fill both.
+  /// Default Inside.
   vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}

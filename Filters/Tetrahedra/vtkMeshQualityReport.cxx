@@ -78,7 +78,7 @@ std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
       if (!std::isfinite(coordinate))
       {
         throw std::invalid_argument("Point " + std::to_string(i) +
-          " has a coordinate that is not a finite number: remove or mend it first.");
+          " has a coordinate that is not a finite number: remove or correct it first.");
       }
     }
   }

@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Bins of the histogram over 0 to 180 degrees. Default 36.
+  /// Number of bins of the histogram from 0 to 180 degrees. Default 36.
   vtkSetClampMacro(NumberOfBins, int, 1, 1800);
   vtkGetMacro(NumberOfBins, int);
   ///@}

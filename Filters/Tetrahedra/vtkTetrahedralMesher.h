@@ -69,7 +69,8 @@ public:
   ///@}
 
   ///@{
-  /// Inside: the solids; Outside: the box without them, cavities included; Both. Default Inside.
+  /// Inside: the solids; Outside: the box without the solids, including their cavities; Both.
+  /// Default Inside.
   vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
@@ -82,17 +83,16 @@ public:
   ///@}
 
   ///@{
-  /// Mend a surface that is not clean (RepairSurface of SurfaceRepair.h) and say what was changed;
-  /// Automatic does so by itself where it must.
-  /// Default off.
+  /// Repair a surface with defects (RepairSurface of SurfaceRepair.h) and report what was changed;
+  /// Automatic repairs if necessary. Default off.
   vtkSetMacro(Repair, bool);
   vtkGetMacro(Repair, bool);
   vtkBooleanMacro(Repair, bool);
   ///@}
 
   ///@{
-  /// TetGen: add no points to the surface, so that its triangles come out unchanged; beside small
-  /// or flat ones the bounds below can't hold. The faces of the box are split as the bounds
+  /// TetGen: add no points to the surface, so that its triangles are unchanged; tetrahedra next to
+  /// small or flat ones then exceed the bounds below. The faces of the box are split as the bounds
   /// require. Default on.
   vtkSetMacro(KeepSurface, bool);
   vtkGetMacro(KeepSurface, bool);
@@ -107,7 +107,7 @@ public:
   ///@}
 
   ///@{
-  /// TetGen: dihedral angle to strive for, in degrees, 0 to 40. Default 0.
+  /// TetGen: target for the smallest dihedral angle, in degrees, 0 to 40. Default 0.
   vtkSetMacro(MinimumDihedralAngle, double);
   vtkGetMacro(MinimumDihedralAngle, double);
   ///@}
@@ -120,7 +120,7 @@ public:
   ///@}
 
   ///@{
-  /// TetGen: the program, found on PATH. Default "tetgen".
+  /// TetGen: the executable, found on PATH. Default "tetgen".
   vtkSetMacro(TetGenCommand, std::string);
   vtkGetMacro(TetGenCommand, std::string);
   ///@}
@@ -133,14 +133,14 @@ public:
   ///@}
 
   ///@{
-  /// TetGen and stuffing: memory they may use, in MiB; 0: three quarters of the machine's, with
-  /// Automatic 8 GiB at most. Default 0.
+  /// TetGen and stuffing: memory that they may use, in MiB; 0: three quarters of the machine's
+  /// memory, and at most 8 GiB with Automatic. Default 0.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
 
   ///@{
-  /// CGAL: smallest angle of a triangle of the surface, in degrees, at most 30. Default 25.
+  /// CGAL: lower bound of the angles of surface triangles, in degrees, at most 30. Default 25.
   vtkSetMacro(FacetAngle, double);
   vtkGetMacro(FacetAngle, double);
   ///@}
@@ -153,8 +153,8 @@ public:
   ///@}
 
   ///@{
-  /// CGAL: bound on the distance of old and new surface, in units of the surface; 0: a tenth of the
-  /// facet size. Default 0.
+  /// CGAL: bound on the distance between the old and the new surface, in units of the surface; 0: a
+  /// tenth of the facet size. Default 0.
   vtkSetMacro(FacetDistance, double);
   vtkGetMacro(FacetDistance, double);
   ///@}
@@ -181,20 +181,21 @@ public:
   ///@}
 
   ///@{
-  /// CGAL: Lloyd and ODT stop after as many seconds each, which makes them depend on the machine.
+  /// CGAL: Lloyd and ODT each stop after this many seconds, so their results depend on the machine.
   /// Default 60.
   vtkSetMacro(OptimisationTimeLimit, double);
   vtkGetMacro(OptimisationTimeLimit, double);
   ///@}
 
   ///@{
-  /// CGAL: seconds for which points of slivers are moved about at most; 0: not at all. Default 0.
+  /// CGAL: time limit, in seconds, for moving the points of slivers; 0: they are not moved. Default
+  /// 0.
   vtkSetMacro(PerturbTimeLimit, double);
   vtkGetMacro(PerturbTimeLimit, double);
   ///@}
 
   ///@{
-  /// CGAL: remove slivers by weights of their points (exudation) in the end. Default on.
+  /// CGAL: finally remove slivers by assigning weights to their points (exudation). Default on.
   vtkSetMacro(Exude, bool);
   vtkGetMacro(Exude, bool);
   vtkBooleanMacro(Exude, bool);

@@ -22,8 +22,8 @@ public:
   virtual ~ByteSource() = default;
 
   /**
-   * Copies `size` bytes at `offset` of the content to `to`; returns the number of bytes, which is
-   * smaller only at the end of the content.
+   * Copies `size` bytes at `offset` of the content to the buffer `to`; returns the number of bytes,
+   * which is smaller only at the end of the content.
    *
    * With RandomAccess() any number of threads may read at once. Without it only one thread may read
    * at a time, and decompression restarts from the beginning if the offset is before the previous
@@ -60,7 +60,7 @@ public:
   /// bytes cannot be read.
   virtual bool ChangesLineEnds() const { return false; }
 
-  /// How the file is stored: "none", "gzip" or "bzip2".
+  /// The compression of the file: "none", "gzip" or "bzip2".
   virtual std::string Compression() const = 0;
 
   /// Bytes on the disk.

@@ -21,7 +21,8 @@
 namespace isthmus
 {
 
-/// State of a decoder after Step(), which moves its arguments past what it has used and written.
+/// State of a decoder after Step(), which advances its arguments past the bytes that it has read
+/// and written.
 enum class CodecState
 {
   Running,

@@ -22,8 +22,8 @@ struct StridedBox
 };
 
 /**
- * Copies elements of `bytes` bytes (1, 2, 3, 4 or 8) in tiles, so that both reading and writing
- * stay in the cache when axes are permuted.
+ * Copies elements whose size is `bytes` (1, 2, 3, 4 or 8) in tiles, so that both reading and
+ * writing stay in the cache when axes are permuted.
  * @pre the memory areas do not overlap.
  * @throws std::invalid_argument for another number of bytes.
  */

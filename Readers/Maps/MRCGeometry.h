@@ -16,7 +16,7 @@
 namespace isthmus
 {
 
-/// How the sections of a file belong together.
+/// The grouping of the sections of a file.
 struct MRCStack
 {
   enum class Kind
@@ -40,7 +40,7 @@ struct MRCStack
 MRCStack StackOf(MRCHeader& header, const std::string& path);
 
 /**
- * The lattice of one volume of `sections` sections (as they lie in the file).
+ * The lattice of one volume, whose number of sections (as stored in the file) is `sections`.
  *
  * A step is CELLA / M along the cell's axes: a along x, b in the x-y plane, c with a positive z
  * component. Node 0 lies at ORIGIN (x, y, z, never permuted) if any component of it is not zero,

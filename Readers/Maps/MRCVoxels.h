@@ -51,8 +51,8 @@ struct MRCVoxelType
   /// True if the file and memory formats differ at most in byte order.
   bool SameInFile() const { return static_cast<std::size_t>(this->FileBits) == 8 * this->Bytes; }
 
-  /// Number of bytes of `voxels` voxels of one row in the file; rows of mode 101 end on a whole
-  /// byte.
+  /// Number of bytes of this number of voxels of one row in the file; rows of mode 101 end on a
+  /// whole byte.
   std::uint64_t FileBytes(std::uint64_t voxels) const
   {
     return this->FileBits == 4 ? (voxels + 1) / 2
@@ -66,9 +66,10 @@ bool IsKnownMRCMode(int mode);
 MRCVoxelType VoxelTypeOfMRCMode(int mode, bool unsignedBytes);
 
 /**
- * Converts `voxels` voxels from the file format to the memory format; `swap` if the byte orders
- * differ. `from` may be changed. It may be equal to `to` if type.SameInFile(), otherwise they must
- * not overlap. For 4-bit voxels, `skip` (0 or 1) nibbles of the first byte are skipped.
+ * Converts this number of voxels from the file format to the memory format; `swap` states whether
+ * the byte orders differ. `from` may be changed. Both buffers may be the same if type.SameInFile(),
+ * otherwise they must not overlap. For 4-bit voxels, `skip` (0 or 1) nibbles of the first byte are
+ * skipped.
  */
 void DecodeMRCVoxels(const MRCVoxelType& type, bool swap, unsigned char* from, void* to,
   std::size_t voxels, std::size_t skip);

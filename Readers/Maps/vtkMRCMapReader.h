@@ -77,15 +77,16 @@ public:
   ///@}
 
   ///@{
-  /// Volume or image of a stack, from 0. Default -1: all images of an image stack, one above the
-  /// other, or the first volume of a volume stack.
+  /// Index of the volume or image in a stack, from 0. Default -1: all images of an image stack, one
+  /// above the other, or the first volume of a volume stack.
   vtkSetMacro(VolumeIndex, int);
   vtkGetMacro(VolumeIndex, int);
   ///@}
 
   ///@{
   /// First and last node to read along x, y, z of the map as stored, counted from 0; a last node of
-  /// -1 is the end. Default: 0 -1 0 -1 0 -1, everything. Nodes that the map lacks are an error.
+  /// -1 stands for the end of the map. Default: 0 -1 0 -1 0 -1, everything. Nodes that the map
+  /// lacks are an error.
   vtkSetVector6Macro(CropExtent, int);
   vtkGetVector6Macro(CropExtent, int);
   ///@}
@@ -104,7 +105,7 @@ public:
   };
 
   ///@{
-  /// What to do with a cell whose angles are not 90 degrees. Resample (default): trilinear
+  /// Treatment of a cell whose angles are not 90 degrees. Resample (default): trilinear
   /// interpolation to an orthogonal grid around the map, with the lengths of the cell's steps as
   /// spacings. KeepCellAxes: the nodes are used as stored, with right angles, so shapes are
   /// distorted.
@@ -115,7 +116,7 @@ public:
   ///@}
 
   ///@{
-  /// Refuse files whose header needed repair. Default: off.
+  /// Refuse files whose header needs repair. Default: off.
   vtkSetMacro(Strict, bool);
   vtkGetMacro(Strict, bool);
   vtkBooleanMacro(Strict, bool);

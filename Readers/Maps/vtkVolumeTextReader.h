@@ -1,6 +1,7 @@
 /**
  * @class vtkVolumeTextReader
- * @brief Reads voxel values as plain text (.dat): three counts, then numbers, x fastest.
+ * @brief Reads voxel values as plain text (.dat): three counts, then numbers, with x varying
+ * fastest.
  *
  * The format in which the thesis exports voxel values (X. Feng, PhD thesis, chapter 5), written by
  * vtkVolumeTextWriter, plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in

@@ -1,6 +1,7 @@
 /**
  * @class vtkVolumeTextWriter
- * @brief Writes the values of an image as plain text (.dat): three counts, then numbers, x fastest.
+ * @brief Writes the values of an image as plain text (.dat): three counts, then numbers, with x
+ * varying fastest.
  *
  * The format in which the thesis exports voxel values (X. Feng, PhD thesis, chapter 5): a line "nx
  * ny nz", then a line of nx values for each row along x. Numbers are written with the fewest digits

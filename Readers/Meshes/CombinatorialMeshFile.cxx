@@ -123,7 +123,8 @@ public:
       const std::string_view word = this->Word(meaning);
       if (!FromText(word, value))
       {
-        this->Fail("'" + Shown(word) + "' among the " + meaning + " is no number of their type.");
+        this->Fail(
+          "'" + Shown(word) + "' among the " + meaning + " is not a number of their type.");
       }
     }
   }

@@ -116,7 +116,7 @@ public:
   [[noreturn]] void Fail(const std::string& reason) const
   {
     throw std::runtime_error("Line " + std::to_string(this->Line) + " of " + this->Path.string() +
-      " " + reason + ": is it a file of MSMS, and whole?");
+      " " + reason + ". The file may be truncated, damaged, or not an MSMS file.");
   }
 
   /// A column that must hold an integer.

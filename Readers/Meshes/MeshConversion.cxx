@@ -234,7 +234,7 @@ void RequireFinitePoints(vtkPointSet* data)
     if (!std::all_of(p, p + 3, [](double x) { return std::isfinite(x); }))
     {
       throw std::invalid_argument("Point " + std::to_string(i) +
-        " has a coordinate that is not a finite number: mend or remove it before writing.");
+        " has a coordinate that is not a finite number: correct or remove it before writing.");
     }
   }
 }

@@ -28,8 +28,8 @@ public:
   {
   }
 
-  /// Reads a count of items that each take at least `bytes` bytes of the file, so that a damaged
-  /// count causes an error and not an allocation.
+  /// Reads a count of items that each take at least this number of bytes in the file, so that a
+  /// damaged count causes an error and not an allocation.
   std::int64_t Count(const char* what, std::uint64_t bytes = 2)
   {
     const std::int64_t count = this->Whole(what);

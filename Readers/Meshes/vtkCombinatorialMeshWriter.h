@@ -26,7 +26,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Numbers as little-endian bytes (default) or as text.
+  /// Write numbers as little-endian bytes (default) or as text.
   vtkSetMacro(Binary, bool);
   vtkGetMacro(Binary, bool);
   vtkBooleanMacro(Binary, bool);

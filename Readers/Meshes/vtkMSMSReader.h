@@ -31,7 +31,7 @@ public:
   ///@}
 
   ///@{
-  /// Read X_1, X_2, ... beside X, where they exist. Default on.
+  /// Read X_1, X_2, ... together with X, if they exist. Default on.
   vtkSetMacro(AllComponents, bool);
   vtkGetMacro(AllComponents, bool);
   vtkBooleanMacro(AllComponents, bool);

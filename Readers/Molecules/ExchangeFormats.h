@@ -29,7 +29,7 @@ namespace isthmus
 {
 
 /**
- * The atoms of model `model` (from 0) of a text in `format`, one of these four. O(bytes).
+ * The atoms of one model (counted from 0) of a text in one of these four formats. O(bytes).
  * @throws std::runtime_error with file, line and reason.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseExchangeFormat(std::string_view text,

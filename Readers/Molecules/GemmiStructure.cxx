@@ -716,7 +716,7 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
     if (!std::isfinite(atom.Position[0] + atom.Position[1] + atom.Position[2]))
     {
       throw std::runtime_error(path + ": a coordinate of " + Describe(atom) +
-        " is no finite number. The file may be truncated.");
+        " is not a finite number. The file may be truncated.");
     }
   }
   return molecule;

@@ -90,7 +90,7 @@ struct MoleculeOptions
   MoleculeFormat Format = MoleculeFormat::ByName;
   std::int64_t Model = 0; ///< from 0, in the order of the file
   std::string Assembly;   ///< that the file describes, by its name; empty: the file as it is
-  std::string Chains;     ///< names between blanks or commas; empty: all
+  std::string Chains;     ///< names separated by blanks or commas; empty: all
   /// Empty: of each residue the location with the highest occupancy; "*": all; else that letter.
   std::string AltLoc;
   bool Hetero = true; ///< HETATM atoms, water aside

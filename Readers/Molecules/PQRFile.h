@@ -26,7 +26,7 @@ namespace isthmus
 {
 
 /**
- * The atoms of model `model` (from 0). Charges and radii are the doubles nearest to the text;
+ * The atoms of one model (counted from 0). Charges and radii are the doubles nearest to the text;
  * elements are inferred from names. O(bytes).
  * @throws std::runtime_error with file, line and reason.
  */

@@ -82,13 +82,13 @@ public:
   };
 
   ///@{
-  /// Default ByName: from the extension, else from the content.
+  /// Default ByName: inferred from the extension, otherwise from the content.
   vtkSetClampMacro(Format, int, ByName, SDF);
   vtkGetMacro(Format, int);
   ///@}
 
   ///@{
-  /// Which model (MODEL of PDB, frame of XYZ), from 0. Default 0.
+  /// Index of the model (MODEL of PDB, frame of XYZ), from 0. Default 0.
   vtkSetMacro(ModelIndex, int);
   vtkGetMacro(ModelIndex, int);
   ///@}
@@ -103,20 +103,20 @@ public:
 
   ///@{
   /// Name of a biological assembly that a PDB or mmCIF file describes ("1"): its chains are copied
-  /// as that says. Default empty: the atoms of the file.
+  /// as described. Default empty: the atoms of the file.
   vtkSetMacro(Assembly, std::string);
   vtkGetMacro(Assembly, std::string);
   ///@}
 
   ///@{
-  /// Names of the chains to read, between blanks or commas. Default empty: all.
+  /// Names of the chains to read, separated by blanks or commas. Default empty: all.
   vtkSetMacro(Chains, std::string);
   vtkGetMacro(Chains, std::string);
   ///@}
 
   ///@{
-  /// Alternate locations: a letter, "*" for all, or empty (default) for the most occupied of each
-  /// residue.
+  /// Alternate locations: a letter, "*" for all, or empty (default) for the location with the
+  /// highest occupancy in each residue.
   vtkSetMacro(AltLoc, std::string);
   vtkGetMacro(AltLoc, std::string);
   ///@}
@@ -138,14 +138,14 @@ public:
   };
 
   ///@{
-  /// Radii for files that have none: Bondi (1964, default; few metals) or Alvarez (2013; nearly all
+  /// Radii for files without radii: Bondi (1964, default; few metals) or Alvarez (2013; nearly all
   /// elements). See AtomRadii.h.
   vtkSetClampMacro(RadiusTable, int, Bondi, Alvarez);
   vtkGetMacro(RadiusTable, int);
   ///@}
 
   ///@{
-  /// Find bonds by distance beside those that the file names. Default on.
+  /// Find bonds by distance in addition to those in the file. Default on.
   vtkSetMacro(BondsByDistance, bool);
   vtkGetMacro(BondsByDistance, bool);
   vtkBooleanMacro(BondsByDistance, bool);

@@ -56,7 +56,7 @@ public:
   template <typename T>
   void Read(const NodeBox& box, T* out, const ProgressCallback& progress);
 
-  /// After Read: checks what follows the values; values left over are an error.
+  /// Checks the text after the values, when Read has finished; additional values are an error.
   void ReadRest();
 
   /// Name of the field that follows the array; available after ReadRest, may be empty.
@@ -86,7 +86,7 @@ private:
   std::string Name;
 };
 
-/// Whether the first word of the file, after comments, is `object`. Never throws.
+/// Whether the first word of the file after comments is "object". Never throws.
 bool LooksLikeOpenDXFile(const std::string& path);
 
 }

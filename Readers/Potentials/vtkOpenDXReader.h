@@ -59,7 +59,7 @@ public:
   ///@}
 
   ///@{
-  /// Which array of values to read of a file with several, from 0. Default: 0.
+  /// Index of the array of values to read if the file has several, from 0. Default: 0.
   vtkSetClampMacro(FieldIndex, int, 0, VTK_INT_MAX);
   vtkGetMacro(FieldIndex, int);
   ///@}
@@ -70,7 +70,7 @@ public:
   vtkGetMacro(ArrayName, std::string);
   ///@}
 
-  /// 1 if the first word of the file is `object`, as in OpenDX files, otherwise 0; the name has no
+  /// 1 if the first word of the file is "object", as in OpenDX files, otherwise 0; the name has no
   /// effect. Says nothing on errors. Reads at most 1 MiB, unless comments are longer.
   static int CanReadFile(const char* fileName);
 
