@@ -20,7 +20,8 @@ using StarCell = Handle<struct StarCellKind, int>;
 /**
  * The cells around a node, numbered 0-5 (edges), 6-17 (faces), 18-25 (cubes); 26 is the node.
  *
- * Bits of a star mask have these numbers. A star is closed: a face is in it only with its edges.
+ * These are also the numbers of the bits in a star mask. A star is closed: a face is in it only
+ * with its edges.
  */
 namespace Star
 {

@@ -22,7 +22,7 @@ public:
   virtual ~ByteSource() = default;
 
   /**
-   * Copies `size` bytes at `offset` of the content to the buffer `to`; returns the number of bytes,
+   * Copies `size` bytes at `offset` of the content into a buffer; returns the number of bytes,
    * which is smaller only at the end of the content.
    *
    * With RandomAccess() any number of threads may read at once. Without it only one thread may read

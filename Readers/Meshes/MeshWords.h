@@ -75,7 +75,7 @@ public:
     return id - first;
   }
 
-  /// Reports progress from time to time; `done` of `all` rows have been read.
+  /// Reports progress from time to time, after `done` rows of `all`.
   void ReportRow(std::int64_t done, std::int64_t all)
   {
     constexpr std::int64_t rowsBetweenReports = 1 << 14;
