@@ -200,7 +200,7 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const DelaunayRemeshPara
   defects.BoundaryTriangles.clear();
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + " Mend the surface before remeshing it.");
+    throw std::invalid_argument(defects.Sentence() + " Repair the surface before remeshing it.");
   }
   RequireAbove("The edge length", parameters.EdgeLength, 0.0, LargestLength, "It is a length.");
   const double points =
