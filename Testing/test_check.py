@@ -8,7 +8,8 @@ import tempfile
 import unittest
 
 CHECKS = ("check_modules", "check_order", "check_contracts", "check_handles", "check_properties",
-          "check_readmes", "check_links", "check_guide", "check_idioms", "check_features")  # check_numbers is run as it is
+          "check_readmes", "check_links", "check_guide", "check_idioms", "check_features",
+          "check_defaults")  # check_numbers is run as it is
 TESTING = pathlib.Path(__file__).parent
 
 

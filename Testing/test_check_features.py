@@ -16,7 +16,8 @@ class CheckFeatures(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        for name in ("Filters", "Readers", "Plugin", "Examples", "Testing/Unit", "Testing/Python", "Testing/Benchmarks"):
+        for name in ("Filters", "Readers", "Plugin", "Examples", "cmake", "Testing/Unit", "Testing/Python",
+                     "Testing/Benchmarks"):
             (self.root / name).parent.mkdir(parents=True, exist_ok=True)
             (self.root / name).symlink_to(ROOT / name)
         self.text = TABLE.read_text()

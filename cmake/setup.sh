@@ -27,7 +27,7 @@ paraview_packages=(
   qt5:qtbase5-dev qt5:libqt5svg5-dev qt5:libqt5opengl5-dev qt5:qttools5-dev qt5:libqt5x11extras5-dev
   qt5:libqt5xmlpatterns5-dev qt5:qtxmlpatterns5-dev-tools
   qt6:qt6-base-dev qt6:qt6-tools-dev qt6:qt6-svg-dev qt6:qt6-5compat-dev qt6:qt6-svg-plugins qt6:xsltproc
-  vtk9:libvtk9-dev
+  vtk9:libvtk9-dev vtk9:libvtk9-qt-dev
   libopenmpi-dev python3-dev
   libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl2ps-dev libglew-dev
   libhdf5-openmpi-dev libjpeg-dev libpng-dev libtiff-dev liblz4-dev liblzma-dev libnetcdf-dev

@@ -21,11 +21,11 @@ MIDDLE = {"MapSurface": 31, "MapChokingLoops": 14}
 def held(middle):
     """Presses the handle and moves it twice: button, buttons, modifiers, and the place."""
     return [(SLIDER, "set_int", "50"), PAUSE, PAUSE, (SLIDER, "mousePress", f"1,1,0,{middle},12"), PAUSE,
-            *[step for x in (3, 5) for step in ((SLIDER, "mouseMove", f"1,1,0,{middle + x},12"), PAUSE)]]
+            *[step for x in (1, 2) for step in ((SLIDER, "mouseMove", f"1,1,0,{middle + x},12"), PAUSE)]]
 
 
 def released(middle):
-    return [*held(middle), (SLIDER, "mouseRelease", f"1,0,0,{middle + 5},12"), PAUSE, PAUSE, PAUSE, NOTHING_TO_APPLY]
+    return [*held(middle), (SLIDER, "mouseRelease", f"1,0,0,{middle + 2},12"), PAUSE, PAUSE, PAUSE, NOTHING_TO_APPLY]
 
 
 def session(name, events):
