@@ -1,6 +1,7 @@
 /**
  * @file IsthmusInitialization.cxx
- * @brief Defaults of new filters that differ from those in state files.
+ * @brief What happens when the plugin is loaded: its Python modules can be imported, and new
+ * filters get defaults that differ from those in state files.
  *
  * A property that did not exist when a state file was written is not in it. Where an added property
  * changes the result, the proxies that the file makes need the old behaviour, which they get by
@@ -21,11 +22,16 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVXMLElement.h>
+#include <vtkPythonInterpreter.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 #include <vtkSMProxyInitializationHelper.h>
 #include <vtkWeakPointer.h>
+
+#include <dlfcn.h>
+
+#include <string>
 
 namespace
 {
@@ -94,9 +100,22 @@ void RegisterInitialization(vtkClientServerInterpreter* interpreter)
   interpreter->AddNewInstanceFunction("vtkSMIsthmusInitialization", NewInitialization);
 }
 
+/// Python modules lie in the folder python beside this library.
+void AddPythonModules()
+{
+  Dl_info library;
+  if (dladdr(reinterpret_cast<const void*>(&AddPythonModules), &library) != 0)
+  {
+    const std::string file = library.dli_fname;
+    vtkPythonInterpreter::PrependPythonPath(
+      (file.substr(0, file.find_last_of('/') + 1) + "python").c_str());
+  }
+}
+
 /// Runs when the plugin is loaded.
 const bool registered = []()
 {
+  AddPythonModules();
   vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(RegisterInitialization);
   return true;
 }();

@@ -13,8 +13,7 @@ void RunPipelines(const QString& call)
   {
     vtkPythonInterpreter::Initialize();
   }
-  // The plugin brings the module with it; ParaView puts it in place when its Python package is
-  // read.
+  // The module lies beside the plugin (IsthmusInitialization.cxx).
   const QString statement =
     "import paraview.simple\nimport isthmus_pipelines\nisthmus_pipelines." + call + '\n';
   // Undone piece by piece, what a script has built comes apart, and a table's view that is taken

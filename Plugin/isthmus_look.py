@@ -466,11 +466,14 @@ def _is_map(port):
 
 
 def _proposed_level(port):
-    """The level that Map Surface proposes; None where it proposes none."""
+    """The level that Map Surface proposes; None where it proposes none, or suspects that the contrast is inverted."""
     surface = servermanager.filters.MapSurface(Input=port)
+    algorithm = surface.GetClientSideObject()  # of the built-in server
+    if algorithm is not None:
+        algorithm.AddObserver("WarningEvent", lambda *_: None)  # the filter itself will say it
     surface.UpdatePipeline()
     found = surface.FieldData["Level"]
-    return found.GetRange()[0] if found else None
+    return found.GetRange()[0] if found and not surface.FieldData["InvertedContrast"] else None
 
 
 def _propose_level(proxy):

@@ -24,12 +24,13 @@ except ImportError:
     print_warning = servermanager = simple = None
 
 try:
-    import isthmus_look as look  # with the plugin, whose window uses them, too
+    import isthmus_figures as figures  # with the plugin, whose window uses them, too
+    import isthmus_look as look
     import isthmus_loops as loop_views
     import isthmus_messages as messages
     import isthmus_steps as steps
 except ImportError:
-    from isthmus import look, loop_views, messages, steps
+    from isthmus import figures, look, loop_views, messages, steps
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
@@ -47,6 +48,7 @@ BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"signif
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
 colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
+figure = figures.figure
 live_change, preview_level, end_preview = look.live_change, look.preview_level, look.end_preview
 
 
@@ -493,5 +495,6 @@ def _needs_paraview(name):
 
 if simple is None:
     for _name, _value in list(globals().items()):
-        if callable(_value) and getattr(_value, "__module__", None) in (__name__, look.__name__) and _name[0] != "_":
+        if _name[0] != "_" and callable(_value) and getattr(_value, "__module__", None) in (
+                __name__, look.__name__, figures.__name__):
             globals()[_name] = _needs_paraview(_name)

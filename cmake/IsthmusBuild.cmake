@@ -140,8 +140,8 @@ function (isthmus_python_sources folder destination)
     configure_file("${source}" "${folder}/${name}" COPYONLY)
     install(FILES "${source}" DESTINATION "${destination}" COMPONENT python)
   endforeach ()
-  # The same files travel inside the plugin, for windows without this package.
-  foreach (part IN ITEMS pipelines look messages pockets=pocket_views loops=loop_views steps trajectories)
+  # The same files lie beside the plugin, for windows without this package.
+  foreach (part IN ITEMS pipelines figures look messages pockets=pocket_views loops=loop_views steps trajectories)
     string(REGEX REPLACE "=.*$" "" source "${part}")
     string(REGEX REPLACE "^.*=" "" name "${part}")
     set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${source}.py")
@@ -153,6 +153,7 @@ endfunction ()
 # The plugin: one library with the panels of Plugin/*.xml.
 function (isthmus_build_plugin)
   set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+  set(ISTHMUS_PLUGIN_FOLDER "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/isthmus/plugins")
   paraview_plugin_scan(
     PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
     PROVIDES_PLUGINS plugins

@@ -16,6 +16,8 @@ namespace isthmus
 namespace
 {
 
+constexpr std::int64_t JobsPerThread = 8;
+
 bool SequentialByDefault()
 {
   return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
@@ -85,7 +87,12 @@ void RunRound(std::int64_t begin, std::int64_t end, std::int64_t grain, const Ra
       }
     }
   };
-  WithBackend([&]() { vtkSMPTools::For(begin, end, grain, guarded); });
+  // Few jobs, each of many pieces: VTK 9.3's pool ends the program when it finds no memory for its
+  // list of them.
+  const std::int64_t pieces = (end - begin) / grain;
+  const std::int64_t together =
+    std::max<std::int64_t>(1, pieces / (JobsPerThread * ParallelThreads()));
+  WithBackend([&]() { vtkSMPTools::For(begin, end, grain * together, guarded); });
   failure.Rethrow();
 }
 

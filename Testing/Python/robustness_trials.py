@@ -133,11 +133,9 @@ def not_finite(data, infinite=()):
     """
     names = set()
     for leaf in leaves(data):
-        if hasattr(leaf, "GetPoints") and leaf.GetPoints():
-            points = leaf.GetPoints()
-            if points.GetNumberOfPoints() and hasattr(points, "GetData"):
-                if not numpy.isfinite(vtk_to_numpy(points.GetData())).all():
-                    names.add("points")
+        points = leaf.GetPoints() if leaf.IsA("vtkPointSet") else None  # from VTK 9.3 on images can make some
+        if points and points.GetNumberOfPoints() and not numpy.isfinite(vtk_to_numpy(points.GetData())).all():
+            names.add("points")
         for attributes in (getattr(leaf, "GetPointData", None), getattr(leaf, "GetCellData", None)):
             for i in range(attributes().GetNumberOfArrays() if attributes else 0):
                 array = attributes().GetArray(i)

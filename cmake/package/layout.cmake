@@ -16,6 +16,8 @@ if (NOT plugin)
 endif ()
 file(MAKE_DIRECTORY "${usr}/bin/plugins/Isthmus")
 file(RENAME "${plugin}" "${usr}/bin/plugins/Isthmus/Isthmus.so")
+get_filename_component(folder "${plugin}" DIRECTORY)
+file(RENAME "${folder}/python" "${usr}/bin/plugins/Isthmus/python")
 file(GLOB leftovers "${usr}/lib*/isthmus" "${usr}/lib*/*/isthmus")
 file(REMOVE_RECURSE ${leftovers})
 
