@@ -14,6 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import isthmus_look as look  # noqa: E402, there once paraview.simple has loaded the plugin
 import SurfaceReport  # noqa: E402
 
 # Array, title of its colour bar, colours, and where the range comes from: "signed" is symmetric
@@ -24,7 +25,7 @@ DESCRIPTORS = (
     ("MaximumCurvature", "Maximum curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
     ("MinimumCurvature", "Minimum curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
     ("ShapeIndex", "Shape index", "Cool to Warm (Extended)", (-1.0, 1.0)),
-    ("Curvedness", "Curvedness (1/Å)", "Viridis (matplotlib)", "unsigned"),
+    ("Curvedness", "Curvedness (1/Å)", look.SEQUENTIAL, "unsigned"),
 )
 BACKGROUND = [1.0, 1.0, 1.0]
 INK = [0.1, 0.1, 0.1]
@@ -106,15 +107,16 @@ def colour_range(values, kind):
     return (-high if kind == "signed" else 0.0), max(high, 1e-12)
 
 
-def show_colour_bar(table, view, title, limits, labels="%.2g"):
+def show_colour_bar(table, view, title, limits, labels=".2g"):
     """A colour bar below the picture: its ends, its middle, and what it shows."""
     low, high = limits
+    bar = simple.GetScalarBar(table, view)
     set_properties(
-        simple.GetScalarBar(table, view), Title=title, ComponentTitle="", Visibility=1,
+        bar, Title=title, ComponentTitle="", Visibility=1,
         TitleColor=INK, LabelColor=INK, TitleFontSize=15, LabelFontSize=13, ScalarBarLength=0.6,
         ScalarBarThickness=12, WindowLocation="Any Location", Orientation="Horizontal",
         Position=[0.2, 0.02], AddRangeLabels=0, UseCustomLabels=1,
-        CustomLabels=[low, (low + high) / 2, high], AutomaticLabelFormat=0, LabelFormat=labels)
+        CustomLabels=[low, (low + high) / 2, high], AutomaticLabelFormat=0, LabelFormat=look.number_format(bar, labels))
 
 
 def show_descriptor(view, curvature, values, descriptor):

@@ -12,6 +12,7 @@ from pathlib import Path
 from paraview import servermanager, simple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import isthmus_look as look  # noqa: E402, there once paraview.simple has loaded the plugin
 import MapToCurvature  # noqa: E402
 from MapToCurvature import (  # noqa: E402
     INK, look_along, points_of, set_properties, show_colour_bar, symmetry_axis)
@@ -95,9 +96,9 @@ def cutaway_picture(surface, report, picture):
     display.EdgeColor = INK
     simple.ColorBy(display, ("CELLS", "SmallestAngle"))
     table = simple.GetColorTransferFunction("SmallestAngle")
-    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.ApplyPreset(look.SEQUENTIAL, True)
     table.RescaleTransferFunction(0.0, 60.0)
-    show_colour_bar(table, view, "Smallest dihedral angle (degrees)", (0.0, 60.0), "%.0f")
+    show_colour_bar(table, view, "Smallest dihedral angle (degrees)", (0.0, 60.0), ".0f")
     set_properties(view, ViewSize=[1200, 1100], **look_along(points, across, axis))
     simple.SaveScreenshot(str(picture), view, ImageResolution=[1200, 1100])
 

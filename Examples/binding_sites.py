@@ -31,6 +31,7 @@ import site_pipeline  # noqa: E402
 from output_folder import output_folder  # noqa: E402
 
 import isthmus  # noqa: E402
+from isthmus import look  # noqa: E402
 
 
 def arguments(description=__doc__):
@@ -144,7 +145,7 @@ def show_surface(surface, view, array, title, limit):
     bar.Orientation = "Horizontal"
     bar.WindowLocation = "Lower Center"
     bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 12
-    bar.RangeLabelFormat = bar.LabelFormat = "%.1f"
+    bar.RangeLabelFormat = bar.LabelFormat = look.number_format(bar, ".1f")
     display.SetScalarBarVisibility(view, True)
 
 

@@ -11,6 +11,7 @@ import sys
 
 from paraview import simple
 
+import isthmus_look as look  # there once paraview.simple has loaded the plugin
 from output_folder import output_folder
 
 
@@ -22,7 +23,7 @@ def show_map(handles, view):
     bridges.PointSize = 12
     bridges.RenderPointsAsSpheres = 1
     simple.ColorBy(bridges, ("POINTS", "Level"))
-    simple.GetColorTransferFunction("Level").ApplyPreset("Viridis (matplotlib)", True)
+    simple.GetColorTransferFunction("Level").ApplyPreset(look.SEQUENTIAL, True)
     bridges.SetScalarBarVisibility(view, True)
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0

@@ -17,9 +17,16 @@ except ImportError:
     from isthmus import loop_views, messages, steps
     from isthmus import pocket_views as pockets_and_pores
 
+
+def _sequential():
+    """Viridis, by its name in this version of ParaView: the short one from 6.0 on."""
+    presets = servermanager.vtkSMTransferFunctionPresets.GetInstance() if servermanager else None
+    return "Viridis (matplotlib)" if presets and not presets.HasPreset("Viridis") else "Viridis"
+
+
 # Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
 DIVERGING = "Cool to Warm"
-SEQUENTIAL = "Viridis (matplotlib)"
+SEQUENTIAL = _sequential()
 CURVATURES = ("MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature")
 SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
@@ -106,10 +113,15 @@ def _set_categories(table, array):
     table.NanColor = FURTHER  # values without a name of their own
 
 
+def number_format(bar, form):
+    """A format of numbers for a legend: `form` of printf (".2g"), or from ParaView 6.1 on the same of std::format."""
+    return "{:" + form.replace("-", "<") + "}" if "{" in bar.LabelFormat else "%" + form
+
+
 def _bar(table, view, array):
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
-    bar.RangeLabelFormat = "%-#.2g"  # 0.17, not 1.7e-01
+    bar.RangeLabelFormat = number_format(bar, "-#.2g")  # 0.17, not 1.7e-01
 
 
 # Colour maps that first_look() has set, by global id: the range it gave them. A map whose range is

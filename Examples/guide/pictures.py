@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy
 from paraview import simple
 
+import isthmus_look as look
 import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
 
 HERE = Path(__file__).resolve().parent
@@ -41,7 +42,7 @@ def coloured(source, view, association, array, title, symmetric=None, preset=Non
     display = simple.Show(source, view)
     simple.ColorBy(display, (association, array))
     table = simple.GetColorTransferFunction(array)
-    table.ApplyPreset(preset or ("Cool to Warm" if symmetric else "Viridis (matplotlib)"), True)
+    table.ApplyPreset(preset or ("Cool to Warm" if symmetric else look.SEQUENTIAL), True)
     if symmetric:
         table.RescaleTransferFunction(-symmetric, symmetric)
     else:
