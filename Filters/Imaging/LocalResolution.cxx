@@ -14,7 +14,7 @@ namespace isthmus
 namespace
 {
 
-using Index3 = std::array<std::int64_t, 3>;
+using NodeIndex = std::array<std::int64_t, 3>;
 using Complex = std::complex<float>;
 
 constexpr std::int64_t windowSide = 24;
@@ -24,7 +24,7 @@ constexpr double mostWindows = 2000.0;
 class WindowedCorrelation
 {
 public:
-  WindowedCorrelation(const Index3& dimensions, const std::array<double, 3>& spacing)
+  WindowedCorrelation(const NodeIndex& dimensions, const std::array<double, 3>& spacing)
     : Dimensions(dimensions)
     , Spacing(spacing)
   {
@@ -104,7 +104,7 @@ public:
     return std::clamp(place, 0.0, double(this->Count[axis] - 1));
   }
 
-  const Index3& Lattice() const { return this->Count; }
+  const NodeIndex& Lattice() const { return this->Count; }
 
 private:
   /// The shell of each wave: its frequency in units of one over the window's length.
@@ -114,7 +114,7 @@ private:
     this->Shells = static_cast<std::size_t>(std::floor(0.5 * this->Length / this->Finest)) + 1;
     for (std::int64_t n = 0; n < size; ++n)
     {
-      const Index3 at{ n % this->Side[0], n / this->Side[0] % this->Side[1],
+      const NodeIndex at{ n % this->Side[0], n / this->Side[0] % this->Side[1],
         n / (this->Side[0] * this->Side[1]) };
       double square = 0.0;
       for (std::size_t a = 0; a < 3; ++a)
@@ -130,7 +130,7 @@ private:
 
   std::vector<Complex> Transform(std::int64_t window, const std::vector<float>& values) const
   {
-    const Index3 at{ window % this->Count[0], window / this->Count[0] % this->Count[1],
+    const NodeIndex at{ window % this->Count[0], window / this->Count[0] % this->Count[1],
       window / (this->Count[0] * this->Count[1]) };
     std::vector<Complex> block;
     block.reserve(this->ShellOf.size());
@@ -162,7 +162,7 @@ private:
       }
       mean = sum / static_cast<double>(this->ShellOf.size());
     }
-    const Index3 step{ 1, this->Side[0], this->Side[0] * this->Side[1] };
+    const NodeIndex step{ 1, this->Side[0], this->Side[0] * this->Side[1] };
     Eigen::FFT<float> transform;
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -192,7 +192,7 @@ private:
     return block;
   }
 
-  Index3 Dimensions, Side{ 1, 1, 1 }, Count{ 1, 1, 1 };
+  NodeIndex Dimensions, Side{ 1, 1, 1 }, Count{ 1, 1, 1 };
   std::array<double, 3> Spacing;
   double Length = 0.0, Finest = 1e300;
   std::array<std::vector<std::int64_t>, 3> Begin;
@@ -203,7 +203,7 @@ private:
 
 }
 
-void FindLocalResolution(const Index3& dimensions, const std::array<double, 3>& spacing,
+void FindLocalResolution(const NodeIndex& dimensions, const std::array<double, 3>& spacing,
   const std::vector<float>& one, const std::vector<float>& other, float* resolution,
   const ProgressCallback& progress)
 {
@@ -219,14 +219,14 @@ void FindLocalResolution(const Index3& dimensions, const std::array<double, 3>& 
       }
     },
     progress);
-  const Index3 lattice = windows.Lattice();
+  const NodeIndex lattice = windows.Lattice();
   ParallelFor(0, dimensions[2], 1,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t node = first * dimensions[0] * dimensions[1];
            node < last * dimensions[0] * dimensions[1]; ++node)
       {
-        const Index3 at{ node % dimensions[0], node / dimensions[0] % dimensions[1],
+        const NodeIndex at{ node % dimensions[0], node / dimensions[0] % dimensions[1],
           node / (dimensions[0] * dimensions[1]) };
         double sum = 0.0;
         for (int corner = 0; corner < 8; ++corner)
