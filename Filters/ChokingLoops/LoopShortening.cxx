@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace isthmus
 {
@@ -16,19 +18,136 @@ namespace isthmus
 namespace
 {
 
+/// A crossing with what unfolding needs of the triangle that the curve enters there: lengths are
+/// computed once for each crossing, not in each round.
+struct StripEdge
+{
+  SurfaceCurvePoint Crossing;
+  HalfEdgeId Behind; ///< the opposite half edge
+  std::array<SimplexId, 2> Ends;
+  std::array<double, 2> Sides; ///< from the third corner to the ends
+};
+
+StripEdge StripEdgeOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& c)
+{
+  return { c, s.Opposite(c.HalfEdge), { s.From(c.HalfEdge), s.To(c.HalfEdge) },
+    { s.Length(SurfaceAdjacency::Previous(c.HalfEdge)),
+      s.Length(SurfaceAdjacency::Next(c.HalfEdge)) } };
+}
+
+/// A sequence of crossings in which some can be replaced by others. What moves then is a number of
+/// four bytes for each crossing behind them.
+class StripEdges
+{
+public:
+  StripEdges(const SurfaceAdjacency& surface, const EdgeStrip& strip)
+    : Surface(surface)
+  {
+    this->Replace(0, 0, strip);
+  }
+
+  std::size_t Size() const { return this->Order.size(); }
+
+  const StripEdge& operator[](std::size_t i) const { return this->Kept[this->Order[i]]; }
+  StripEdge& operator[](std::size_t i) { return this->Kept[this->Order[i]]; }
+
+  void Replace(std::size_t first, std::size_t count, const EdgeStrip& others);
+
+  /// Crossing `first` becomes the first one.
+  void Rotate(std::size_t first)
+  {
+    std::rotate(this->Order.begin(), this->Order.begin() + static_cast<std::ptrdiff_t>(first),
+      this->Order.end());
+  }
+
+private:
+  std::uint32_t Add(const SurfaceCurvePoint& c);
+
+  const SurfaceAdjacency& Surface;
+  std::vector<StripEdge> Kept;
+  std::vector<std::uint32_t> Order; ///< places in Kept
+  std::vector<std::uint32_t> Free;
+};
+
+std::uint32_t StripEdges::Add(const SurfaceCurvePoint& c)
+{
+  if (this->Free.empty())
+  {
+    this->Kept.push_back(StripEdgeOf(this->Surface, c));
+    return static_cast<std::uint32_t>(this->Kept.size() - 1);
+  }
+  const std::uint32_t place = this->Free.back();
+  this->Free.pop_back();
+  this->Kept[place] = StripEdgeOf(this->Surface, c);
+  return place;
+}
+
+void StripEdges::Replace(std::size_t first, std::size_t count, const EdgeStrip& others)
+{
+  const auto at = [this](std::size_t i)
+  { return this->Order.begin() + static_cast<std::ptrdiff_t>(i); };
+  this->Free.insert(this->Free.end(), at(first), at(first + count));
+  const std::size_t common = std::min(count, others.size());
+  for (std::size_t i = 0; i < common; ++i)
+  {
+    this->Order[first + i] = this->Add(others[i]);
+  }
+  this->Order.erase(at(first + common), at(first + count));
+  std::vector<std::uint32_t> more;
+  for (std::size_t i = common; i < others.size(); ++i)
+  {
+    more.push_back(this->Add(others[i]));
+  }
+  this->Order.insert(at(first + common), more.begin(), more.end());
+}
+
+Point3 PositionOf(const SurfaceAdjacency& s, const StripEdge& e)
+{
+  const double u = e.Crossing.Fraction;
+  return (1.0 - u) * s.Mesh().Points[At(e.Ends[0])] + u * s.Mesh().Points[At(e.Ends[1])];
+}
+
+/// Adds a crossing at the end of others, where it may go back at once over the last edge.
+void AddReduced(const SurfaceAdjacency& s, const SurfaceCurvePoint& c, EdgeStrip& strip)
+{
+  if (!strip.empty() && s.Opposite(strip.back().HalfEdge) == c.HalfEdge)
+  {
+    strip.pop_back();
+  }
+  else
+  {
+    strip.push_back(c);
+  }
+}
+
+/// The third corner of the triangle beyond an edge whose ends lie at `place` of the plane.
+Point2 ThirdCorner(const StripEdge& e, std::size_t place, const UnfoldedStrip& plane)
+{
+  return CornerOf(plane.From[place], plane.To[place], e.Sides[0], e.Sides[1]);
+}
+
+/// Lays down the triangle beyond an edge at `place` of the plane, up to the next edge.
+void UnfoldOver(const StripEdge& e, const StripEdge& next, std::size_t place, UnfoldedStrip& plane)
+{
+  const Point2 apex = ThirdCorner(e, place, plane);
+  const bool keepsTo = next.Behind == SurfaceAdjacency::Next(e.Crossing.HalfEdge);
+  plane.From[place + 1] = keepsTo ? apex : plane.From[place];
+  plane.To[place + 1] = keepsTo ? plane.To[place] : apex;
+}
+
 /// One curve under shortening.
 class Shortener
 {
 public:
-  Shortener(const SurfaceAdjacency& surface, EdgeStrip strip)
+  Shortener(const SurfaceAdjacency& surface, const EdgeStrip& strip)
     : Surface(surface)
-    , Edges(std::move(strip))
+    , Edges(surface, strip)
   {
   }
 
-  const EdgeStrip& Curve() const { return this->Edges; }
+  EdgeStrip Curve() const;
 
-  double Length() const { return LengthOf(this->Surface, this->Edges); }
+  double Length() const;
 
   /// Shortest paths in the strip, each cut open at another edge than the one before.
   void Straighten(int turns);
@@ -41,18 +160,59 @@ public:
   bool Lead();
 
 private:
-  void StraightenFrom(std::size_t start);
+  std::size_t Size() const { return this->Edges.Size(); }
+
+  std::size_t Wrapped(std::size_t i) const { return i < this->Size() ? i : i - this->Size(); }
+  const StripEdge& At(std::size_t i) const { return this->Edges[this->Wrapped(this->First + i)]; }
+  StripEdge& At(std::size_t i) { return this->Edges[this->Wrapped(this->First + i)]; }
+
+  void StraightenFrom(bool isMiddle);
+  const UnfoldedStrip& Unfolded(bool isMiddle);
   bool LeadRound(std::size_t first, std::size_t count, SimplexId p);
+  void Replace(std::size_t first, std::size_t count, const EdgeStrip& others);
 
   const SurfaceAdjacency& Surface;
-  EdgeStrip Edges;
+  StripEdges Edges;
+  std::size_t First = 0; ///< where the curve begins among Edges
+  /// The strip cut open at its first and at its middle edge, as long as it has the same edges.
+  std::array<UnfoldedStrip, 2> Planes;
+  std::array<bool, 2> IsUnfolded{ false, false };
+  std::vector<double> Fractions;
 };
+
+EdgeStrip Shortener::Curve() const
+{
+  EdgeStrip strip;
+  for (std::size_t i = 0; i < this->Size(); ++i)
+  {
+    strip.push_back(this->At(i).Crossing);
+  }
+  return strip;
+}
+
+double Shortener::Length() const
+{
+  double length = 0.0;
+  if (this->Size() == 0)
+  {
+    return length;
+  }
+  const Point3 first = PositionOf(this->Surface, this->At(0));
+  Point3 here = first;
+  for (std::size_t i = 1; i <= this->Size(); ++i)
+  {
+    const Point3 next = i < this->Size() ? PositionOf(this->Surface, this->At(i)) : first;
+    length += Distance(here, next);
+    here = next;
+  }
+  return length;
+}
 
 void Shortener::Straighten(int turns)
 {
-  for (int turn = 0; turn<turns&& this->Edges.size()> 1; ++turn)
+  for (int turn = 0; turn<turns&& this->Size()> 1; ++turn)
   {
-    this->StraightenFrom(turn % 2 == 0 ? 0 : this->Edges.size() / 2);
+    this->StraightenFrom(turn % 2 != 0);
   }
 }
 
@@ -60,9 +220,9 @@ void Shortener::StraightenFully(double tolerance)
 {
   this->Straighten(2);
   double before = this->Length();
-  for (int turn = 2; turn < 100 && this->Edges.size() > 1; ++turn)
+  for (int turn = 2; turn < 100 && this->Size() > 1; ++turn)
   {
-    this->StraightenFrom(turn % 2 == 0 ? 0 : this->Edges.size() / 2);
+    this->StraightenFrom(turn % 2 != 0);
     const double now = this->Length();
     if (before - now <= tolerance * now)
     {
@@ -72,33 +232,53 @@ void Shortener::StraightenFully(double tolerance)
   }
 }
 
-void Shortener::StraightenFrom(std::size_t start)
+const UnfoldedStrip& Shortener::Unfolded(bool isMiddle)
 {
-  const UnfoldedStrip plane = Unfold(this->Surface, this->Edges, start);
-  const double u = this->Edges[start].Fraction;
+  const std::size_t n = this->Size();
+  const std::size_t start = isMiddle ? n / 2 : 0;
+  UnfoldedStrip& plane = this->Planes[isMiddle ? 1 : 0];
+  if (!std::exchange(this->IsUnfolded[isMiddle ? 1 : 0], true))
+  {
+    plane.From.resize(n + 1);
+    plane.To.resize(n + 1);
+    plane.From[0] = { 0.0, 0.0 };
+    plane.To[0] = { this->Surface.Length(this->At(start).Crossing.HalfEdge), 0.0 };
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      UnfoldOver(this->At((start + i) % n), this->At((start + i + 1) % n), i, plane);
+    }
+  }
+  return plane;
+}
+
+void Shortener::StraightenFrom(bool isMiddle)
+{
+  const UnfoldedStrip& plane = this->Unfolded(isMiddle);
+  const std::size_t start = isMiddle ? this->Size() / 2 : 0;
+  const double u = this->At(start).Crossing.Fraction;
   const Point2 p = PointOn(plane, 0, u);
   const Point2 q = PointOn(plane, plane.From.size() - 1, u);
-  const std::vector<double> fraction = FunnelCrossings(plane, p, q);
-  for (std::size_t i = 1; i < fraction.size(); ++i)
+  FunnelCrossings(plane, p, q, this->Fractions);
+  for (std::size_t i = 1; i < this->Fractions.size(); ++i)
   {
-    this->Edges[(start + i) % this->Edges.size()].Fraction = fraction[i];
+    this->At((start + i) % this->Size()).Crossing.Fraction = this->Fractions[i];
   }
 }
 
 bool Shortener::Lead()
 {
   bool led = false;
-  std::size_t left = 2 * this->Edges.size(); // so that rounding can't make it go on for ever
-  for (std::size_t i = 0; i < this->Edges.size() && left > 0; ++i, --left)
+  std::size_t left = 2 * this->Size(); // so that rounding can't make it go on for ever
+  for (std::size_t i = 0; i < this->Size() && left > 0; ++i, --left)
   {
-    const std::size_t n = this->Edges.size();
-    const SimplexId p = TouchedBy(this->Surface, this->Edges[i]);
-    if (p < 0 || Touches(this->Surface, this->Edges[(i + n - 1) % n], p))
+    const std::size_t n = this->Size();
+    const SimplexId p = TouchedBy(this->Surface, this->At(i).Crossing);
+    if (p < 0 || Touches(this->Surface, this->At((i + n - 1) % n).Crossing, p))
     {
       continue;
     }
     std::size_t count = 1;
-    while (count < n && Touches(this->Surface, this->Edges[(i + count) % n], p))
+    while (count < n && Touches(this->Surface, this->At((i + count) % n).Crossing, p))
     {
       ++count;
     }
@@ -107,42 +287,90 @@ bool Shortener::Lead()
   return led;
 }
 
+/// Replaces crossings of the closed curve; it begins behind them from then on.
+void Shortener::Replace(std::size_t first, std::size_t count, const EdgeStrip& others)
+{
+  std::size_t at = this->Wrapped(this->First + first);
+  if (at + count > this->Size())
+  {
+    this->Edges.Rotate(at);
+    at = 0;
+  }
+  this->Edges.Replace(at, count, others);
+  this->First = at + others.size();
+  this->First = this->First < this->Size() ? this->First : 0;
+  this->IsUnfolded = { false, false };
+}
+
 // The path runs through p along edges first .. first + count - 1 of the strip, which all end there.
+// No crossing of the strip goes back at once over the edge before, the first not over the last.
 bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
 {
-  const std::size_t n = this->Edges.size();
+  const std::size_t n = this->Size();
   const SurfaceAdjacency& s = this->Surface;
-  const HalfEdgeId enter = this->Edges[first].HalfEdge;
+  const HalfEdgeId enter = this->At(first).Crossing.HalfEdge;
   for (std::size_t k = 1; k < count; ++k)
   {
-    if (this->Edges[(first + k) % n].HalfEdge == enter) // once round the point, for nothing
+    if (this->At((first + k) % n).Crossing.HalfEdge == enter) // once round the point, for nothing
     {
-      EdgeStrip strip;
-      for (std::size_t i = k; i < n; ++i)
-      {
-        strip.push_back(this->Edges[(first + i) % n]);
-      }
-      this->Edges = std::move(strip);
+      this->Replace(first, k, {});
       return true;
     }
   }
   const SurfaceTriangleId last =
-    SurfaceAdjacency::Triangle(this->Edges[(first + count - 1) % n].HalfEdge);
+    SurfaceAdjacency::Triangle(this->At((first + count - 1) % n).Crossing.HalfEdge);
   const EdgeStrip other = StripOnOtherSide(s, enter, last, p);
-  const Point3 before = PositionOf(s, this->Edges[(first + n - 1) % n]);
-  const Point3 after = PositionOf(s, this->Edges[(first + count) % n]);
+  const Point3 before = PositionOf(s, this->At((first + n - 1) % n));
+  const Point3 after = PositionOf(s, this->At((first + count) % n));
   if (AngleOnOtherSide(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
   }
-  EdgeStrip strip;
-  for (std::size_t k = 0; k < n - count; ++k)
+  // The strip begins behind p and ends with the way round it. What goes back goes: `back` crossings
+  // before p and those of the way that follow them, then the last ones and `ahead` first ones.
+  const std::size_t rest = n - count;
+  std::size_t back = 0;
+  std::size_t ahead = 0;
+  const auto backEdge = [&]() -> const StripEdge& { return this->At((first + n - 1 - back) % n); };
+  EdgeStrip way;
+  for (const SurfaceCurvePoint& c : other)
   {
-    strip.push_back(this->Edges[(first + count + k) % n]);
+    if (way.empty() && back < rest && backEdge().Behind == c.HalfEdge)
+    {
+      ++back;
+    }
+    else
+    {
+      AddReduced(s, c, way);
+    }
   }
-  strip.insert(strip.end(), other.begin(), other.end());
-  RemoveBacktracking(s, strip);
-  this->Edges = std::move(strip);
+  while (rest - back - ahead + way.size() >= 2)
+  {
+    const bool isOnWay = rest == back + ahead;
+    const HalfEdgeId front =
+      isOnWay ? way.front().HalfEdge : this->At((first + count + ahead) % n).Crossing.HalfEdge;
+    if ((way.empty() ? backEdge().Behind : s.Opposite(way.back().HalfEdge)) != front)
+    {
+      break;
+    }
+    if (way.empty())
+    {
+      ++back;
+    }
+    else
+    {
+      way.pop_back();
+    }
+    if (isOnWay)
+    {
+      way.erase(way.begin());
+    }
+    else
+    {
+      ++ahead;
+    }
+  }
+  this->Replace((first + n - back) % n, back + count + ahead, way);
   return true;
 }
 
@@ -229,11 +457,11 @@ public:
     : Surface(surface)
     , From(path.front())
     , To(path.back())
-    , Edges(StripLeftOfPath(surface, path))
+    , Edges(surface, StripLeftOfPath(surface, path))
   {
   }
 
-  const EdgeStrip& Crossings() const { return this->Edges; }
+  EdgeStrip Crossings() const;
 
   /// The shortest path in the strip.
   void Straighten();
@@ -242,7 +470,10 @@ public:
   bool Lead();
 
 private:
+  void Unfold();
   bool LeadRound(std::size_t first, std::size_t end, SimplexId p);
+  void Replace(std::size_t first, std::size_t count, const EdgeStrip& others);
+  void TrimEnds(bool isStart, bool isEnd);
 
   const Point3& At(SimplexId p) const
   {
@@ -252,37 +483,72 @@ private:
   const SurfaceAdjacency& Surface;
   SimplexId From;
   SimplexId To;
-  EdgeStrip Edges;
+  StripEdges Edges;
+  UnfoldedStrip Plane;
+  std::size_t Unfolded = 0; ///< of the edges, at least so many lie in the plane as they would anew
+  std::vector<double> Fractions;
 };
+
+EdgeStrip GeodesicArc::Crossings() const
+{
+  EdgeStrip strip;
+  for (std::size_t i = 0; i < this->Edges.Size(); ++i)
+  {
+    strip.push_back(this->Edges[i].Crossing);
+  }
+  return strip;
+}
+
+/// As UnfoldPath().
+void GeodesicArc::Unfold()
+{
+  const std::size_t n = this->Edges.Size();
+  this->Plane.From.resize(n + 2);
+  this->Plane.To.resize(n + 2);
+  if (this->Unfolded == 0)
+  {
+    const UnfoldedStrip first = UnfoldPath(this->Surface, { this->Edges[0].Crossing });
+    std::copy_n(first.From.begin(), 2, this->Plane.From.begin());
+    std::copy_n(first.To.begin(), 2, this->Plane.To.begin());
+    this->Unfolded = 1;
+  }
+  for (; this->Unfolded < n; ++this->Unfolded)
+  {
+    UnfoldOver(
+      this->Edges[this->Unfolded - 1], this->Edges[this->Unfolded], this->Unfolded, this->Plane);
+  }
+  const Point2 end = ThirdCorner(this->Edges[n - 1], n, this->Plane);
+  this->Plane.From[n + 1] = end;
+  this->Plane.To[n + 1] = end;
+}
 
 void GeodesicArc::Straighten()
 {
-  if (this->Edges.empty())
+  if (this->Edges.Size() == 0)
   {
     return;
   }
-  const UnfoldedStrip plane = UnfoldPath(this->Surface, this->Edges);
-  const std::vector<double> fraction =
-    FunnelCrossings(plane, plane.From.front(), plane.From.back());
-  for (std::size_t i = 0; i < this->Edges.size(); ++i)
+  this->Unfold();
+  FunnelCrossings(this->Plane, this->Plane.From.front(), this->Plane.From.back(), this->Fractions);
+  for (std::size_t i = 0; i < this->Edges.Size(); ++i)
   {
-    this->Edges[i].Fraction = fraction[i + 1];
+    this->Edges[i].Crossing.Fraction = this->Fractions[i + 1];
   }
 }
 
 bool GeodesicArc::Lead()
 {
   bool led = false;
-  std::size_t left = 2 * this->Edges.size(); // so that rounding can't make it go on for ever
-  for (std::size_t i = 0; i < this->Edges.size() && left > 0; ++i, --left)
+  std::size_t left = 2 * this->Edges.Size(); // so that rounding can't make it go on for ever
+  for (std::size_t i = 0; i < this->Edges.Size() && left > 0; ++i, --left)
   {
-    const SimplexId p = TouchedBy(this->Surface, this->Edges[i]);
-    if (p < 0 || (i > 0 && Touches(this->Surface, this->Edges[i - 1], p)))
+    const SimplexId p = TouchedBy(this->Surface, this->Edges[i].Crossing);
+    if (p < 0 || (i > 0 && Touches(this->Surface, this->Edges[i - 1].Crossing, p)))
     {
       continue;
     }
     std::size_t end = i + 1;
-    while (end < this->Edges.size() && Touches(this->Surface, this->Edges[end], p))
+    while (end < this->Edges.Size() && Touches(this->Surface, this->Edges[end].Crossing, p))
     {
       ++end;
     }
@@ -291,26 +557,84 @@ bool GeodesicArc::Lead()
   return led;
 }
 
-// The path runs through p along edges first .. end - 1 of the strip, which all end there.
+void GeodesicArc::Replace(std::size_t first, std::size_t count, const EdgeStrip& others)
+{
+  this->Edges.Replace(first, count, others);
+  this->Unfolded = std::min(this->Unfolded, first);
+}
+
+/// Takes out crossings of edges that the ends of the path lie on.
+void GeodesicArc::TrimEnds(bool isStart, bool isEnd)
+{
+  const auto endsAt = [this](std::size_t i, SimplexId p)
+  { return this->Edges[i].Ends[0] == p || this->Edges[i].Ends[1] == p; };
+  std::size_t first = 0;
+  while (isStart && first < this->Edges.Size() && endsAt(first, this->From))
+  {
+    ++first;
+  }
+  if (first > 0)
+  {
+    this->Replace(0, first, {});
+  }
+  std::size_t last = this->Edges.Size();
+  while (isEnd && last > 0 && endsAt(last - 1, this->To))
+  {
+    --last;
+  }
+  if (last < this->Edges.Size())
+  {
+    this->Replace(last, this->Edges.Size() - last, {});
+  }
+}
+
+// The path runs through p along edges first .. end - 1 of the strip, which all end there. No
+// crossing of the strip goes back at once over the edge before.
 bool GeodesicArc::LeadRound(std::size_t first, std::size_t end, SimplexId p)
 {
   const SurfaceAdjacency& s = this->Surface;
-  const EdgeStrip other = StripOnOtherSide(
-    s, this->Edges[first].HalfEdge, SurfaceAdjacency::Triangle(this->Edges[end - 1].HalfEdge), p);
+  const std::size_t n = this->Edges.Size();
+  const EdgeStrip other = StripOnOtherSide(s, this->Edges[first].Crossing.HalfEdge,
+    SurfaceAdjacency::Triangle(this->Edges[end - 1].Crossing.HalfEdge), p);
   const Point3 before = first > 0 ? PositionOf(s, this->Edges[first - 1]) : this->At(this->From);
-  const Point3 after =
-    end < this->Edges.size() ? PositionOf(s, this->Edges[end]) : this->At(this->To);
+  const Point3 after = end < n ? PositionOf(s, this->Edges[end]) : this->At(this->To);
   if (AngleOnOtherSide(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
   }
-  const auto at = [this](std::size_t i)
-  { return this->Edges.begin() + static_cast<std::ptrdiff_t>(i); };
-  EdgeStrip strip(at(0), at(first));
-  strip.insert(strip.end(), other.begin(), other.end());
-  strip.insert(strip.end(), at(end), this->Edges.end());
-  RemoveBacktracking(s, strip, this->From, this->To);
-  this->Edges = std::move(strip);
+  std::size_t begin = first; // crossings before p that stay
+  EdgeStrip way;
+  const auto goesBack = [&](HalfEdgeId h)
+  { return way.empty() && begin > 0 && this->Edges[begin - 1].Behind == h; };
+  for (const SurfaceCurvePoint& c : other)
+  {
+    if (goesBack(c.HalfEdge))
+    {
+      --begin;
+    }
+    else
+    {
+      AddReduced(s, c, way);
+    }
+  }
+  for (; end < n; ++end)
+  {
+    const HalfEdgeId h = this->Edges[end].Crossing.HalfEdge;
+    if (goesBack(h))
+    {
+      --begin;
+    }
+    else if (!way.empty() && s.Opposite(way.back().HalfEdge) == h)
+    {
+      way.pop_back();
+    }
+    else
+    {
+      break;
+    }
+  }
+  this->Replace(begin, end - begin, way);
+  this->TrimEnds(begin == 0, end == n);
   return true;
 }
 
@@ -365,7 +689,7 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
     curve.Converged = curve.Converged && isStraight;
     curve.Pins.push_back(curve.Crossings.size());
     curve.Crossings.push_back({ surface.Find(pieces[k][0], pieces[k][1]), 0.0 });
-    const EdgeStrip& crossings = arc.Crossings();
+    const EdgeStrip crossings = arc.Crossings();
     curve.Crossings.insert(curve.Crossings.end(), crossings.begin(), crossings.end());
   }
   curve.Length = LengthOf(surface, curve.Crossings);

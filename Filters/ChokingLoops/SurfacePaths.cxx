@@ -138,20 +138,6 @@ void SurfacePaths::Settle(const Entry& entry)
 
 // ------------------------------------------------------------------------------------------
 // EdgeStrip
-namespace
-{
-
-/// The corner left of (a, b), from the three lengths.
-Point2 CornerOf(const Point2& a, const Point2& b, double toA, double toB)
-{
-  const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
-  const double x = (toA * toA - toB * toB + c * c) / (2.0 * c);
-  const double y = std::sqrt(std::max(0.0, toA * toA - x * x));
-  const Point2 u{ (b[0] - a[0]) / c, (b[1] - a[1]) / c };
-  return { a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0] };
-}
-
-}
 
 Point3 PositionOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& p)
 {
@@ -385,11 +371,11 @@ std::vector<FunnelTurn> Funnel(const UnfoldedStrip& plane, const Point2& p, cons
 }
 
 /// Where the polyline p, bends, q crosses each edge, as fractions from From to To.
-std::vector<double> CrossingsOf(const UnfoldedStrip& plane, const std::vector<FunnelTurn>& bends,
-  const Point2& p, const Point2& q)
+void CrossingsOf(const UnfoldedStrip& plane, const std::vector<FunnelTurn>& bends, const Point2& p,
+  const Point2& q, std::vector<double>& fraction)
 {
   const std::size_t n = plane.From.size() - 1;
-  std::vector<double> fraction(n, 0.0);
+  fraction.assign(n, 0.0);
   Point2 here = p;
   std::size_t edge = 1;
   for (std::size_t b = 0; b <= bends.size(); ++b)
@@ -409,14 +395,21 @@ std::vector<double> CrossingsOf(const UnfoldedStrip& plane, const std::vector<Fu
     }
     here = there;
   }
-  return fraction;
 }
 
+}
+
+void FunnelCrossings(
+  const UnfoldedStrip& plane, const Point2& p, const Point2& q, std::vector<double>& fraction)
+{
+  CrossingsOf(plane, Funnel(plane, p, q), p, q, fraction);
 }
 
 std::vector<double> FunnelCrossings(const UnfoldedStrip& plane, const Point2& p, const Point2& q)
 {
-  return CrossingsOf(plane, Funnel(plane, p, q), p, q);
+  std::vector<double> fraction;
+  FunnelCrossings(plane, p, q, fraction);
+  return fraction;
 }
 
 // ------------------------------------------------------------------------------------------

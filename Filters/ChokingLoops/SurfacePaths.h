@@ -13,6 +13,7 @@
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -275,6 +276,16 @@ inline double Cross2(const Point2& o, const Point2& a, const Point2& b)
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
+/// The corner left of (a, b), at these distances from both.
+inline Point2 CornerOf(const Point2& a, const Point2& b, double toA, double toB)
+{
+  const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
+  const double x = (toA * toA - toB * toB + c * c) / (2.0 * c);
+  const double y = std::sqrt(std::max(0.0, toA * toA - x * x));
+  const Point2 u{ (b[0] - a[0]) / c, (b[1] - a[1]) / c };
+  return { a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0] };
+}
+
 /// A strip laid into the plane from one edge round to its copy: both ends of every edge.
 struct UnfoldedStrip
 {
@@ -316,6 +327,10 @@ inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> FunnelCrossings(
   const UnfoldedStrip& plane, const Point2& p, const Point2& q);
+
+/// The same into `fraction`, whose memory is used again.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void FunnelCrossings(
+  const UnfoldedStrip& plane, const Point2& p, const Point2& q, std::vector<double>& fraction);
 
 // ------------------------------------------------------------------------------------------
 // A strip of triangles rerouted around the other side of a point.
