@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 
@@ -234,6 +235,7 @@ struct ChokingAnalysis
   LocatedFeatures Found;
   /// Of the features asked for, without and with chords.
   std::map<std::pair<std::size_t, bool>, std::optional<Membrane>> MinimumCuts;
+  std::mutex Mutex; ///< of membranes that are made when asked for
   ChokingLoopTimes Times;
   AnalysisCost Cost;
   RepairReport Repairs;
@@ -499,11 +501,22 @@ std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection)
 
 const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
 {
-  std::optional<Membrane>& membrane = this->State->Found.Membranes[feature];
+  // That of a handle or tunnel is there already, so none is made that others would read meanwhile.
+  ChokingAnalysis& state = *this->State;
+  std::optional<Membrane>& membrane = state.Found.Membranes[feature];
+  {
+    const std::lock_guard<std::mutex> lock(state.Mutex);
+    if (membrane)
+    {
+      return *membrane;
+    }
+  }
+  Membrane made =
+    FeatureMembrane(state.Context, state.Regions, state.Found.Diagram.Features[feature]);
+  const std::lock_guard<std::mutex> lock(state.Mutex);
   if (!membrane)
   {
-    membrane = FeatureMembrane(
-      this->State->Context, this->State->Regions, this->State->Found.Diagram.Features[feature]);
+    membrane = std::move(made);
   }
   return *membrane;
 }
@@ -517,16 +530,20 @@ const Membrane* ChokingLoops::MinimumCutMembraneOf(
   std::size_t feature, const ProgressCallback& progress, bool chords)
 {
   ChokingAnalysis& state = *this->State;
-  auto known = state.MinimumCuts.find({ feature, chords });
+  const std::pair key(feature, chords);
+  std::unique_lock<std::mutex> lock(state.Mutex);
+  auto known = state.MinimumCuts.find(key);
   if (known == state.MinimumCuts.end())
   {
+    lock.unlock();
     std::optional<Membrane> membrane = MinimumCutMembrane(state.Context,
       state.Found.Diagram.Features[feature], state.Found.Centres[feature], progress, chords);
     if (membrane && !IsInterchangeable(state.Context, state.Found, feature, *membrane))
     {
       membrane.reset();
     }
-    known = state.MinimumCuts.emplace(std::pair(feature, chords), std::move(membrane)).first;
+    lock.lock();
+    known = state.MinimumCuts.emplace(key, std::move(membrane)).first;
   }
   return known->second ? &*known->second : nullptr;
 }

@@ -109,7 +109,8 @@ struct ChokingAnalysis;
 
 /**
  * The analysis of one surface. The constructor does the work; selecting features and computing a
- * membrane is fast, and membranes are cached.
+ * membrane is fast, and membranes are cached. Membranes may be asked for on several threads at
+ * once.
  */
 class ChokingLoops
 {

@@ -2,11 +2,18 @@
 
 #include "ChokingLoops/LoopShortening.h"
 #include "Core/Geometry.h"
+#include "Core/ParallelFor.h"
 #include "Core/Stopwatch.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <optional>
+#include <thread>
 
 namespace isthmus
 {
@@ -603,6 +610,145 @@ std::vector<std::size_t> SampledFirst(std::size_t count, std::size_t& sample)
   return order;
 }
 
+namespace
+{
+
+/// Tasks of very different lengths, each run by the first thread that is free: with fixed shares,
+/// all would wait for the one that has the longest task.
+class TaskRun
+{
+public:
+  /// Does task i; throws Cancelled when the callback returns false.
+  using Task = std::function<void(std::size_t i, const ProgressCallback& progress)>;
+
+  TaskRun(std::size_t count, Task task)
+    : Count(count)
+    , Do(std::move(task))
+  {
+  }
+
+  /// Tasks in their order on the calling thread. After `sample` of them, if others remain, calls
+  /// sampled(seconds).
+  void Alone(std::size_t sample, const std::function<void(double)>& sampled,
+    const ProgressCallback& progress);
+
+  /// The same on as many threads; both callbacks are called on the calling thread.
+  void On(std::size_t threads, std::size_t sample, const std::function<void(double)>& sampled,
+    const ProgressCallback& progress);
+
+private:
+  void Work();
+  void Watch(std::size_t sample, const std::function<void(double)>& sampled,
+    const ProgressCallback& progress);
+  void Stop()
+  {
+    this->IsStopped = true;
+    this->Next = this->Count;
+  }
+
+  /// So often the callbacks are called; also how long an abort takes to reach the threads.
+  static constexpr std::chrono::milliseconds Beat{ 50 };
+
+  std::size_t Count;
+  Task Do;
+  std::atomic<std::size_t> Next{ 0 };
+  std::atomic<bool> IsStopped{ false };
+  std::mutex Mutex; ///< of the members below
+  std::condition_variable Changed;
+  std::vector<double> Done; ///< of each task that is done, ascending: seconds since the start
+  std::exception_ptr Failure;
+  Stopwatch Clock;
+  double Passed = 0.0; ///< on it
+};
+
+void TaskRun::Alone(
+  std::size_t sample, const std::function<void(double)>& sampled, const ProgressCallback& progress)
+{
+  const auto part = [this](std::size_t i)
+  { return static_cast<double>(i) / static_cast<double>(this->Count); };
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    if (i == sample)
+    {
+      sampled(this->Clock.Lap());
+    }
+    const auto own = Between(progress, part(i), part(i + 1));
+    Report(own, 0.0);
+    this->Do(i, own);
+  }
+}
+
+void TaskRun::Work()
+{
+  const auto goOn = [this](double) { return !this->IsStopped; };
+  for (std::size_t i = this->Next++; i < this->Count && !this->IsStopped; i = this->Next++)
+  {
+    std::exception_ptr failure;
+    try
+    {
+      this->Do(i, goOn);
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+      this->Stop();
+    }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Failure = this->Failure ? this->Failure : failure;
+    this->Passed += this->Clock.Lap();
+    this->Done.push_back(this->Passed);
+    this->Changed.notify_one();
+  }
+}
+
+void TaskRun::Watch(
+  std::size_t sample, const std::function<void(double)>& sampled, const ProgressCallback& progress)
+{
+  bool isSampled = sample >= this->Count;
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  while (!this->IsStopped && this->Done.size() < this->Count)
+  {
+    this->Changed.wait_for(lock, Beat);
+    const std::size_t done = this->Done.size();
+    const double seconds = isSampled || done < sample ? 0.0 : this->Done[sample - 1];
+    lock.unlock();
+    if (!isSampled && done >= sample)
+    {
+      isSampled = true;
+      sampled(seconds);
+    }
+    Report(progress, static_cast<double>(done) / static_cast<double>(this->Count));
+    lock.lock();
+  }
+}
+
+void TaskRun::On(std::size_t threads, std::size_t sample,
+  const std::function<void(double)>& sampled, const ProgressCallback& progress)
+{
+  std::vector<std::thread> running;
+  std::exception_ptr stopped;
+  try
+  {
+    for (std::size_t i = 0; i < threads; ++i)
+    {
+      running.emplace_back([this] { this->Work(); });
+    }
+    this->Watch(sample, sampled, progress);
+  }
+  catch (...)
+  {
+    stopped = std::current_exception();
+    this->Stop();
+  }
+  std::for_each(running.begin(), running.end(), [](std::thread& thread) { thread.join(); });
+  if (stopped || this->Failure)
+  {
+    std::rethrow_exception(stopped ? stopped : this->Failure);
+  }
+}
+
+}
+
 void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features, int rounds,
   DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated,
   const ProgressCallback& progress, MembraneMethod method)
@@ -615,21 +761,39 @@ void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features,
     });
   std::size_t sample = 0;
   const std::vector<std::size_t> order = SampledFirst(missing.size(), sample);
-  const auto done = [&order](std::size_t i)
-  { return static_cast<double>(i) / static_cast<double>(order.size()); };
-  Stopwatch watch;
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::vector<std::optional<LoopFeature>> made(order.size());
+  const auto keep = [&]
   {
-    if (i == sample && estimated)
+    for (std::size_t i = 0; i < made.size(); ++i)
     {
-      estimated(DrawingCost::After(sample, order.size(), watch.Lap()));
+      if (made[i])
+      {
+        drawn.emplace(std::make_pair(missing[order[i]], rounds), std::move(*made[i]));
+      }
     }
-    const std::size_t feature = missing[order[i]];
-    const auto part = Between(progress, done(i), done(i + 1));
-    Report(part, 0.0);
-    drawn.emplace(
-      std::make_pair(feature, rounds), MakeLoopFeature(loops, feature, rounds, part, {}, method));
+  };
+  TaskRun run(order.size(),
+    [&](std::size_t i, const ProgressCallback& part)
+    { made[i] = MakeLoopFeature(loops, missing[order[i]], rounds, part, {}, method); });
+  const auto sampled = [&](double seconds)
+  {
+    if (estimated)
+    {
+      estimated(DrawingCost::After(sample, order.size(), seconds));
+    }
+  };
+  const std::size_t threads =
+    std::min(order.size(), static_cast<std::size_t>(std::max(1, ParallelThreads())));
+  try
+  {
+    threads < 2 ? run.Alone(sample, sampled, progress) : run.On(threads, sample, sampled, progress);
   }
+  catch (const Cancelled&)
+  {
+    keep(); // what is done need not be drawn again
+    throw;
+  }
+  keep();
 }
 
 }

@@ -193,7 +193,10 @@ using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
  * are more than 24, `estimated` is called once, after a quarter of them or 24, with the remaining
  * number and the estimated time. The result does not depend on the order.
  *
- * @throws Cancelled.
+ * Features are drawn on as many threads as ParallelFor() uses, each by the first one that is free;
+ * the result is bitwise the same on any number. Callbacks are called on the calling thread.
+ *
+ * @throws Cancelled. What is drawn by then is kept in `drawn`.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void DrawFeatures(ChokingLoops& loops,
   const std::vector<std::size_t>& features, int rounds, DrawnFeatures& drawn,
