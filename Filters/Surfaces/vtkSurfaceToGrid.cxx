@@ -18,6 +18,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -241,8 +242,19 @@ void vtkSurfaceToGrid::FromSurface(
   const isthmus::PolyDataTriangles triangles(isthmus::InGridAxes(surface, output));
   const isthmus::SurfaceView mesh = triangles.View();
   const auto progress = isthmus::ProgressOf(this);
-  const auto found = isthmus::SurfaceCrossings(mesh, shape,
+  auto found = isthmus::SurfaceCrossings(mesh, shape,
     static_cast<isthmus::CrossingNormal>(this->NormalMode), isthmus::Between(progress, 0.05, 0.2));
+  if (output->GetDirectionMatrix()->Determinant() < 0.0)
+  {
+    // In a mirrored frame, counter-clockwise triangles are clockwise.
+    for (GridCrossing& crossing : found)
+    {
+      for (double& component : crossing.Normal)
+      {
+        component = -component;
+      }
+    }
+  }
   isthmus::FillCrossings(found, output, crossings);
   if (!this->GenerateInside && !this->GenerateSignedDistance)
   {
