@@ -16,9 +16,11 @@ import zlib
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_TETRA, vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid)
+
+import robustness_trials
 
 ORACLES = []
 
@@ -351,8 +353,7 @@ class Volume:
 
 def settle(algorithm, inputs, **properties):
     """A filter with inputs by port and properties, run; an error of it is one of the test."""
-    said = []
-    algorithm.AddObserver("ErrorEvent", lambda *_: said.append("an error"))
+    listener = robustness_trials.Listener(algorithm)
     for name, value in properties.items():
         setter = getattr(algorithm, "Set" + name)
         setter(*value) if isinstance(value, (tuple, list)) else setter(value)
@@ -360,8 +361,8 @@ def settle(algorithm, inputs, **properties):
         if data is not None:
             algorithm.SetInputDataObject(port, data)
     algorithm.Update()
-    if said:
-        raise AssertionError(f"{algorithm.GetClassName()} ended with an error")
+    if listener.errors:
+        raise AssertionError(f"{algorithm.GetClassName()} said: {listener.errors}")
     return algorithm
 
 
@@ -414,7 +415,6 @@ def main():
     script = os.path.basename(sys.argv[0])
     print(f"{count} inputs of each oracle, ISTHMUS_SEED={seed}")
     failures, inputs = [], 0
-    vtkObject.GlobalWarningDisplayOff()
     for title, function in ORACLES:
         if name.lower() not in title.lower():
             continue
