@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Everything random, with new seeds, for HOURS on two cores. One of them: fuzz targets under address
 # and undefined-behaviour checks; the other: damaged surfaces and volumes through every filter. In
-# the last eighth the first takes damaged data as well, and the other re-executes filters.
+# the last eighth the first takes damaged data as well, and the other re-executes filters and runs
+# them on inputs with known answers.
 # Usage: Testing/soak.sh HOURS [FOLDER]      (FOLDER, default build/soak, keeps seeds and failures)
 #
 # ISTHMUS_SOAK_SEED=N   the seed to begin from (default: the time)
@@ -73,7 +74,7 @@ damage() {
 export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
 export PYTHONPATH=${PYTHONPATH:-$(echo "$build_dir"/lib/python3*/site-packages)}
 export ISTHMUS_PANELS_DIR=$source_dir/Plugin
-for name in RandomDamage Reexecution failures "${targets[@]##*/}"; do : >"$folder/log/$name"; done
+for name in RandomDamage Reexecution OracleSurfaces OracleVolumes OracleMolecules failures "${targets[@]##*/}"; do : >"$folder/log/$name"; done
 echo "$seed" >>"$folder/log/seeds"
 echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each, damage $damage_seconds s"
 (cd "$folder/corpus" && cmake -E tar xf "$source_dir/Testing/Data/fuzz-corpus.tar.xz")
@@ -81,6 +82,7 @@ began=$SECONDS
 {
   damage 0 $((began + damage_seconds))
   part Reexecution "$seed" 50
+  for kind in Surfaces Volumes Molecules; do part "Oracle$kind" "$seed" 200; done
 } &
 for target in "${targets[@]}"; do
   fuzz "$target"
@@ -100,6 +102,7 @@ echo "all readers and filters: $total inputs"
 grep -h "^soak:" "$folder/log/RandomDamage" "$folder/log/Reexecution" |
   awk '{ surfaces += $3; volumes += $5; runs += $7 } END {
     print surfaces + 0 " damaged surfaces, " volumes + 0 " damaged volumes, " runs + 0 " runs of filters" }'
+grep -h "inputs with known answers" "$folder"/log/Oracle*
 failures=$((failures + $(wc -l <"$folder/log/failures")))
 if [ "${ISTHMUS_SOAK_TIDY:-}" = 1 ] &&
   ! python3 -B "$source_dir/Testing/check_tidy.py" --build "$build_dir" --jobs 2 | tee "$folder/log/tidy"; then

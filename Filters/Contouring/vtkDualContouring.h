@@ -51,8 +51,8 @@ public:
   ///@{
   /// How much normals must vary within a cell to count as an edge or a corner, as a fraction of the
   /// largest eigenvalue, 0 to 1; a smaller value keeps blunter edges and more noise. For surfaces,
-  /// edges of at least this angle, and at least 30 degrees, are kept exactly. Default 0.07: 30
-  /// degrees.
+  /// edges of at least this angle, and at least 30 degrees, are kept exactly, but the tip of a
+  /// corner that no line of the grid crosses may be cut off. Default 0.07: 30 degrees.
   vtkSetMacro(FeatureThreshold, double);
   vtkGetMacro(FeatureThreshold, double);
   ///@}

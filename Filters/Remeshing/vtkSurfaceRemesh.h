@@ -77,8 +77,9 @@ public:
 
   ///@{
   /// How edge lengths are reached. Isotropic (default): edges are split, collapsed and flipped
-  /// until they have about the length. Delaunay: restricted Delaunay refinement, which bounds the
-  /// edges by the length, the angles by MinimumAngle and the distance from the old surface by
+  /// until they have about the length. Delaunay: restricted Delaunay refinement, which bounds
+  /// circumscribed circles by that of an equilateral triangle of the length (edges by 1.155 times
+  /// the length), the angles by MinimumAngle and the distance from the old surface by
   /// MaximumDistance.
   vtkSetClampMacro(Method, int, Isotropic, Delaunay);
   vtkGetMacro(Method, int);

@@ -7,8 +7,9 @@
  * the grid, by the lower envelopes of P. Felzenszwalb and D. Huttenlocher, "Distance transforms of
  * sampled functions", Theory of Computing 8 (2012) 415, doi:10.4086/toc.2012.v008a019. Crossings
  * lie on the surface, about a spacing h apart, so these values are never too small, and too large
- * by at most about h^2 / (2 distance). For a surface that crosses no line of the grid, the distance
- * is exact everywhere.
+ * by at most about h^2 / (2 distance), or by up to 2 h where the nearest point lies within h of a
+ * sharp edge or corner. For a surface that crosses no line of the grid, the distance is exact
+ * everywhere.
  */
 #ifndef isthmus_GridDistance_h
 #define isthmus_GridDistance_h

@@ -20,9 +20,11 @@
  * `Axis` (0, 1, 2: the line is along x, y, z of the grid), `Fraction` (part of the spacing from
  * that node).
  *
- * **Accuracy.** Crossings lie on the surface to rounding. Distances are exact within BandWidth
- * spacings h of the surface; farther away they are distances to the nearest crossing, which are
- * never too small, and too large by at most about h^2 / (2 distance), unless ExactEverywhere is on.
+ * **Accuracy.** Crossings lie within 2^-20 spacings of the surface (grids of more than 500 nodes
+ * along an axis: less exactly, as the number grows). Distances are exact within BandWidth spacings
+ * h of the surface; farther away they are distances to the nearest crossing, which are never too
+ * small, and too large by at most about h^2 / (2 distance), beside sharp edges and corners by up to
+ * 2 h, unless ExactEverywhere is on.
  *
  * Formulas and sources: SurfaceCrossings.h, LevelCrossings.h, GridDistance.h.
  *
