@@ -21,6 +21,7 @@
 #define isthmus_CIFAtomTable_h
 
 #include "Molecules/ReadingReport.h"
+#include "Molecules/StructureRecords.h"
 
 #include <array>
 #include <cstdint>
@@ -54,6 +55,7 @@ struct CIFAtoms
   std::map<std::tuple<std::int64_t, std::string, std::string>, double> Confidence;
   /// Ids of atoms whose symbols in the file do not denote an element.
   std::set<int> Dummies;
+  std::vector<StructureRange> Structure; ///< helices and strands
   ReadingReport Report;
 };
 

@@ -10,6 +10,7 @@
 #include "Molecules/PDBLines.h"
 #include "Molecules/PQRFile.h"
 #include "Molecules/ReadingReport.h"
+#include "Molecules/StructureRecords.h"
 
 #include <algorithm>
 #include <array>
@@ -199,8 +200,10 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
  */
 CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
 {
+  std::vector<StructureRange> structure = StructureOfCIF(block);
   DropOthers(block, CategoriesRead);
   CIFAtoms atoms = CompleteAtomTable(block);
+  atoms.Structure = std::move(structure);
   for (const char* tag : { "_atom_site.id", "_atom_site.auth_seq_id", "_atom_site.label_seq_id",
          "_atom_site.pdbx_formal_charge", "_struct_conn.ptnr1_auth_seq_id",
          "_struct_conn.ptnr2_auth_seq_id", "_struct_conn.ptnr1_label_seq_id",
@@ -432,6 +435,7 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     molecule.Atoms = std::move(read.Atoms);
     molecule.Bonds = std::move(read.Links);
     molecule.Bonds.insert(molecule.Bonds.end(), read.Bonds.begin(), read.Bonds.end());
+    SetStructure(StructureOfPDB(text), molecule.Atoms);
   }
   else
   {
@@ -657,6 +661,10 @@ Macromolecule ReadBlocks(
       }
       molecule =
         Flatten(structure, choice.Model - models, block.Atoms.Report, block.Atoms.Confidence);
+      if (choice.Assembly.empty())
+      {
+        SetStructure(block.Atoms.Structure, molecule.Atoms);
+      }
       AddNamedBonds(block.Atoms, molecule);
       if (block.Atoms.From == CIFAtoms::Source::MMCIF)
       {

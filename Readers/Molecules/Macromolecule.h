@@ -36,6 +36,10 @@ struct Atom
   char InsertionCode = ' ';
   char AltLoc = ' '; ///< alternate location, blank: the only one
   bool IsHetero = false;
+  /// Secondary structure that the file gives: 0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi
+  /// helix.
+  static constexpr unsigned char NoStructure = 255;
+  unsigned char Structure = NoStructure;
 };
 
 /// A bond between two atoms, given by their indices in the list of atoms; First < Second.

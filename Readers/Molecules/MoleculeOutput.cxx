@@ -68,6 +68,21 @@ MakeArray RareNumbers(const Macromolecule& molecule, const char* name, Value val
   };
 }
 
+/// Secondary structure; no array where the file has none.
+MakeArray Structures(const Macromolecule& molecule)
+{
+  return [&molecule]() -> vtkSmartPointer<vtkAbstractArray>
+  {
+    if (std::all_of(molecule.Atoms.begin(), molecule.Atoms.end(),
+          [](const Atom& atom) { return atom.Structure == Atom::NoStructure; }))
+    {
+      return nullptr;
+    }
+    return Numbers<vtkUnsignedCharArray>(
+      molecule, "SecondaryStructure", [](const Atom& a) { return a.Structure; })();
+  };
+}
+
 template <typename Value>
 MakeArray Texts(const Macromolecule& molecule, const char* name, Value value)
 {
@@ -122,7 +137,7 @@ std::vector<MakeArray> PointArrays(const Macromolecule& molecule, bool withAltLo
     Numbers<vtkUnsignedCharArray>(molecule, "IsHetero",
       [](const Atom& a) { return static_cast<unsigned char>(a.IsHetero ? 1 : 0); }),
     Letters(molecule, "InsertionCode", [](const Atom& a) { return a.InsertionCode; }),
-    RareNumbers(molecule, "pLDDT", [](const Atom& a) { return a.PLDDT; }) };
+    RareNumbers(molecule, "pLDDT", [](const Atom& a) { return a.PLDDT; }), Structures(molecule) };
   if (withAltLoc)
   {
     arrays.push_back(Letters(molecule, "AltLoc", [](const Atom& a) { return a.AltLoc; }));

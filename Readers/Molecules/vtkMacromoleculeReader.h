@@ -21,7 +21,9 @@
  * - `IsHetero` (unsigned char): 1: a HETATM record
  *
  * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings, and `pLDDT`
- * (double, 0 to 100): confidence of predicted residues, where ModelCIF names it so. Cell array
+ * (double, 0 to 100): confidence of predicted residues, where ModelCIF names it so;
+ * `SecondaryStructure` (unsigned char) by HELIX and SHEET, or struct_conf and struct_sheet_range: 0
+ * coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi helix (not of an assembly). Cell array
  * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
  * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms are in the
  * order of the file, except that the atoms of a residue are consecutive.

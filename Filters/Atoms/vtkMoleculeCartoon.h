@@ -1,0 +1,126 @@
+/**
+ * @class   vtkMoleculeCartoon
+ * @brief   chains as ribbons and arrows, ligands as balls and sticks, and a table of residues
+ *
+ * Input: atoms with the names that vtkMacromoleculeReader gives them, any vtkPointSet; bonds are
+ * the lines of a vtkPolyData. Of alternate locations the one with the greatest sum of occupancies
+ * is drawn; hydrogens are not.
+ *
+ * **Output 0**, vtkPolyData: the cartoon of amino acids and nucleotides (MoleculeCartoon.h):
+ * helices as ribbons, strands as arrows towards the C end, coil and nucleic acids as tubes, bases
+ * as sticks. Gaps in a chain stay open. Cell arrays, of the residue that a polygon belongs to:
+ *
+ * - `ResidueIndex` (int): its row in output 2
+ * - `Residue` (string): name, number and chain, "LYS 48 A"
+ * - `ResidueId` (int): its number
+ * - `ChainIndex` (int): its chain, by the order in which chains begin; the field array `ChainNames`
+ *   has the names
+ * - `SecondaryStructure` (unsigned char): 0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi
+ * helix, 5 nucleic acid
+ * - `BFactor`, `pLDDT` (double): mean of its atoms, where the input has that array
+ *
+ * **Output 1**, vtkPolyData: ligands, ions and what else is selected as balls and sticks, of each
+ * bond a half for either atom. Cell arrays: `Element` (unsigned short), `AtomName` (string) and
+ * those of output 0, of the atom.
+ *
+ * **Output 2**, vtkPolyData: a point and a vertex for each residue, at CA, C4' or P, else in the
+ * middle of its atoms, with the same arrays as point arrays, and `ResidueName`, `Chain` and
+ * `InsertionCode` (strings).
+ *
+ * Secondary structure is that of the point array `SecondaryStructure`, which vtkMacromoleculeReader
+ * takes from HELIX and SHEET records or their equivalent in mmCIF; without it, DSSP's by hydrogen
+ * bonds (SecondaryStructure.h). The field array `Notes` says which, and what is not drawn.
+ *
+ * **Errors** (one message, empty outputs): coordinates that are not finite, lengths that are not
+ * positive, not enough memory. If no residue of a chain is recognised, output 1 has all atoms.
+ *
+ * **Cost.** O(n log n) in atoms. On several MPI ranks, gather the atoms first.
+ */
+#ifndef vtkMoleculeCartoon_h
+#define vtkMoleculeCartoon_h
+
+#include "Core/FilterProperties.h"
+#include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for StickResidues
+
+class vtkPointSet;
+
+class VTKISTHMUSFILTERSATOMS_EXPORT vtkMoleculeCartoon : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMoleculeCartoon* New();
+  vtkTypeMacro(vtkMoleculeCartoon, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Residues of chains that are drawn as sticks, too: names (HIS), numbers (57) or numbers with a
+  /// chain (A:57), separated by blanks or commas. Default: none.
+  vtkSetMacro(StickResidues, std::string);
+  vtkGetMacro(StickResidues, std::string);
+  ///@}
+
+  ///@{
+  /// Width and thickness of helices and strands, in angstrom. Coil is as thick. Defaults 2.4 and
+  /// 0.5.
+  vtkSetMacro(RibbonWidth, double);
+  vtkGetMacro(RibbonWidth, double);
+  vtkSetMacro(RibbonThickness, double);
+  vtkGetMacro(RibbonThickness, double);
+  ///@}
+
+  ///@{
+  /// Radius of bonds, in angstrom. Default 0.2.
+  vtkSetMacro(StickRadius, double);
+  vtkGetMacro(StickRadius, double);
+  ///@}
+
+  ///@{
+  /// Radius of balls over the van der Waals radius; at least as thick as the sticks. Atoms without
+  /// a bond have twice that. Default 0.25; 0: sticks only.
+  vtkSetMacro(BallScale, double);
+  vtkGetMacro(BallScale, double);
+  ///@}
+
+  ///@{
+  /// Polygons around a tube, 3 to 64. Default 12.
+  vtkSetClampMacro(Sides, int, 3, 64);
+  vtkGetMacro(Sides, int);
+  ///@}
+
+  vtkPolyData* GetSticks();   ///< Output 1.
+  vtkPolyData* GetResidues(); ///< Output 2.
+
+  /// Secondary structure by hydrogen bonds, even if the file has it. Default off.
+  ISTHMUS_SWITCH(ComputeSecondaryStructure, false);
+  /// Ligands, prosthetic groups included. Default on.
+  ISTHMUS_SWITCH(KeepLigands, true);
+  /// Residues of one heavy atom. Default on.
+  ISTHMUS_SWITCH(KeepIons, true);
+  /// Water. Default off.
+  ISTHMUS_SWITCH(KeepWaters, false);
+
+protected:
+  vtkMoleculeCartoon();
+  ~vtkMoleculeCartoon() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkMoleculeCartoon(const vtkMoleculeCartoon&) = delete;
+  void operator=(const vtkMoleculeCartoon&) = delete;
+
+  void Draw(vtkPointSet* atoms, vtkInformationVector* outputs);
+
+  std::string StickResidues;
+  double RibbonWidth = 2.4;
+  double RibbonThickness = 0.5;
+  double StickRadius = 0.2;
+  double BallScale = 0.25;
+  int Sides = 12;
+};
+
+#endif
