@@ -11,10 +11,12 @@ except ImportError:
 try:
     import isthmus_loops as loop_views
     import isthmus_messages as messages  # with the plugin loaded
+    import isthmus_molecules as molecules
     import isthmus_pockets as pockets_and_pores
     import isthmus_steps as steps
 except ImportError:
     from isthmus import loop_views, messages, steps
+    from isthmus import molecule_views as molecules
     from isthmus import pocket_views as pockets_and_pores
 
 
@@ -324,6 +326,9 @@ def _look_at_shape(display, view, source, name):
         _look_at_denoised(display, view)
     elif name == "AtomSelection":
         pockets_and_pores.sticks(display, view)
+    elif name == "MoleculeCartoon":
+        molecules.look(display, view, port)
+        _hide_molecule(source.Input, view)
     elif name in pockets_and_pores.FEATURES:
         pockets_and_pores.look(display, view, port)
 

@@ -14,6 +14,7 @@ import numpy
 from paraview import simple
 
 import isthmus_look as look
+import isthmus_molecules as molecules
 import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
 
 HERE = Path(__file__).resolve().parent
@@ -217,8 +218,15 @@ def force_field_charges(view):
     return 0.0, 0.0, 1.0
 
 
+def molecule_cartoon(view):
+    display = molecules.show(simple.MoleculeCartoon(data("molecules/1hew.pdb")), view)
+    bar = simple.GetScalarBar(display.LookupTable, view)
+    bar.TitleColor = bar.LabelColor = INK
+    return 0.0, 0.2, 1.0
+
+
 SCENES = {
-    "AtomSelection": atom_selection, "ForceFieldCharges": force_field_charges,
+    "AtomSelection": atom_selection, "MoleculeCartoon": molecule_cartoon, "ForceFieldCharges": force_field_charges,
     "SurfaceCurvature": surface_curvature, "ScalarRegions": scalar_regions,
     "DiffusionHighPass": diffusion_high_pass, "PDETransform": pde_transform, "DualContouring": dual_contouring,
     "SurfaceMeasures": surface_measures, "SurfaceToGrid": surface_to_grid, "CellIncidence": cell_incidence,

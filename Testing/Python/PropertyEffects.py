@@ -116,6 +116,9 @@ SILENT = {
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"
        for name in ("OuterRadius", "ShownPocket", "UsePolarizedCurvature")},
     ("MolecularPockets", "MinimumVolume"): "sites of any volume are listed: TestPocketSurface has whole pockets",
+    **{("MoleculeCartoon", name): "the atoms are one chain without names: TestMoleculeCartoon has each kind of residue"
+       for name in ("ComputeSecondaryStructure", "KeepIons", "KeepLigands", "KeepWaters", "RibbonThickness", "RibbonWidth",
+                    "StickRadius", "StickResidues")},
     ("PDETransform", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     **{("PoreProfile", name): "the hollow ball has one pore or none: TestPoreProfile has tubes"
        for name in ("MaximumOffset", "Point1", "Point2")},
