@@ -47,11 +47,11 @@ for path, expected in DSSP.items():
     found = "".join("CHEGIN"[s] for s in rows(cartoon)["SecondaryStructure"])
     assert found == expected, f"{path}:\n{found}\n{expected}"
 
-# HELIX and SHEET of the file: those of ubiquitin, residues 23 to 34 and 56 to 59, are helices.
+# HELIX and SHEET of the file: helices of 23 to 34 and 56 to 59, strands of 1 to 7 and 10 to 17 and more.
 ubiquitin = simple.MoleculeCartoon(simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb"))))
 given = dict(zip(rows(ubiquitin)["ResidueId"], rows(ubiquitin)["SecondaryStructure"]))
 assert [given[i] for i in (22, 23, 34, 35, 56, 59, 60)] == [0, 1, 1, 0, 3, 3, 0], given
-assert [given[i] for i in (10, 11, 17, 40, 45)] == [2, 0, 2, 2, 2], given
+assert [given[i] for i in (1, 7, 8, 9, 10, 17, 18)] == [2, 2, 0, 0, 2, 2, 0], given
 
 # A ligand, water and the residues of the chain; of mmCIF without any record of helices, DSSP's.
 lysozyme = simple.MoleculeCartoon(simple.OpenDataFile(str(shared_data("molecules/1hew.pdb"))))
@@ -84,10 +84,8 @@ else:
     raise AssertionError("There is no pLDDT, and it was not refused.")
 
 # Colours of AlphaFold's classes, from 0 to 100.
-calculator = simple.ProgrammableFilter(Input=simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb"))))
-calculator.Script = ("import numpy\noutput.ShallowCopy(inputs[0].VTKObject)\n"
-                     "output.PointData.append(numpy.linspace(0, 100, inputs[0].GetNumberOfPoints()), 'pLDDT')")
-calculator.OutputDataSetType = "Same as Input"
+calculator = simple.Calculator(Input=simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb"))),
+                               ResultArrayName="pLDDT", Function="80 + 0*coordsX")
 predicted = molecules.show(simple.MoleculeCartoon(calculator), view)
 assert predicted.ColorArrayName[1] == "pLDDT"
 table = predicted.LookupTable
