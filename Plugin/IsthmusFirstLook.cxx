@@ -4,7 +4,10 @@
 
 #include <pqApplicationCore.h>
 #include <pqDataRepresentation.h>
+#include <pqOutputPort.h>
+#include <pqPVApplicationCore.h>
 #include <pqPipelineSource.h>
+#include <pqSelectionManager.h>
 #include <pqServer.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
@@ -28,13 +31,35 @@ void IsthmusFirstLook::Start()
     model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
   QObject::connect(
     model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ForgetSoon);
+  // A plugin that is loaded automatically starts while the application is still being made.
+  QTimer::singleShot(0, this,
+    [this]
+    {
+      if (auto* core = pqPVApplicationCore::instance())
+      {
+        QObject::connect(core->selectionManager(), &pqSelectionManager::selectionChanged, this,
+          &IsthmusFirstLook::FollowSelection);
+      }
+    });
 }
 
 void IsthmusFirstLook::Stop()
 {
   QObject::disconnect(
     pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
+  if (auto* core = pqPVApplicationCore::instance())
+  {
+    QObject::disconnect(core->selectionManager(), nullptr, this, nullptr);
+  }
   this->Waiting.clear();
+}
+
+// Once ParaView's own windows have taken the selection over: what they show would not be there yet.
+void IsthmusFirstLook::FollowSelection(pqOutputPort* port)
+{
+  const unsigned int id = port ? port->getSource()->getProxy()->GetGlobalID() : 0;
+  QTimer::singleShot(
+    0, this, [id] { isthmus::RunPipelines(QString("selection_changed(%1)").arg(id)); });
 }
 
 void IsthmusFirstLook::Follow(pqRepresentation* added)

@@ -4,7 +4,8 @@
  *
  * Follows the representations of the window and has isthmus_pipelines.first_look set colours and
  * their range, tubes and opacity; a filter that waits for its first Apply gets values of the data
- * by first_values. What the user has changed stays as it is.
+ * by first_values. Reports what is selected by selection_changed. What the user has changed stays
+ * as it is.
  */
 #ifndef IsthmusFirstLook_h
 #define IsthmusFirstLook_h
@@ -14,6 +15,7 @@
 #include <QSet>
 
 class pqDataRepresentation;
+class pqOutputPort;
 class pqPipelineSource;
 class pqRepresentation;
 
@@ -32,6 +34,7 @@ private:
   void LookSoon(pqDataRepresentation* representation);
   void SetFirstValues(pqPipelineSource* source);
   void ForgetSoon();
+  void FollowSelection(pqOutputPort* port);
   void Look();
 
   QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed

@@ -153,6 +153,7 @@ void AddFilters(QMenu* menu, const QStringList& filters)
   {
     QAction* action = menu->addAction(filter);
     action->setData(filter);
+    action->setObjectName(filter);
     QObject::connect(action, &QAction::triggered, menu,
       [filter] { pqFiltersMenuReaction::createFilter("filters", filter); });
     actions << action;
@@ -188,6 +189,7 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
   {
     QMenu* submenu = menu->addMenu(task.Title);
     submenu->setObjectName(QString(task.Title).remove(',').replace(' ', '_'));
+    submenu->menuAction()->setObjectName(submenu->objectName());
     for (QAction* button : buttons)
     {
       if (task.Buttons.contains(button->objectName().mid(QString("Isthmus_").size())))

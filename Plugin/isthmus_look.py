@@ -9,13 +9,14 @@ except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
+    import isthmus_diagrams as diagram_views
     import isthmus_loops as loop_views
     import isthmus_messages as messages  # with the plugin loaded
     import isthmus_molecules as molecules
     import isthmus_pockets as pockets_and_pores
     import isthmus_steps as steps
 except ImportError:
-    from isthmus import loop_views, messages, steps
+    from isthmus import diagram_views, loop_views, messages, steps
     from isthmus import molecule_views as molecules
     from isthmus import pocket_views as pockets_and_pores
 
@@ -129,6 +130,15 @@ def _bar(table, view, array):
 # Colour maps that first_look() has set, by global id: the range it gave them. A map whose range is
 # another now was changed by the user.
 _ranges = {}
+_titled = set()  # (colour map, view) whose legend has its title
+
+
+def _title(table, view, array):
+    """Gives a legend its title, once in each view: a colour map that several views use has a legend in each."""
+    pair = table.GetGlobalID(), view.SMProxy.GetGlobalID()
+    if pair not in _titled and hasattr(view, "HiddenLineRemoval"):  # a render view
+        _titled.add(pair)
+        _bar(table, view, array)
 
 
 def _colour(display, view):
@@ -142,10 +152,11 @@ def _colour(display, view):
         if key not in _ranges:
             _ranges[key] = None
             _set_categories(table, array)
-            _bar(table, view, array)
+        _title(table, view, array)
         return
     now = (table.RGBPoints[0], table.RGBPoints[-4])
     if key in _ranges and _ranges[key] != now:
+        _title(table, view, array)
         return
     limits = colour_range(display.Input, association, array)
     if not limits:
@@ -156,7 +167,7 @@ def _colour(display, view):
             table.InvertTransferFunction()  # red is negative, as everywhere in structural biology
         table.AutomaticRescaleRangeMode = "Never"
         table.NanColor = GREY
-        _bar(table, view, array)
+    _title(table, view, array)
     table.RescaleTransferFunction(*limits)
     opacity = display.OpacityTransferFunction
     if opacity:
@@ -174,7 +185,8 @@ def _look_at_loops(display, view, port):
         loops = servermanager._getPyProxy(display.Input.SMProxy)
         own = loops.SMProxy.GetNumberOfOutputPorts() > 4
         surface = simple.OutputPort(loops, 4) if own else loops.Input
-        simple.Show(surface, view).Opacity = 0.35
+        envelope = simple.Show(surface, view)
+        envelope.Opacity, envelope.Pickable = 0.35, 0  # no obstacle to clicks on loops
     elif port < 4:
         display.Visibility = 0
 
@@ -291,10 +303,19 @@ def _view_of(display):
     return views[0] if views else simple.GetActiveView()
 
 
+def _menu_of(source):
+    """The category of a filter in the menu Filters; "" without one."""
+    hints = source.SMProxy.GetHints()
+    entry = hints.FindNestedElementByName("ShowInMenu") if hints else None
+    return (entry.GetAttribute("category") or "") if entry else ""
+
+
 _seen = set()
 
 
 def _look_at_table(display, view, name):
+    if hasattr(display, "XArrayName") and "Isthmus" in _menu_of(display.Input):
+        pockets_and_pores.own_views.add(view.SMProxy.GetGlobalID())  # a chart goes with what it shows
     if name in SITES:
         view.HiddenColumnLabels = HIDDEN
     elif name in pockets_and_pores.FEATURES:
@@ -448,6 +469,8 @@ def live_change(number):
             if any(getattr(getattr(display, "Input", None), "SMProxy", None) == proxy.SMProxy
                    for display in view.Representations):
                 loop_views.count(proxy, view)
+    if proxy is not None and proxy.SMProxy.GetXMLName() in diagram_views.DIAGRAMS:
+        diagram_views.follow_threshold(proxy)
 
 
 _by_hand = set()  # global ids of filters that a menu has made

@@ -24,13 +24,14 @@ except ImportError:
     print_warning = servermanager = simple = None
 
 try:
+    import isthmus_diagrams as diagram_views
     import isthmus_figures as figures  # with the plugin, whose window uses them, too
     import isthmus_look as look
     import isthmus_loops as loop_views
     import isthmus_messages as messages
     import isthmus_steps as steps
 except ImportError:
-    from isthmus import figures, look, loop_views, messages, steps
+    from isthmus import diagram_views, figures, look, loop_views, messages, steps
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
@@ -40,8 +41,6 @@ except ImportError:
 DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 # Filters that pass on the atoms of a molecule, as the buttons put them in.
 PARTS = ("AtomSelection", "ForceFieldCharges")
-# Filters with a persistence diagram: the port that has it.
-DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}
 DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps", "PDETransform")
 # What buttons ask of the functions: of many loops the significant ones.
 BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"significant": True}}
@@ -49,6 +48,7 @@ BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"signif
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
 colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
 figure = figures.figure
+selection_changed = diagram_views.selection_changed
 live_change, preview_level, end_preview = look.live_change, look.preview_level, look.end_preview
 
 
@@ -348,39 +348,10 @@ def state(function, example):
 
 
 def persistence_diagram(source):
-    """(chart,): the persistence diagram of Choking Loops or Scalar Persistence in a chart view beside
-    the active view: births across, deaths upwards; features far above the diagonal are persistent."""
-    name = source.SMProxy.GetXMLName()
-    if name not in DIAGRAMS:
-        raise ValueError("Choking Loops and Scalar Persistence have a persistence diagram: select one in "
-                         "the pipeline browser.")
-    table = simple.OutputPort(source, DIAGRAMS[name])
-    table.UpdatePipeline()
-    rows = table.GetDataInformation().GetAttributeInformation(6)  # vtkDataObject.ROW
-    deaths = [name for name in ("DeathShown", "Death") if rows.GetArrayInformation(name)]
-    if not deaths or not rows.GetArrayInformation("Birth"):
-        raise ValueError("The persistence diagram is empty: the filter's messages say why.")
-    view = simple.GetActiveView()
-    layout = simple.GetLayout(view) if view else None
-    chart = simple.CreateView("XYChartView")
-    pockets_and_pores.own_views.add(chart.SMProxy.GetGlobalID())
-    if layout:
-        layout.SplitViewHorizontal(view, 0.6)
-        simple.AssignViewToLayout(view=chart, layout=layout)
-    points = simple.Show(table, chart, "XYChartRepresentation")
-    points.AttributeType = "Row Data"
-    points.UseIndexForXAxis, points.XArrayName = 0, "Birth"
-    points.SeriesVisibility = ["Birth", deaths[0]]
-    points.SeriesLabel = ["Birth", "birth = death", deaths[0], "features"]
-    points.SeriesLineStyle = ["Birth", "1", deaths[0], "0"]
-    points.SeriesMarkerStyle = ["Birth", "0", deaths[0], "4"]
-    points.SeriesMarkerSize = ["Birth", "4", deaths[0], "7"]
-    points.SeriesColor = ["Birth", "0.6", "0.6", "0.6", deaths[0], *map(str, look.VERMILION)]
-    chart.ChartTitle, chart.BottomAxisTitle, chart.LeftAxisTitle = "Persistence diagram", "Birth", "Death"
-    simple.Render(chart)
-    if view:
-        simple.SetActiveView(view)
-    return (chart,)
+    """(chart,): the persistence diagram of Choking Loops or Scalar Persistence in a chart view beside the active view:
+    births across, deaths upwards, a colour for each kind, a symbol for each side, and the threshold as a line. A loop
+    that is selected in the chart is selected in the view, too, and the other way round."""
+    return (diagram_views.show(source),)
 
 
 def _upstream(source, fits):
@@ -412,7 +383,7 @@ def _fits(function):
     if function.startswith("protein_"):
         return lambda source: _has_atoms(source) and source.PointData["Element"] is not None
     if function == "persistence_diagram":
-        return lambda source: source.SMProxy.GetXMLName() in DIAGRAMS
+        return lambda source: source.SMProxy.GetXMLName() in diagram_views.DIAGRAMS
     return lambda source: True
 
 
@@ -427,7 +398,7 @@ def use_proposed_threshold(number):
         return
     lines = servermanager.Fetch(simple.OutputPort(loops, 0), 0, 0)
     told = lines.GetFieldData().GetArray("ProposedThreshold")
-    sides = {"Inside": (0,), "Outside": (1,)}.get(str(loops.Side), (0, 1))
+    sides = [side for side, other in ((0, "Outside"), (1, "Inside")) if loops.Side != other]
     rows = [told.GetTuple(side) for side in sides]
     gaps = [threshold for threshold, width in rows if width > 0.0]
     loops.PersistenceUnit = "Unit of the points"

@@ -116,8 +116,17 @@ def press(keys):
         subprocess.run(["xdotool", "key", key], check=True)
 
 
-def play(name, data, events, clicks, folder, keys=(), script=None):
-    """Plays a session, then presses `keys`, and returns (log, picture). script: what Python runs
+def drag(start, end):
+    """With the left button, from place to place."""
+    subprocess.run(["xdotool", "mousemove", *map(str, start), "sleep", "0.5", "mousedown", "1"], check=True)
+    for part in (0.3, 0.7, 1.0):
+        place = [str(round(a + part * (b - a))) for a, b in zip(start, end)]
+        subprocess.run(["xdotool", "mousemove", *place, "sleep", "0.3"], check=True)
+    subprocess.run(["xdotool", "mouseup", "1"], check=True)
+
+
+def play(name, data, events, clicks, folder, keys=(), script=None, act=None):
+    """Plays a session, then presses `keys`, calls `act`, and returns (log, picture). script: what Python runs
     first, with the folder as ISTHMUS_SESSION_DIR; it opens the data, ISTHMUS_SESSION_DATA, itself."""
     window_home.prepare(folder)
     played, log, picture = folder / "session.xml", folder / "paraview.log", folder / "window.png"
@@ -143,6 +152,7 @@ def play(name, data, events, clicks, folder, keys=(), script=None):
                 clicks = ()
         time.sleep(5)  # the window paints after the script
         press(keys) if keys else None
+        act() if act else None
         if paraview.poll() is not None:
             sys.exit(f"{name}: paraview ended with {paraview.returncode} after {keys}")
         subprocess.run(["import", "-window", "root", str(picture)], check=True, timeout=60)

@@ -235,7 +235,7 @@ class Site:
     def python_lines(self):
         """The functions of the Python package, from their docstrings, and its classes."""
         lines = []
-        names = {"pockets": "pocket_views", "loops": "loop_views"}
+        names = {"pockets": "pocket_views", "loops": "loop_views", "diagrams": "diagram_views"}
         for path in [*(self.root / "cmake" / "python").glob("data_pipelines.py"),
                      *sorted((self.root / "Plugin").glob("isthmus_*.py"))]:
             part = path.stem.removeprefix("isthmus_")

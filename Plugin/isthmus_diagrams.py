@@ -1,0 +1,344 @@
+"""Persistence diagrams as charts, and a selection that is the same one in chart and view.
+
+    from isthmus import diagram_views             # or: import isthmus_diagrams, with the plugin loaded
+    chart = diagram_views.show(loops)             # a chart view beside the active view
+
+Births are across, deaths upwards; features far above the diagonal are persistent. Colours are kinds, symbols are sides
+of the surface (discs inside, diamonds outside), a line is the threshold of persistence. A loop that is selected, in the
+chart or in the view, is selected in the other one as well, and the ball of its choke point is shown.
+"""
+
+try:
+    from paraview import servermanager, simple
+except ImportError:
+    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+
+try:
+    import isthmus_loops as loop_views
+    import isthmus_messages as messages  # with the plugin loaded
+    import isthmus_pockets as pockets_and_pores
+except ImportError:
+    from isthmus import loop_views, messages
+    from isthmus import pocket_views as pockets_and_pores
+
+DIAGRAMS = {"ChokingLoops": 3, "MapChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
+CHOKE_POINTS = 2  # port of Choking Loops
+CELL, ROW = 1, 6  # of vtkDataObject's attribute types
+DISC, DIAMOND = "4", "5"  # marker styles of a chart
+VERMILION, ORANGE, GREEN, BLUE, GREY = (
+    (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.0, 0.620, 0.451), (0.0, 0.447, 0.698), (0.72, 0.72, 0.72))
+BALL = (0.941, 0.894, 0.259)
+# Series of the chart: label, the values of these columns, symbol, colour, size.
+LOOPS = (
+    ("no loop, inside", {"Kind": 3, "Side": 0}, DISC, GREY, 4),
+    ("no loop, outside", {"Kind": 3, "Side": 1}, DIAMOND, GREY, 5),
+    ("handle (inside)", {"Kind": 0}, DISC, VERMILION, 9),
+    ("tunnel (outside)", {"Kind": 1}, DIAMOND, BLUE, 10),
+    ("bottleneck inside", {"Kind": 2, "Side": 0}, DISC, ORANGE, 8),
+    ("bottleneck outside", {"Kind": 2, "Side": 1}, DIAMOND, ORANGE, 9))
+CLASSES = (
+    ("component", {"Dimension": 0}, DISC, VERMILION, 7),
+    ("tunnel", {"Dimension": 1}, DIAMOND, BLUE, 8),
+    ("cavity", {"Dimension": 2}, "3", GREEN, 7))
+DIAGONAL = "birth = death"
+# Executed where the data is: the diagram with a column of deaths for each series and each line, which a chart takes
+# for a series.
+SCRIPT = """import numpy
+from vtkmodules.numpy_interface import dataset_adapter
+
+table = dataset_adapter.WrapDataObject(self.GetInputDataObject(0, 0))
+result = dataset_adapter.WrapDataObject(self.GetOutputDataObject(0))
+result.VTKObject.ShallowCopy(table.VTKObject)
+rows = table.RowData
+birth, death = numpy.array(rows["Birth"], dtype=float), numpy.array(rows[DEATH], dtype=float)
+for label, values in SERIES:
+    chosen = numpy.ones(len(birth), dtype=bool)
+    for column, value in values.items():
+        chosen &= numpy.asarray(rows[column]) == value
+    result.RowData.append(numpy.where(chosen, death, numpy.nan), label)
+for label, threshold in LINES:
+    if threshold is None:  # the weakest of those that are listed
+        threshold = (death - birth)[numpy.argmin(abs(death - birth))] if len(birth) else 0.0
+    result.RowData.append(birth + threshold, label)
+"""
+
+
+def show(source):
+    """The persistence diagram of Choking Loops, Map Choking Loops or Scalar Persistence in a chart view beside the
+    active view, which is returned."""
+    name = source.SMProxy.GetXMLName()
+    if name not in DIAGRAMS:
+        raise ValueError("Choking Loops and Scalar Persistence have a persistence diagram: select one in "
+                         "the pipeline browser.")
+    table = simple.OutputPort(source, DIAGRAMS[name])
+    table.UpdatePipeline()
+    rows = table.GetDataInformation().GetAttributeInformation(ROW)
+    if not rows.GetArrayInformation("Birth"):
+        raise ValueError("The persistence diagram is empty: the filter's messages say why.")
+    selected = simple.GetActiveSource()
+    plot = _plot_of(source, table)
+    simple.SetActiveSource(selected)
+    view = simple.GetActiveView()
+    layout = simple.GetLayout(view) if view else None
+    chart = simple.CreateView("XYChartView")
+    pockets_and_pores.own_views.add(chart.SMProxy.GetGlobalID())
+    if layout:
+        layout.SplitViewHorizontal(view, 0.6)
+        simple.AssignViewToLayout(view=chart, layout=layout)
+    _draw(source, plot, chart)
+    link(source, plot)
+    simple.Render(chart)
+    if view:
+        simple.SetActiveView(view)
+    return chart
+
+
+def _series_of(source):
+    """The series that the diagram has rows for."""
+    name = source.SMProxy.GetXMLName()
+    rows = servermanager.Fetch(source, idx=DIAGRAMS[name]).GetRowData()
+    listed = CLASSES if name == "ScalarPersistence" else LOOPS
+    columns = {column: rows.GetArray(column) for _, values, *_ in listed for column in values}
+    there = {tuple(int(array.GetTuple1(i)) for array in columns.values()) for i in range(rows.GetNumberOfTuples())}
+
+    def has_rows(values):
+        return any(all(row[place] == values.get(column, row[place]) for place, column in enumerate(columns))
+                   for row in there)
+    return [each for each in listed if has_rows(each[1])]
+
+
+def thresholds(source):
+    """The lines of persistence above which features are reported: (label, death - birth). None instead of a number: that
+    of the weakest feature in the diagram."""
+    if source.SMProxy.GetXMLName() == "ScalarPersistence":
+        if source.PersistenceUnit == "Values":
+            least = float(source.MinimumPersistence)
+            return [("threshold", -least if source.Superlevel else least)] if least > 0.0 else []
+        return [("weakest feature listed", None)]
+    found = []
+    fields = servermanager.Fetch(simple.OutputPort(source, 0), 0, 0).GetFieldData()
+    proposed, reference = fields.GetArray("ProposedThreshold"), fields.GetArray("ReferenceLength")
+    for side, words in enumerate(("inside", "outside")):
+        if source.Side not in (words.capitalize(), "Both"):
+            continue
+        if source.ThresholdMode == "Largest gap":
+            value = proposed.GetTuple(side)[0] if proposed else 0.0
+        elif source.PersistenceUnit == "Percent":
+            value = 0.01 * source.MinimumPersistence * reference.GetValue(side) if reference else 0.0
+        else:
+            value = float(source.MinimumPersistence)
+        if value > 0.0:
+            found.append((f"threshold {words}", value))
+    if len(found) == 2 and found[0][1] == found[1][1]:
+        found = [("threshold", found[0][1])]
+    return found
+
+
+def _script(source):
+    series = [(label, values) for label, values, *_ in _series_of(source)]
+    death = "DeathShown" if source.SMProxy.GetXMLName() == "ScalarPersistence" else "Death"
+    return (f"DEATH = {death!r}\nSERIES = {series!r}\n"
+            f"LINES = {thresholds(source)!r}\n{SCRIPT}")
+
+
+def plots_of(source):
+    """The filters that make charts of the diagrams of `source`."""
+    return [proxy for proxy in simple.GetSources().values()
+            if proxy.SMProxy.GetXMLName() == "ProgrammableFilter" and str(proxy.Script).startswith("DEATH = ") and
+            proxy.SMProxy.GetNumberOfProducers() and proxy.SMProxy.GetProducerProxy(0) == source.SMProxy]
+
+
+def _plot_of(source, table):
+    known = plots_of(source)
+    plot = known[0] if known else simple.ProgrammableFilter(
+        table, registrationName=pockets_and_pores.name_of(source, "persistence diagram"), OutputDataSetType="vtkTable")
+    plot.Script = _script(source)
+    plot.UpdatePipeline()
+    return plot
+
+
+def _draw(source, plot, chart):
+    rows = plot.GetDataInformation().DataInformation.GetAttributeInformation(ROW)
+    names = [rows.GetArrayInformation(i).GetName() for i in range(rows.GetNumberOfArrays())]
+    series = [each for each in _series_of(source) if each[0] in names]
+    lines = [label for label, _ in thresholds(source) if label in names]
+    points = simple.Show(plot, chart, "XYChartRepresentation")
+    points.AttributeType = "Row Data"
+    points.UseIndexForXAxis, points.XArrayName = 0, "Birth"
+    drawn = ["Birth", *lines, *(label for label, *_ in series)]
+    points.SeriesVisibility = drawn
+    styles = {"Birth": ("1", "0", "4", GREY, "1"), **{
+                  label: ("1", "0", "4", (0.45, 0.45, 0.45) if "outside" in label else (0.0, 0.0, 0.0), "2") for label in lines},
+              **{label: ("0", symbol, str(size), colour, "1") for label, _, symbol, colour, size in series}}
+    for place, name in enumerate(("SeriesLineStyle", "SeriesMarkerStyle", "SeriesMarkerSize")):
+        setattr(points, name, [word for label in drawn for word in (label, styles[label][place])])
+    points.SeriesLineThickness = [word for label in drawn for word in (label, styles[label][4])]
+    points.SeriesColor = [word for label in drawn for word in (label, *map(str, styles[label][3]))]
+    points.SeriesLabel = [word for label in drawn for word in (label, DIAGONAL if label == "Birth" else label)]
+    of_map = source.SMProxy.GetXMLName() == "ScalarPersistence"
+    unit = "level, unit of the map" if of_map else "radius, Å"
+    chart.ChartTitle, chart.BottomAxisTitle, chart.LeftAxisTitle = (
+        "Persistence diagram", f"Birth ({unit})", f"Death ({unit})")
+    for axis, columns in (("Bottom", ("Birth",)), ("Left", ("Birth", "DeathShown" if of_map else "Death"))):
+        _set_range(chart, axis, [rows.GetArrayInformation(column).GetComponentFiniteRange(0) for column in columns])
+    superlevel = of_map and int(source.Superlevel)
+    chart.LegendLocation = "TopLeft" if superlevel else "BottomRight"  # the empty half
+
+
+def _set_range(chart, axis, ranges):
+    """A little more than the ranges, so that no symbol at the border is cut."""
+    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+    if high > low:
+        margin = 0.04 * (high - low)
+        setattr(chart, f"{axis}AxisUseCustomRange", 1)
+        setattr(chart, f"{axis}AxisRangeMinimum", low - margin)
+        setattr(chart, f"{axis}AxisRangeMaximum", high + margin)
+
+
+@messages.reports_faults("The threshold in the persistence diagram")
+def follow_threshold(source):
+    """Moves the lines of the charts of `source`, whose result has changed, and selects its loops again."""
+    for plot in plots_of(source):
+        script = _script(source)
+        if script != plot.Script:
+            plot.Script = script
+            plot.UpdatePipeline()
+            for view in simple.GetViews():
+                if any(getattr(display, "Input", None) == plot for display in view.Representations):
+                    _draw(source, plot, view)
+                    view.SMProxy.StillRender()
+        if source.SMProxy.GetXMLName() in loop_views.LOOPS:
+            _select_loops(source, _selected_ids(plot))
+
+
+# ---------------------------------------------------------------------------- one selection in chart and view
+
+_linked = {}  # (loops, the filter of their chart), by their global ids
+
+
+def link(source, plot):
+    """From now on, features that are selected in the chart are selected in the view, and the other way round.
+    Of Scalar Persistence the chart has the selection alone."""
+    if source.SMProxy.GetXMLName() in loop_views.LOOPS:
+        _linked[source.SMProxy.GetGlobalID(), plot.SMProxy.GetGlobalID()] = source, plot
+
+
+@messages.reports_faults("The selection of a loop")
+def selection_changed(number):
+    """Called by the window with the global id of the source in which something is selected now, by the user or by this;
+    0: nothing is selected any more."""
+    there = {proxy.SMProxy.GetGlobalID() for proxy in simple.GetSources().values()}
+    for key, (source, plot) in list(_linked.items()):
+        if not there.issuperset(key):
+            del _linked[key]
+            continue
+        in_view, in_chart = _selected_ids(source), _selected_ids(plot)
+        if number == key[1] and _with_loops(source, in_chart) != in_view:
+            _select_loops(source, in_chart)
+        elif number == key[0] and in_view != _with_loops(source, in_chart):
+            _select(plot, "ROW", _places(servermanager.Fetch(plot), ROW, in_view))
+        elif number not in key and (in_view or in_chart):
+            _select(plot, "ROW", [])
+            _select(source, "CELL", [])
+        _show_balls(source, _selected_ids(source))
+        simple.RenderAllViews()
+
+
+def _with_loops(source, ids):
+    """Those of the features that have a loop in the view."""
+    array = servermanager.Fetch(simple.OutputPort(source, 0), 0, 0).GetCellData().GetArray("FeatureId")
+    shown = {int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples())} if array else set()
+    return [number for number in ids if number in shown]
+
+
+def _select_loops(source, ids):
+    lines = servermanager.Fetch(simple.OutputPort(source, 0), 0, 0)
+    _select(source, "CELL", _places(lines, CELL, ids))
+    for view in simple.GetViews():
+        for display in view.Representations:
+            if hasattr(display, "SelectionLineWidth") and getattr(
+                    getattr(display, "Input", None), "SMProxy", None) == source.SMProxy:
+                display.SelectionLineWidth = 9.0
+
+
+def _selected_ids(source):
+    """The FeatureIds of what is selected in the first output of `source`."""
+    if source.SMProxy.GetSelectionInput(0) is None:
+        return []
+    part = servermanager._getPyProxy(source.SMProxy.GetSelectionOutput(0))
+    part.UpdatePipeline()
+    data = servermanager.Fetch(part)
+    found = set()
+    for kind in (CELL, ROW):
+        attributes = data.GetAttributes(kind) if data is not None else None
+        array = attributes.GetArray("FeatureId") if attributes else None
+        found.update(int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples())) if array else None
+    return sorted(found)
+
+
+def _places(data, kind, ids):
+    """The rows, cells or points that have one of the FeatureIds."""
+    attributes = data.GetAttributes(kind) if data is not None and ids else None
+    array = attributes.GetArray("FeatureId") if attributes else None
+    wanted = set(ids)
+    return [i for i in range(array.GetNumberOfTuples()) if int(array.GetTuple1(i)) in wanted] if array else []
+
+
+def _select(source, kind, places):
+    """Selects these rows or cells of the first output, as the window would."""
+    if not places:
+        if source.SMProxy.GetSelectionInput(0) is not None:
+            source.SMProxy.SetSelectionInput(0, None, 0)
+        return
+    from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
+
+    chosen = servermanager.sources.IDSelectionSource(
+        FieldType=kind, IDs=[number for place in places for number in (-1, place)])
+    appended = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(chosen.SMProxy)
+    source.SMProxy.SetSelectionInput(0, appended, 0)
+    appended.UnRegister(None)
+
+
+def balls_of(source):
+    """The filter that passes the choke points of the loops that are selected; None before the first."""
+    for proxy in simple.GetSources().values():
+        given = getattr(proxy, "Input", None) if proxy.SMProxy.GetXMLName() == "ExtractSelection" else None
+        if given is not None and given.SMProxy == source.SMProxy and given.Port == CHOKE_POINTS:
+            return proxy
+    return None
+
+
+def _show_balls(source, ids):
+    """The balls that get stuck in the selected loops, in the views that show the loops."""
+    balls = balls_of(source)
+    places = _places(servermanager.Fetch(source, idx=CHOKE_POINTS), 0, ids)
+    if balls is None:
+        if not places:
+            return
+        selected = simple.GetActiveSource()
+        balls = simple.ExtractSelection(
+            simple.OutputPort(source, CHOKE_POINTS), Selection=servermanager.sources.IDSelectionSource(FieldType="POINT", IDs=[-1, -1]),
+            registrationName=pockets_and_pores.name_of(source, "selected balls"))
+        simple.SetActiveSource(selected)
+    balls.Selection.IDs = [number for place in places for number in (-1, place)] or [-1, -1]
+    balls.UpdatePipeline()
+    for view in simple.GetViews():
+        shows = [display for display in view.Representations if getattr(display, "Visibility", 0) and
+                 getattr(getattr(display, "Input", None), "SMProxy", None) == source.SMProxy]
+        if not shows or not hasattr(view, "HiddenLineRemoval"):  # no render view
+            continue
+        known = [display for display in view.Representations if getattr(display, "Input", None) == balls]
+        display = known[0] if known else _ball_display(balls, view)
+        display.Visibility = int(bool(places))
+
+
+def _ball_display(balls, view):
+    display = simple.Show(balls, view)
+    display.SetRepresentationType("Point Gaussian")
+    display.ShaderPreset, display.GaussianRadius = "Sphere", 1.0
+    display.ScaleByArray, display.UseScaleFunction = 1, 0
+    display.SetScaleArray = ["POINTS", "Radius"]
+    simple.ColorBy(display, None)
+    display.DiffuseColor = display.AmbientColor = BALL
+    display.Opacity, display.Pickable = 0.4, 0
+    return display

@@ -1,0 +1,110 @@
+"""The persistence diagram in the real ParaView, by mouse: a torus, its choking loops, their diagram as a chart. The
+point of the tunnel is selected in the chart, and its loop and ball light up in the view; the loop of the handle is
+selected in the view, and its point lights up in the chart.
+
+Pictures of the window are kept beside the test's other output.
+"""
+
+import os
+import subprocess
+import time
+from pathlib import Path
+
+import numpy
+from shared_data import shared_data
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from window_play import button, click, complaints, drag, play
+
+FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "DiagramWindow"
+PAUSE = ("pqClientMainWindow", "pause", "2000")
+# Places in a window of 1600 x 1000: the button of the chart that selects a rectangle, rectangles around the point of
+# the tunnel and around a piece of the loop of the handle, the render view and the chart.
+RECTANGLE, TUNNEL, HANDLE, EMPTY = (1236, 183), ((1130, 230), (1190, 300)), ((565, 605), (620, 655)), (450, 900)
+VIEW, CHART = (slice(210, 950), slice(310, 1060)), (slice(205, 940), slice(1100, 1590))
+VERMILION, BLUE = (213, 94, 0), (0, 114, 178)
+
+
+def window(name):
+    path = FOLDER / f"{name}.png"
+    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
+    return pixels.reshape(1000, 1600, 3)[::-1].astype(int)
+
+
+def count(pixels, part, colour, slack=40):
+    return int((abs(pixels[part] - numpy.array(colour)) < slack).all(axis=-1).sum())
+
+
+def lit(pixels, part):
+    """In the colour of the selection, shaded or not."""
+    red, green, blue = numpy.moveaxis(pixels[part], 2, 0)
+    return int(((red > 110) & (blue > 110) & (green < 70)).sum())
+
+
+def yellow(pixels):
+    red, green, blue = numpy.moveaxis(pixels[VIEW], 2, 0)
+    return int(((red > blue + 25) & (abs(red - green) < 30)).sum())
+
+
+def selected():
+    path = FOLDER / "selected.txt"
+    return [line.split("|") for line in path.read_text().splitlines()] if path.exists() else []
+
+
+def select(what, act, where):
+    """Acts, again where a busy window did not heed it, until something is selected there."""
+    for _ in range(4):
+        before = len(selected())
+        act()
+        for _ in range(20):
+            time.sleep(0.5)
+            found = [line for line in selected()[before:] if line[0] == where and line[1] != "[]"]
+            if found:
+                time.sleep(3)  # to draw it
+                return found[-1]
+    window("failed")
+    raise AssertionError(f"{what} was not selected: {selected()}")
+
+
+def in_chart():
+    click(*RECTANGLE)
+    time.sleep(1)
+    drag(*TUNNEL)
+
+
+def in_view():
+    click(*EMPTY)
+    subprocess.run(["xdotool", "key", "s"], check=True)
+    time.sleep(1.5)
+    drag(*HANDLE)
+
+
+found = {}
+
+
+def act():
+    pixels = window("first")
+    for colour in (VERMILION, BLUE):
+        assert count(pixels, CHART, colour, 60) > 20, "a kind has no point in its colour"
+    assert lit(pixels, VIEW) == 0
+    found["yellow before"] = yellow(pixels)
+    found["tunnel"] = select("the tunnel", in_chart, "chart")
+    pixels = window("tunnel")
+    found["loop"], found["ball"] = lit(pixels, VIEW), yellow(pixels)
+    found["handle"] = select("the handle", in_view, "view")
+    found["point"] = lit(window("handle"), CHART)
+
+
+log, _ = play("DiagramWindow", shared_data("surfaces/torus.obj"), [button(5), PAUSE, button(6), PAUSE], (), FOLDER,
+              script=Path(__file__).parent / "diagram_session.py", act=act)
+assert "Success =  true" in log, f"the session could not be played: {log[-2000:]}"
+assert not complaints(log), complaints(log)
+print(found)
+assert found["tunnel"][1] == found["tunnel"][2] and found["tunnel"][3] == "1", found
+assert found["handle"][1] == found["handle"][2] and found["handle"][3] == "1", found
+assert found["tunnel"][1] != found["handle"][1], found
+assert found["loop"] > 100 and found["ball"] > found["yellow before"] + 5000 and found["point"] > 20, found

@@ -1,0 +1,29 @@
+"""Opens the surface of DiagramWindow.py, and writes down which features are selected, in chart and view."""
+
+import os
+from pathlib import Path
+
+from paraview import simple
+
+import isthmus_diagrams as diagrams  # there once paraview.simple has loaded the plugin
+import isthmus_pipelines as pipelines
+
+path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "selected.txt"
+changed = diagrams.selection_changed
+
+
+def change_and_tell(number):
+    changed(number)
+    for source, plot in diagrams._linked.values():
+        where = "chart" if number == plot.SMProxy.GetGlobalID() else "view" if number else "nothing"
+        balls = diagrams.balls_of(source)
+        count = balls.GetDataInformation().DataInformation.GetNumberOfPoints() if balls else 0
+        with path.open("a") as file:
+            print(where, diagrams._selected_ids(source), diagrams._selected_ids(plot), count, sep="|", file=file)
+
+
+pipelines.selection_changed = change_and_tell
+
+surface = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
+simple.Show(surface, simple.GetActiveViewOrCreate("RenderView"))
+simple.SetActiveSource(surface)
