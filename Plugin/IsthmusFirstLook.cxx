@@ -3,6 +3,7 @@
 #include "RunPython.h"
 
 #include <pqApplicationCore.h>
+#include <pqCoreUtilities.h>
 #include <pqDataRepresentation.h>
 #include <pqOutputPort.h>
 #include <pqPVApplicationCore.h>
@@ -13,9 +14,17 @@
 #include <pqUndoStack.h>
 #include <pqView.h>
 
-#include <vtkSMProxy.h>
+#include <vtkCommand.h>
+#include <vtkOutputWindow.h>
+#include <vtkPVArrayInformation.h>
+#include <vtkPVDataInformation.h>
+#include <vtkPVDataSetAttributesInformation.h>
+#include <vtkSMSourceProxy.h>
 
+#include <QMainWindow>
+#include <QStatusBar>
 #include <QTimer>
+#include <QVariant>
 
 IsthmusFirstLook::IsthmusFirstLook(QObject* parent)
   : QObject(parent)
@@ -31,10 +40,14 @@ void IsthmusFirstLook::Start()
     model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
   QObject::connect(
     model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ForgetSoon);
+  QObject::connect(
+    model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
   // A plugin that is loaded automatically starts while the application is still being made.
   QTimer::singleShot(0, this,
     [this]
     {
+      vtkOutputWindow::GetInstance()->AddObserver(
+        vtkCommand::UserEvent, this, &IsthmusFirstLook::CollectNote);
       if (auto* core = pqPVApplicationCore::instance())
       {
         QObject::connect(core->selectionManager(), &pqSelectionManager::selectionChanged, this,
@@ -51,6 +64,7 @@ void IsthmusFirstLook::Stop()
   {
     QObject::disconnect(core->selectionManager(), nullptr, this, nullptr);
   }
+  vtkOutputWindow::GetInstance()->RemoveObservers(vtkCommand::UserEvent);
   this->Waiting.clear();
 }
 
@@ -60,6 +74,64 @@ void IsthmusFirstLook::FollowSelection(pqOutputPort* port)
   const unsigned int id = port ? port->getSource()->getProxy()->GetGlobalID() : 0;
   QTimer::singleShot(
     0, this, [id] { isthmus::RunPipelines(QString("selection_changed(%1)").arg(id)); });
+}
+
+// A note explains a correct result; the Information panel keeps it as field data.
+void IsthmusFirstLook::CollectNotes(pqPipelineSource* source)
+{
+  constexpr qint64 ofButton = 15000; // ms
+  auto* proxy = vtkSMSourceProxy::SafeDownCast(source->getProxy());
+  // What Atom Selection leaves out is what its panel says.
+  if ((this->SinceButton.isValid() && this->SinceButton.elapsed() < ofButton) ||
+    (proxy && QString(proxy->GetXMLName()) == "AtomSelection"))
+  {
+    return;
+  }
+  vtkPVArrayInformation* notes = proxy && proxy->GetNumberOfOutputPorts() > 0
+    ? proxy->GetDataInformation(0)->GetFieldDataInformation()->GetArrayInformation("Notes")
+    : nullptr;
+  QStringList texts;
+  for (int i = 0; notes && i < notes->GetNumberOfStringValues(); ++i)
+  {
+    texts << QString::fromUtf8(notes->GetStringValue(i));
+  }
+  this->ShowNotesSoon(texts);
+}
+
+// isthmus_messages.show_note.
+void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
+{
+  this->Notes.clear();
+  this->SinceButton.start();
+  this->ShowNotesSoon({ QString::fromUtf8(static_cast<const char*>(text)) });
+}
+
+void IsthmusFirstLook::ShowNotesSoon(const QStringList& notes)
+{
+  constexpr int delay = 200;   // ms, for those of one pipeline together
+  constexpr int shown = 20000; // ms
+  const bool waits = this->NotesWait;
+  this->Notes << notes;
+  this->Notes.removeAll("");
+  this->Notes.removeDuplicates();
+  if (waits || this->Notes.isEmpty())
+  {
+    return;
+  }
+  this->NotesWait = true;
+  QTimer::singleShot(delay, this,
+    [this]
+    {
+      this->NotesWait = false;
+      auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+      const QString text = this->Notes.join(' ');
+      this->Notes.clear();
+      if (window)
+      {
+        window->statusBar()->showMessage(text, shown);
+        window->statusBar()->setProperty("IsthmusNote", text);
+      }
+    });
 }
 
 void IsthmusFirstLook::Follow(pqRepresentation* added)

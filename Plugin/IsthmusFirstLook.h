@@ -10,14 +10,17 @@
 #ifndef IsthmusFirstLook_h
 #define IsthmusFirstLook_h
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QSet>
+#include <QStringList>
 
 class pqDataRepresentation;
 class pqOutputPort;
 class pqPipelineSource;
 class pqRepresentation;
+class vtkObject;
 
 class IsthmusFirstLook : public QObject
 {
@@ -36,7 +39,13 @@ private:
   void ForgetSoon();
   void FollowSelection(pqOutputPort* port);
   void Look();
+  void CollectNotes(pqPipelineSource* source);
+  void CollectNote(vtkObject* window, unsigned long event, void* text);
+  void ShowNotesSoon(const QStringList& notes);
 
+  QStringList Notes; ///< to be shown soon
+  bool NotesWait = false;
+  QElapsedTimer SinceButton; ///< the note of a button, which notes of its filters do not hide
   QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed
   bool Forgets = false;
 };

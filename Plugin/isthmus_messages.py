@@ -1,5 +1,10 @@
 """What the window says when something can't be done, in sentences: never an exception's text or a line of a
-script, which is written to a file for reports."""
+script, which is written to a file for reports.
+
+Where a message goes: an error where there is no result; a warning where the result is not what was asked for, or not to be
+trusted as it is, so that the user has to decide something (both open the window's messages); a note for all else that
+explains a correct result. Filters put notes into the field data Notes, which the Information panel keeps, the functions
+of the buttons call show_note(); the window shows both in its status bar."""
 
 import functools
 import tempfile
@@ -11,6 +16,11 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow
 def show_error(message):
     """An error in the window's messages, which open for it as for a filter's."""
     vtkOutputWindow.GetInstance().DisplayErrorText(f"Isthmus: {message}\n")
+
+
+def show_note(text):
+    """A note in the window's status bar; nothing in scripts."""
+    vtkOutputWindow.GetInstance().InvokeEvent("UserEvent", text)
 
 
 def reports_faults(what):

@@ -18,10 +18,10 @@ import os
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 try:
-    from paraview import print_warning, servermanager, simple
+    from paraview import servermanager, simple
 except ImportError:
     # Pip's vtk alone: the module can be imported, its functions say what they need (end of this file).
-    print_warning = servermanager = simple = None
+    servermanager = simple = None
 
 try:
     import isthmus_diagrams as diagram_views
@@ -261,10 +261,10 @@ def protein_to_sites(source, potential=None):
     polarized = _make("protein_to_potential", "polarized", curvature, PotentialImage=potential)
     sites = _make("protein_to_potential", "sites", polarized, Atoms=chains,
                   RankedArray=["POINTS", "PolarizedCurvature"])
-    if not _has_pockets(chains):  # asked before, since the filter would warn as well
-        sites.UsePockets = 0
-        print_warning(steps.NO_POCKETS)
+    sites.UsePockets = int(_has_pockets(chains))  # asked before, since the filter would warn as well
     sites.UpdatePipeline()
+    if not sites.UsePockets:
+        messages.show_note(steps.NO_POCKETS)
     return (potential, ligands, sites) if ligands else (potential, sites)
 
 
