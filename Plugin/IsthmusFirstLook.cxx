@@ -21,10 +21,10 @@
 #include <vtkPVDataSetAttributesInformation.h>
 #include <vtkSMSourceProxy.h>
 
+#include <QLabel>
 #include <QMainWindow>
 #include <QStatusBar>
 #include <QTimer>
-#include <QVariant>
 
 IsthmusFirstLook::IsthmusFirstLook(QObject* parent)
   : QObject(parent)
@@ -108,8 +108,8 @@ void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
 
 void IsthmusFirstLook::ShowNotesSoon(const QStringList& notes)
 {
-  constexpr int delay = 200;   // ms, for those of one pipeline together
-  constexpr int shown = 20000; // ms
+  constexpr int delay = 200; // ms, for those of one pipeline together
+  constexpr int width = 500; // pixels; the tool tip has all of a long one
   const bool waits = this->NotesWait;
   this->Notes << notes;
   this->Notes.removeAll("");
@@ -128,8 +128,16 @@ void IsthmusFirstLook::ShowNotesSoon(const QStringList& notes)
       this->Notes.clear();
       if (window)
       {
-        window->statusBar()->showMessage(text, shown);
-        window->statusBar()->setProperty("IsthmusNote", text);
+        auto* label = window->findChild<QLabel*>("IsthmusNote");
+        if (!label)
+        {
+          label = new QLabel(window->statusBar()); // a message would go with the next tip
+          label->setObjectName("IsthmusNote");
+          label->setMaximumWidth(width);
+          window->statusBar()->insertWidget(0, label);
+        }
+        label->setText(text);
+        label->setToolTip(text);
       }
     });
 }

@@ -10,13 +10,13 @@ from window_play import button, complaints, play
 
 import isthmus_steps as steps
 
-STATUS_BAR = "pqClientMainWindow/statusbar"
+NOTE = "pqClientMainWindow/statusbar/IsthmusNote"
 MESSAGES = "pqClientMainWindow/outputWidgetDock"
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "NotesWindow"
 
 log, picture = play(
     "NotesWindow", shared_data("molecules/1AJJ_pH7_PARSE.pqr"),
-    [button(4), ("pqClientMainWindow", "pause", "3000"), (STATUS_BAR, "check IsthmusNote", steps.NO_POCKETS),
+    [button(4), ("pqClientMainWindow", "pause", "3000"), (NOTE, "check text", steps.NO_POCKETS),
      (MESSAGES, "check visible", "false")], (), FOLDER)
 print(picture)
 assert "Success =  true" in log, f"the session could not be played: {log[-2000:]}"
