@@ -1,10 +1,10 @@
-"""Choking loops in the window: the significant ones first, and how many of them are shown.
+"""Choking loops in the window: a text that says how many of them are shown.
 
     from isthmus import loop_views                # or: import isthmus_loops, with the plugin loaded
     loop_views.words(loops)                       # "20 of 557 loops shown"
 
-What the buttons and the menus of the window set of Choking Loops is steps.SIGNIFICANT; functions in
-scripts report all loops. isthmus_look calls count() for each result that is new or has changed.
+Buttons and menus of the window set the properties in steps.SIGNIFICANT, so that only significant loops are shown;
+functions in scripts report all loops. isthmus_look calls count() for each result that is new or has changed.
 """
 
 try:
@@ -23,7 +23,7 @@ def _number(source, name):
 
 
 def words(loops):
-    """How many of the loops are shown, in words; "" without a result, or with one of several blocks."""
+    """A text that says how many of the loops are shown; "" without a result, or if it has several blocks."""
     proxy = servermanager._getPyProxy(loops.SMProxy)
     if proxy.GetDataInformation().DataInformation.GetCompositeDataSetType() != -1:
         return ""
@@ -41,7 +41,7 @@ def words(loops):
 
 
 def _gain_of_denoising(loops):
-    """Of the High-Order Diffusion that the map went through; None: of none."""
+    """The estimated gain of the High-Order Diffusion upstream; None if there is none."""
     proxy = loops.SMProxy
     while proxy is not None and proxy.GetNumberOfProducers():
         proxy = proxy.GetProducerProxy(0)
@@ -52,14 +52,14 @@ def _gain_of_denoising(loops):
 
 
 def registered_name(proxy):
-    """In the pipeline browser; "" of a source that is not there."""
+    """The name in the pipeline browser; "" for a source that is not registered."""
     names = [name for (name, _), known in simple.GetSources().items() if known.SMProxy == proxy.SMProxy]
     return names[0] if names else ""
 
 
 def count(loops, view):
-    """The text in the view that says how many loops are shown: made, or brought up to date. Hidden with the
-    loops. Whether it has changed."""
+    """Creates or updates the text in the view that says how many loops are shown, and hides it together with the
+    loops. Returns whether anything has changed."""
     loops = servermanager._getPyProxy(loops.SMProxy)
     name = registered_name(loops)
     if not name or not hasattr(view, "HiddenLineRemoval"):  # no render view
@@ -96,7 +96,7 @@ def _place(display):
 
 
 def mark_stale(depends):
-    """Says in the texts of loops whose source `depends` accepts that they wait for a new level."""
+    """Replaces the texts of those loops for which `depends` is true by a note that they wait for a new level."""
     for (name, _), text in list(simple.GetSources().items()):
         loops = simple.FindSource(name[:-len(COUNT)]) if name.endswith(COUNT) else None
         if loops is not None and text.SMProxy.GetXMLName() == "TextSource" and depends(loops.SMProxy):
@@ -104,7 +104,7 @@ def mark_stale(depends):
 
 
 def forget():
-    """Deletes the texts of loops that are gone."""
+    """Deletes the texts of loops that have been deleted."""
     names = {name for name, _ in simple.GetSources()}
     for (name, _), text in list(simple.GetSources().items()):
         if name.endswith(COUNT) and text.SMProxy.GetXMLName() == "TextSource" and (

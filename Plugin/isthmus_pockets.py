@@ -1,11 +1,12 @@
-"""Pockets and pores in the window: what the buttons make, and what a click on one of them shows.
+"""Pockets and pores in the window: the pipelines of the buttons, and the display of a selected pocket or pore.
 
     from isthmus import pocket_views              # or: import isthmus_pockets, with the plugin loaded
     residues, found = pocket_views.protein_to_pockets(OpenDataFile("1hew.pdb"))
     pocket_views.show(found)
 
-The best pockets are translucent surfaces. A pocket or pore that is selected, as a row of a table or in
-the view, has its residues shown as sticks with their names, a pocket its surface, and a pore its chart. isthmus_pipelines has the buttons and calls this.
+The best pockets are shown as translucent surfaces. Selecting a pocket or pore in a table or in the view shows its
+residues as sticks with their names, the surface of a pocket, and the chart of a pore. The buttons in
+isthmus_pipelines call this module.
 """
 
 try:
@@ -20,18 +21,18 @@ except ImportError:
     from isthmus import messages, steps
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
-# What numbers the features, and the ports of what is shown of them.
+# The arrays that number the features, and the output ports of the parts shown.
 FEATURES = {
     "MolecularPockets": {"id": "PocketId", "row": "Rank", "shapes": 3, "table": 1, "atoms": 5,
                          "residues": 4},
     "PoreProfile": {"id": "PoreId", "row": "PoreId", "shapes": 5, "table": 2, "atoms": 6, "chart": 1},
 }
-# Okabe and Ito's colours for the best pockets, then three more; the further ones share the last.
+# The colours of Okabe and Ito for the best pockets, then three more. All further pockets have the colour FURTHER.
 COLOURS = ((0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.0, 0.620, 0.451), (0.902, 0.624, 0.0),
            (0.800, 0.475, 0.655), (0.337, 0.706, 0.914), (0.941, 0.894, 0.259), (0.45, 0.30, 0.15),
            (0.40, 0.80, 0.75), (0.95, 0.70, 0.75))
 FURTHER = (0.70, 0.64, 0.74)
-BEST = 3  # so many pockets have surfaces at first
+BEST = 3  # number of pockets whose surfaces are shown at first
 FAINT, STRONG = 0.3, 0.7  # opacities of the best pockets' surfaces, and of the chosen one's
 BEST_SURFACES, CHOSEN_SURFACE = "best pockets", "chosen pocket"
 HIDDEN_COLUMNS = {
@@ -39,7 +40,7 @@ HIDDEN_COLUMNS = {
         "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "CopyOf", "LiningAtoms", "MeanPolarized",
         "MeanPotential", "MouthArea", "MouthRadius", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
-WATERS = ("1.15", "2.30")  # radii from which one water passes, and two (HOLE's classes)
+WATERS = ("1.15", "2.30")  # smallest radii that let one and two water molecules pass (as in HOLE)
 ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
             ("8", "O", (0.835, 0.2, 0.1)), ("16", "S", (0.902, 0.75, 0.1)),
             ("1", "H", (0.9, 0.9, 0.9)), ("15", "P", (0.902, 0.5, 0.0)))
@@ -51,8 +52,8 @@ def protein_to_pockets(source):
 
 
 def protein_to_pores(source):
-    """(chart, residues, pores): the channels that run through a molecule, the profile of the longest
-    one, and the residues that line it."""
+    """(chart, residues, pores): the channels through a molecule, the profile of the longest one, and the residues
+    that line it."""
     residues, pores = _with_residues(_make("protein_to_pores", "pores", source), steps.NOTHING["pores"])
     return chart_of(pores), residues, pores
 
@@ -63,8 +64,8 @@ def _make(pipeline, name, source):
 
 
 def name_of(source, what):
-    """What a source made from `source` is called: "1hew pockets" where that comes from the file 1hew.pdb, the next
-    one "1hew pockets 2"."""
+    """A new name for a source made from `source`: "1hew pockets" if its data come from the file 1hew.pdb, then
+    "1hew pockets 2", and so on."""
     name = f"{_root_of(source.SMProxy)} {what}".strip()
     known, number = {name for name, _ in simple.GetSources()}, 2
     while f"{name} {number}" in known:
@@ -73,7 +74,7 @@ def name_of(source, what):
 
 
 def _root_of(proxy):
-    """The name of the file that it comes from, or of its first source."""
+    """The name of the file from which the data come, or else of the first source upstream."""
     while proxy.GetNumberOfProducers():
         proxy = proxy.GetProducerProxy(0)
     for name in ("FileName", "FileNames"):
@@ -128,7 +129,7 @@ def chart_of(pores):
 
 
 def names_of(residues):
-    """The filter that passes the atoms at which names of those residues stand, so that they can be hidden."""
+    """The filter that passes the atoms that carry the names of residues, so that the names can be hidden."""
     found = _fed_by(residues, 0, "ExtractSelection")
     if found is None:
         chosen = simple.IDSelectionSource(FieldType="POINT", IDs=[-1, 0])
@@ -138,8 +139,8 @@ def names_of(residues):
 
 
 def surface_of(pockets, name, last):
-    """The filter of that name that passes the surfaces of pockets, at first those from 1 to `last`: the
-    outer faces of their tetrahedra, smoothed."""
+    """The filter with this name that passes the surfaces of pockets (the smoothed outer faces of their tetrahedra),
+    initially of the pockets 1 to `last`."""
     faces = _fed_by(pockets, 0, "DataSetSurfaceFilter") or simple.ExtractSurface(
         pockets, registrationName=name_of(pockets, "pocket faces"))
     smooth = _fed_by(faces, 0, "SmoothPolyDataFilter") or simple.Smooth(
@@ -182,7 +183,8 @@ def choose(features, number):
 
 
 def show_only(pockets, number):
-    """Shows the surface and the residues of one pocket, and hides the others; 0: the best ones, and the first."""
+    """Shows the surface and the residues of one pocket and hides the others; 0 shows the best pockets, with the
+    residues of the first."""
     choose(pockets, number or 1)
     if not _fed_by(pockets, 0, "DataSetSurfaceFilter"):
         return
@@ -203,7 +205,8 @@ def _shows(features, view):
 
 
 def _selected(features, source):
-    """The number of the feature that is selected in `source`, found where the data is; None: nothing is."""
+    """The number of the feature that is selected in `source`, determined on the server; None if nothing is
+    selected."""
     kind = FEATURES[features.SMProxy.GetXMLName()]
     for port in range(source.SMProxy.GetNumberOfOutputPorts()):
         if source.SMProxy.GetSelectionInput(port) is None:
@@ -225,7 +228,7 @@ _followed = {}
 
 
 def follow(features, source=None):
-    """From now on a selection of a pocket or pore, or of its part of `source`, shows its residues."""
+    """Makes each later selection of a pocket or pore in `source` show its residues."""
     source = source or features
     number = source.SMProxy.GetGlobalID()
     if number in _followed:
@@ -236,7 +239,7 @@ def follow(features, source=None):
             chosen = _selected(features, source)
             if chosen is not None:
                 choose(features, chosen)
-        except Exception:  # a click is never worth a failure
+        except Exception:  # a click must never fail
             messages.fault("Showing the residues of what was selected")
 
     _followed[number] = source.SMProxy.AddObserver("SelectionChangedEvent", picked)
@@ -245,7 +248,7 @@ def follow(features, source=None):
 # ---------------------------------------------------------------------------- what is shown
 
 def look(display, view, port):
-    """First look at an output that the window shows by itself: shapes in colours, nothing else."""
+    """Initial display of an output that the window shows by itself: only coloured shapes."""
     features = display.Input
     kind = FEATURES[features.SMProxy.GetXMLName()]
     follow(features)
@@ -262,7 +265,7 @@ def colour_shapes(display, view):
     if "chart" in kind:
         simple.ColorBy(display, ("POINTS", "WidthClass"))
     else:
-        # Balls of their own size; ParaView scales the radius it is given by the array.
+        # Balls of their true size; ParaView multiplies the radius set here by the array.
         display.SetRepresentationType("Point Gaussian")
         display.ShaderPreset = "Sphere"
         display.GaussianRadius = 1.0
@@ -274,7 +277,7 @@ def colour_shapes(display, view):
 
 
 def _colour_by_rank(display, association, view, pockets=None):
-    """A colour for each of the best pockets, named by its rank."""
+    """Gives each of the best pockets a colour, labelled by its rank."""
     pockets = pockets or display.Input
     simple.ColorBy(display, (association, "PocketId"))
     count = pockets.SMProxy.GetDataInformation(1).GetNumberOfRows()
@@ -292,7 +295,7 @@ def _colour_by_rank(display, association, view, pockets=None):
 
 
 def _names_of(pockets, count):
-    """Ranks of the first pockets, with their probabilities where there are sites."""
+    """Ranks of the first pockets, with their probabilities if there are sites."""
     table = servermanager.Fetch(pockets, idx=FEATURES["MolecularPockets"]["table"])
     values = [table.GetValueByName(row, "Probability").ToDouble() for row in range(count)]
     return [str(rank) if value != value else f"{rank} ({value:.2f})" for rank, value in enumerate(values, 1)]
@@ -321,8 +324,8 @@ def _show_residues(residues, view):
 
 
 def place_names(residues, view):
-    """Chooses the names that are shown: those of the residues with most of the pocket's surface first,
-    each where it hides no other in this view."""
+    """Chooses the residue names that are shown: residues with the largest share of the pocket's surface come first,
+    and names that would overlap in this view are left out."""
     data = servermanager.Fetch(residues)
     labels = data.GetPointData().GetAbstractArray("ResidueLabel") if data.GetNumberOfPoints() else None
     if labels is None:
@@ -337,7 +340,7 @@ def place_names(residues, view):
 
 
 def without_overlap(named, letter=8.5, height=17.0):
-    """Of (name, (x, y) in pixels, number) the numbers of those whose names fit beside the ones before.
+    """From items (name, (x, y) in pixels, number), the numbers of those whose names do not overlap a previous one.
     `letter` is the width of a letter."""
     boxes, fitting = [], []
     for name, (x, y), number in named:
@@ -356,7 +359,7 @@ def _on_screen(view, place):
 
 
 def _areas_of(residues):
-    """How much surface of the chosen pocket each residue has, by its name."""
+    """The area of the chosen pocket's surface that belongs to each residue, by the residue's name."""
     features = residues.Input
     if features.SMProxy.GetXMLName() != "MolecularPockets":
         return {}
@@ -375,7 +378,7 @@ _placed_again = set()
 
 
 def _place_names_again(residues, view):
-    """From now on, when the mouse has turned or zoomed the view."""
+    """Chooses the names again whenever the mouse has turned or zoomed the view."""
     pair = residues.SMProxy.GetGlobalID(), view.SMProxy.GetGlobalID()
     interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
     if interactor is None or pair in _placed_again:
@@ -387,7 +390,7 @@ def _place_names_again(residues, view):
             if _is_shown(residues, view):
                 place_names(residues, view)
                 view.SMProxy.StillRender()
-        except Exception:  # nor is a turn
+        except Exception:  # moving the camera must never fail either
             messages.fault("Placing the names of residues")
 
     interactor.AddObserver("EndInteractionEvent", moved)
@@ -396,7 +399,7 @@ def _place_names_again(residues, view):
 
 
 def _show_names(names, view):
-    """Residue names where one of the residue's atoms is."""
+    """Shows the name of each residue at one of its atoms."""
     if _is_shown(names, view):
         return
     manager = servermanager.ProxyManager()
@@ -415,7 +418,7 @@ def _show_names(names, view):
 
 
 def _show_surfaces(pockets, view):
-    """The best pockets faint, the chosen one strong, in the colours of their ranks."""
+    """Shows the best pockets faintly and the chosen one strongly, in the colours of their ranks."""
     display = None
     for name, last, opacity in ((BEST_SURFACES, BEST, FAINT), (CHOSEN_SURFACE, 1, STRONG)):
         surface = surface_of(pockets, name, last)
@@ -430,7 +433,7 @@ def _show_surfaces(pockets, view):
 
 
 def _show_molecule(source, view):
-    """Thin and pale, and no obstacle to clicks."""
+    """Shows the molecule thin and pale, and not selectable."""
     display = simple.Show(source, view)
     display.SetRepresentationType("Surface")
     display.ColorArrayName = ["POINTS", ""]
@@ -440,7 +443,7 @@ def _show_molecule(source, view):
 
 
 def _beside(view, kind, share):
-    """A new view to the right of `view`, or below the one that is there already."""
+    """The layout, and the location of a new cell to the right of `view` or below it."""
     layout = simple.GetLayout(view)
     cell = layout.SMProxy.GetViewLocation(view.SMProxy)
     split = layout.SplitHorizontal if kind == "right" else layout.SplitVertical
@@ -449,7 +452,8 @@ def _beside(view, kind, share):
 
 
 def new_view(name, beside, kind, share):
-    """Right of another view or below it, with that share for the other one; it goes with what it shows."""
+    """A new view to the right of another one or below it, which keeps the given share; the view is closed when its
+    sources are deleted."""
     layout, hint = _beside(beside, kind, share)
     view = simple.CreateView(name)
     simple.AssignViewToLayout(view=view, layout=layout, hint=hint)
@@ -461,7 +465,7 @@ own_views = set()  # tables and charts that buttons have opened, by global id
 
 
 def close_empty_views():
-    """Closes the tables and charts of buttons that show nothing any more, since their sources were deleted."""
+    """Closes the tables and charts opened by buttons that are empty because their sources were deleted."""
     for view in list(simple.GetViews()):
         number = view.SMProxy.GetGlobalID()
         if number not in own_views or any(getattr(display, "Input", None) for display in view.Representations):
@@ -504,7 +508,7 @@ def _show_chart(pores, view):
 
 
 def show(features, view=None, tables=True):
-    """Shapes, molecule and residues in `view`; beside it the table, and the chart of a pore."""
+    """Shows shapes, molecule and residues in `view`, and beside it the table and, for a pore, the chart."""
     name = features.SMProxy.GetXMLName()
     kind = FEATURES[name]
     view = view or simple.GetActiveViewOrCreate("RenderView")
@@ -517,7 +521,7 @@ def show(features, view=None, tables=True):
         display = _show_surfaces(features, view)
     _show_residues(residues_of(features), view)
     simple.ResetCamera(view)
-    view.GetActiveCamera().Zoom(1.3)  # stray waters are what the camera has made room for
+    view.GetActiveCamera().Zoom(1.3)  # the camera has made room for stray water molecules
     place_names(residues_of(features), view)
     if tables:
         chart = _show_chart(features, view) if "chart" in kind else None

@@ -1,28 +1,27 @@
-"""The steps of the pipelines: the one table of their filters and of what differs from the filters' defaults.
+"""The steps of the pipelines: a table of their filters, with the properties that differ from the filters' defaults.
 
-The buttons and isthmus_pipelines.py make proxies of it, isthmus.map_to_loops() and the like run it on data.
+The buttons and isthmus_pipelines.py create proxies from it; functions such as isthmus.map_to_loops() run it on data.
 Imports neither ParaView nor VTK.
 """
 import collections
 
-# label: what the source is, in the pipeline browser after the name of the file; properties: by their names in the
-# panel.
+# label: added to the name of the file in the pipeline browser; properties: by their names in the panel.
 Step = collections.namedtuple("Step", "label proxy properties")
 
-DUST = 0.01  # components below that share of the largest one's area are hidden
-DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
+DUST = 0.01  # components smaller than this fraction of the largest one's area are hidden
+DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md describes the data used for tuning
 SPACING = 0.6  # angstrom, of a molecular surface's grid
 
-# A map is denoised before its loops are looked for where denoising removes half of its noise or more
-# (EstimatedGain, dB), and the noise is no smaller than this share of the range of the values. From 0.1
-# standard deviations of white noise on, surfaces have handles that the noise makes; below 0.02 they have none.
+# A map is denoised before its loops are searched if denoising removes at least half of its noise (EstimatedGain,
+# dB) and the noise is at least this fraction of the range of the values. With white noise of 0.1 standard
+# deviations or more, surfaces have handles caused by the noise; below 0.02 they have none.
 LEAST_GAIN, LEAST_NOISE = 3.0, 0.005
-MOST_NODES = 30000000  # of a map whose noise is estimated: some 30 s
+MOST_NODES = 30000000  # of a map whose noise is estimated, which takes about 30 s
 
-# What menus and buttons of the window set of a new filter where scripts have another default, which keeps the results
-# of earlier scripts. Testing/check_defaults.py compares the pipelines with it and with the panels.
-WATER = {"SolventDielectric": 78.54, "IonicStrength": 0.15}  # at 25 degrees, with the salt of a cell (mol/l)
-SIGNIFICANT = {"MaximumNumberOfLoops": 20, "TrustedOnly": 1}  # what can be looked at, and is not the sampling's
+# Properties that menus and buttons of the window set on a new filter. Scripts have other defaults, so that earlier
+# scripts keep their results. Testing/check_defaults.py compares the pipelines with it and with the panels.
+WATER = {"SolventDielectric": 78.54, "IonicStrength": 0.15}  # at 25 degrees Celsius, with a cell's salt (mol/l)
+SIGNIFICANT = {"MaximumNumberOfLoops": 20, "TrustedOnly": 1}  # few enough to look at, and not caused by the sampling
 FIRST = {
     "ChokingLoops": SIGNIFICANT, "MapChokingLoops": SIGNIFICANT,
     "MapSurface": {"MinimumComponentShare": DUST},
@@ -32,8 +31,8 @@ FIRST = {
 
 
 def _step(label, proxy, **properties):
-    """A step with the first values of its filter, and what its place in the pipeline asks for besides."""
-    # Functions report all loops; buttons ask for the significant ones.
+    """A step with the initial values of its filter and the additional properties of its place in the pipeline."""
+    # Functions report all loops; buttons show the significant ones.
     first = FIRST.get(proxy, {}) if proxy != "ChokingLoops" else {}
     return Step(label, proxy, {**first, **properties})
 
@@ -79,27 +78,25 @@ def stem_of(name):
 
 
 def asks_for_denoising(gain, noise, low, high):
-    """Whether a map is denoised before its loops are looked for: by the estimated gain (dB) and noise level of
-    High-Order Diffusion, None where there is none, and the range of the map's values."""
+    """Whether a map should be denoised before its loops are searched, from the estimated gain (dB) and noise level
+    of High-Order Diffusion (None if unknown) and the range of the map's values."""
     return gain is not None and noise is not None and gain >= LEAST_GAIN and noise >= LEAST_NOISE * (high - low)
 
 
 NOTHING = {
     "volume": "The volume has no point array with one number at each node.",
-    "surface": "No surface came out: all values of the map are alike, or all components were hidden as dust. "
-               "Look at its values in the Information panel.",
-    "loops": "The surface has no choking loops that could be found: the messages say why. Map Surface makes "
-             "surfaces that are closed.",
+    "surface": "The surface is empty: all values of the map are equal, or all components were hidden as dust. "
+               "Look at the values in the Information panel.",
+    "loops": "No choking loops of the surface were found; the messages say why. Map Surface makes closed surfaces.",
     "chains": "The molecule has no atoms but water: open a file with a protein or nucleic acid.",
     "curvature": "The map is too small, or its surface too near its border: curvature needs three nodes inside of "
                  "the map on every side. Pad the map, or raise the level.",
     "pockets": "The molecule has no pockets of this size: lower Inner Radius, or raise Outer Radius, of Molecular "
                "Pockets.",
-    "pores": "No channel runs through the molecule. Pore Profile follows the way between two points, or along a "
+    "pores": "No channel runs through the molecule. Pore Profile can follow a path between two points or along a "
              "direction: choose its Mode.",
-    "charges": "The atoms have no charges, from which the potential comes, and a force field gave them none; the "
-               "message before this one says why. Or open a PQR file, or a potential's .dx file for Polarized "
-               "Curvature.",
+    "charges": "The atoms have no charges, which the potential needs, and the force field could not assign any; the "
+               "previous message says why. Alternatives: open a PQR file, or a potential (.dx) for Polarized Curvature.",
 }
 NO_POCKETS = ("The molecule has no pockets: the sites shown are patches of its surface (Use Pockets of Binding sites "
               "is off).")

@@ -1,8 +1,8 @@
 """Trajectories (DCD, XTC, TRR, ...) as molecules with time steps, read by MDAnalysis.
 
-The reader Trajectory Reader of the plugin is ParaView's programmable source with the functions of this
-module as its scripts. Names, radii and bonds are those that vtkMacromoleculeReader gives for the first
-frame; each time step moves its atoms. Times are those of the trajectory, in picoseconds.
+The reader Trajectory Reader of the plugin is a programmable source of ParaView that calls the functions of this
+module. Names, radii and bonds come from vtkMacromoleculeReader for the first frame; each time step moves its atoms.
+Times are those of the trajectory, in picoseconds.
 """
 
 import os
@@ -11,7 +11,7 @@ import warnings
 
 import numpy
 
-# Files that say which atoms a trajectory moves, in the order in which they are looked for beside it.
+# Files that describe the atoms of a trajectory, in the order in which they are searched beside it.
 TOPOLOGIES = (".pdb", ".psf", ".gro", ".prmtop", ".parm7", ".top", ".tpr", ".pqr", ".mol2")
 MISSING = ("Trajectories are read by MDAnalysis, which is not installed here (Debian: apt install "
            "python3-mdanalysis; else: pip install MDAnalysis).")
@@ -28,7 +28,7 @@ def _mdanalysis():
 
 
 def topology_beside(trajectory):
-    """The file of the same name with another ending that names the atoms, else the only one there is."""
+    """The topology file with the name of the trajectory, or else the only topology file in its folder."""
     stem = os.path.splitext(trajectory)[0]
     for ending in TOPOLOGIES:
         if os.path.exists(stem + ending):
@@ -37,13 +37,13 @@ def topology_beside(trajectory):
     others = [name for name in sorted(os.listdir(folder)) if name.lower().endswith(TOPOLOGIES)]
     if len(others) != 1:
         raise ValueError(
-            f"{trajectory}: a trajectory holds places only. Name the file with its atoms as Topology "
-            f"({' '.join(TOPOLOGIES)}); beside it there {'are several' if others else 'is none'}.")
+            f"{trajectory}: a trajectory contains only coordinates. Set Topology to the file with its atoms "
+            f"({' '.join(TOPOLOGIES)}); its folder has {'several' if others else 'none'} of these.")
     return os.path.join(folder, others[0])
 
 
 class Trajectory:
-    """The frames of a file, and the molecule whose coordinates they hold."""
+    """The frames of a trajectory and its molecule."""
 
     def __init__(self, path, topology=""):
         if not path or not os.path.exists(path):
@@ -51,8 +51,8 @@ class Trajectory:
         self.stamp = (path, topology, os.path.getmtime(path))
         analysis = _mdanalysis()
         topology = topology or topology_beside(path)
-        # MDAnalysis writes an index of the frames beside some trajectories: beside a link in a folder of
-        # our own, and not among the user's files.
+        # MDAnalysis writes an index of the frames beside some trajectories: a link in a temporary folder keeps it
+        # out of the user's folder.
         self.folder = tempfile.TemporaryDirectory(prefix="isthmus-")
         link = os.path.join(self.folder.name, os.path.basename(path))
         os.symlink(os.path.abspath(path), link)
@@ -62,11 +62,11 @@ class Trajectory:
                 self.universe = analysis.Universe(topology, link)
             except Exception as error:
                 said = " ".join(str(error).split())
-                raise ValueError(f"{path} with {topology}: MDAnalysis can't read them ({said}).") from error
+                raise ValueError(f"{path} with {topology}: MDAnalysis cannot read them ({said}).") from error
             if not len(self.universe.trajectory):
-                raise ValueError(f"{path}: there is no frame in it.")
+                raise ValueError(f"{path}: the file has no frames.")
             frames = self.universe.trajectory
-            # Some formats have no times, or the same for all: then frames are counted.
+            # Some formats have no times, or the same time for all frames: then the frame numbers are used.
             first, step = float(frames[0].time), float(getattr(frames, "dt", 1.0))
             self.times = [first + i * step for i in range(len(frames))]
             if not step > 0.0:
@@ -91,9 +91,9 @@ class Trajectory:
         atoms = reader.GetOutput()
         if atoms.GetNumberOfPoints() != len(self.universe.atoms):
             raise ValueError(
-                f"{self.stamp[0]}: {len(self.universe.atoms)} atoms move, but {atoms.GetNumberOfPoints()} "
-                "were understood: the topology has atoms without names or places.")
-        # The reader brings the atoms of a residue together: back to the order of the trajectory.
+                f"{self.stamp[0]}: only {atoms.GetNumberOfPoints()} of {len(self.universe.atoms)} atoms could be read: "
+                "the topology has atoms without names or coordinates.")
+        # The reader groups atoms by residue, so the order of the trajectory has to be restored.
         from scipy.spatial import cKDTree
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -112,7 +112,7 @@ class Trajectory:
         self.universe.trajectory[frame]
         places = numpy.array(self.universe.atoms.positions, dtype=float)[self.order]
         if not numpy.isfinite(places).all():
-            raise ValueError(f"{self.stamp[0]}: frame {frame} has places that are no finite numbers.")
+            raise ValueError(f"{self.stamp[0]}: frame {frame} has coordinates that are not finite.")
         points = vtkPoints()
         points.SetData(numpy_to_vtk(numpy.ascontiguousarray(places), deep=1))
         output.ShallowCopy(self.molecule)
@@ -143,7 +143,7 @@ def request_information(algorithm, path, topology):
     try:
         times = _of(algorithm, path, topology).times
     except ValueError:
-        return  # RequestData says it
+        return  # RequestData reports the error
     for time in times:
         information.Append(Pipeline.TIME_STEPS(), time)
     information.Append(Pipeline.TIME_RANGE(), times[0])
@@ -151,7 +151,7 @@ def request_information(algorithm, path, topology):
 
 
 def request_data(algorithm, path, topology, output):
-    """Script of RequestData: the atoms at the time that is asked for."""
+    """Script of RequestData: outputs the atoms at the requested time."""
     from vtkmodules.vtkCommonCore import vtkOutputWindow
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 

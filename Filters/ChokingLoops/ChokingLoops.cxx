@@ -25,11 +25,12 @@ namespace
 /// Threads and their arenas, and what of a complex does not depend on its size.
 constexpr double FixedBytes = 8e6;
 
-/// Of the complex, its pairs and the surface: 1.3 KB on a million samples, more where a finer
-/// sampling that was given up was held beside it. Of each own point the same again.
+/// Bytes per sample for the complex, its pairs and the surface: 1.3 KB on a million samples, more
+/// if an abandoned finer sampling was in memory at the same time. Each own point needs as much
+/// again.
 constexpr double BytesOfSample = 1700.0;
 
-/// Of each sample's three edges, a bit for each dual loop that crosses it.
+/// For each of a sample's three edges, one bit for each dual loop that crosses it.
 constexpr double BytesOfWord = 24.0;
 
 /// In triangulations: all stages together,
@@ -38,8 +39,7 @@ constexpr double UnitsOfStages = 3.2;
 /// what reducing a class of M adds,
 constexpr double UnitsOfClass = 0.006;
 
-/// and TetGen's mesh of the surface's own points with its pairs, as much as so many samples a
-/// point.
+/// and TetGen's mesh of the surface's own points with its pairs, in samples per point.
 constexpr double SamplesOfOwnPoint = 11.4;
 
 /// Connected parts, of points that triangles use and others: none of a sampled surface.
@@ -183,7 +183,7 @@ struct ChokingAnalysis
     {
       this->Remark = std::string("Some handles or tunnels are narrower than the sampling error, "
                                  "and could not be found on the surface itself: their number and "
-                                 "side are not assured. ") +
+                                 "side are not guaranteed. ") +
         error.what();
     }
   }
@@ -200,7 +200,7 @@ struct ChokingAnalysis
   /// Voids this persistent, relative to the side's reference length, deserve refinement.
   static constexpr double WorthRefining = 0.05;
 
-  /// Features that a finer sampling would settle.
+  /// Features that a finer sampling would resolve.
   std::vector<Refinement> UnresolvedFeatures() const
   {
     std::vector<Refinement> wanted;
@@ -233,7 +233,7 @@ struct ChokingAnalysis
   FeatureContext Context;
   SpaceRegions Regions;
   LocatedFeatures Found;
-  /// Of the features asked for, without and with chords.
+  /// Of the requested features, without and with chords.
   std::map<std::pair<std::size_t, bool>, std::optional<Membrane>> MinimumCuts;
   std::mutex Mutex; ///< of membranes that are made when asked for
   ChokingLoopTimes Times;
@@ -248,15 +248,16 @@ namespace
 /// Rounds of refinement round features that the sampling blurs.
 constexpr int Rounds = 3;
 
-/// What a finer sampling everywhere leaves, one finer in places leaves as well; and where a round
-/// settles less than half of its places, the next would settle less and take as long again.
+/// What is left unresolved by a finer sampling everywhere is also left by a locally finer one. If a
+/// round resolves less than half of its places, the next would resolve fewer and take as long
+/// again.
 bool IsInVain(std::size_t before, std::size_t left)
 {
   return 2 * left > before || (before > ManyPlaces && left <= ManyPlaces);
 }
 
-/// What the samples of round `round` take, by what those before took; `own` points has the surface
-/// itself.
+/// Estimated cost of the samples of round `round` from the previous rounds; the surface itself has
+/// `own` points.
 AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   const ChokingLoopTimes& times, int round, std::size_t own)
 {
@@ -292,7 +293,7 @@ ChokingLoops::ChokingLoops(
     surface = {};
   }
   std::string tooMuch;
-  std::size_t before = 0; // places that the round before left blurred
+  std::size_t before = 0; // places that the previous round left unresolved
   AnalysisCost cost = CostOf(samples);
   if (!FitsMemory(cost, parameters.MemoryLimit, tooMuch))
   {
@@ -323,7 +324,7 @@ ChokingLoops::ChokingLoops(
     cost = NextCost(samples, *this->State, times, round + 1, own);
     if (samples.Points.empty() || !FitsMemory(cost, parameters.MemoryLimit, tooMuch))
     {
-      break; // too much to ask: what is blurred stays marked as not trusted
+      break; // too expensive: unresolved features stay marked as not trusted
     }
   }
   this->Complete(parameters, surface, own, times, Between(progress, 0.96, 1.0));
@@ -356,11 +357,11 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Surfa
 namespace
 {
 
-/// What a mesh is too coarse for; empty: nothing.
+/// Describes the features for which a mesh is too coarse; empty if there are none.
 std::string RemarkOnMesh(const FeatureDiagram& diagram)
 {
   std::size_t generators = 0, others = 0;
-  double widest = 0.0; // persistence of a narrowing that is within the error
+  double widest = 0.0; // largest persistence of a narrowing within the error
   double error = 0.0;
   for (const ShapeFeature& f : diagram.Features)
   {

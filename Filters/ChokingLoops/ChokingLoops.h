@@ -40,18 +40,18 @@ struct ChokingLoopTimes
  * Bytes follow from counts alone. Seconds depend on the machine, its load and the shape, so they
  * are predicted after the samples are triangulated, as multiples of the time of that stage, which
  * reflects all three:
- * - all stages but the next take 3.2 and 0.006 for each class of loops. Those are medians of 25
- *   surfaces and contours; how hard the classes are to reduce (0 to 2.5 units, most on noisy
- *   contours) and whether radii need exact arithmetic (3 units more on flat pieces) depend on the
- *   shape and hardly change with finer sampling: from the second round on, the units of the
- *   previous round are used instead;
+ * - all stages except completion (below) take 3.2 of these units, plus 0.006 for each class of
+ *   loops. Both are medians over 25 surfaces and contours. The cost of reducing the classes (0 to
+ *   2.5 units, most on noisy contours) and of exact arithmetic for the radii (3 more units on flat
+ *   pieces) depends on the shape and hardly changes with finer sampling, so from the second round
+ *   on the measured units of the previous round are used instead;
  * - where the samples do not resolve all handles and tunnels, the surface's own points are
  *   tetrahedralized and analysed as well (GeneratorCompletion.h), which takes 11.4 times as long
  *   per point. It is included in the estimate in the last round, and where the previous round left
  *   more than 64 unresolved; otherwise it is predicted once the features are known.
  *
- * Cross-validation (each of the 25 predicted with constants fitted to the other 24): estimates are
- * 0.53 to 1.28 of the actual CPU time.
+ * Cross-validation (each of the 25 predicted with constants fitted to the other 24): the estimates
+ * are 0.53 to 1.28 times the actual CPU time.
  */
 struct AnalysisCost
 {
@@ -59,11 +59,11 @@ struct AnalysisCost
   std::size_t Rank = 0;       ///< of H1(M): twice the genus, all components together
   std::size_t Own = 0;        ///< the surface's own points, if GeneratorCompletion.h uses them
   double Bytes = 0.0;         ///< at the peak
-  double Triangulation = 0.0; ///< its time in seconds
+  double Triangulation = 0.0; ///< time of the triangulation in seconds
   double Units = 0.0;         ///< all stages but GeneratorCompletion.h, in triangulations
-  double Seconds = -1.0;      ///< of the whole, triangulation included; below 0: not known yet
+  double Seconds = -1.0;      ///< total, with the triangulation; below 0: not known yet
 
-  /// With the time that the triangulation took.
+  /// This estimate completed with the measured time of the triangulation.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost After(double triangulation) const;
 
   /// Derives Units from the analysis of the same surface on fewer samples, which took `seconds`
@@ -73,28 +73,29 @@ struct AnalysisCost
   /// Includes the cost of GeneratorCompletion.h on the surface's own `points`.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ExpectCompletion(std::size_t points);
 
-  /// Its estimated time in seconds.
+  /// Estimated time of GeneratorCompletion.h in seconds.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double Completion() const;
 };
 
-/// Cost of the samples of a closed surface, without the time. O(n).
+/// Cost of analysing the samples of a closed surface, without the times. O(n).
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost CostOf(const SurfaceView& samples);
 
 /**
- * Whether that fits into `limit` bytes (0: the available memory). If not, `sentence` is an error
- * message that states the required memory and what to do.
+ * Whether the analysis fits into `limit` bytes (0: the available memory). If not, `sentence` is an
+ * error message that states the required memory and what to do.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool FitsMemory(
   const AnalysisCost& cost, double limit, std::string& sentence);
 
 struct ChokingLoopParameters
 {
-  /// Edges of the surface are split until none is longer. In units of the data; 0: automatic, which
-  /// spreads about 20,000 samples over the surface and refines where a feature cannot be
-  /// distinguished from the sampling, as long as a round resolves at least half of such places.
+  /// Edges of the surface are split until none is longer than this. In units of the data; 0:
+  /// automatic, which spreads about 20,000 samples over the surface and refines where a feature
+  /// cannot be distinguished from the sampling, as long as a round resolves at least half of such
+  /// places.
   double SampleSpacing = 0.0;
-  /// Analyse a surface even if it intersects itself. Numbers of handles and tunnels are then not
-  /// guaranteed.
+  /// Analyse a surface even if it intersects itself. The numbers of handles and tunnels are then
+  /// not guaranteed.
   bool AllowSelfIntersections = false;
   /// Memory limit of the analysis in bytes; 0: the available memory. An error is thrown if the
   /// samples do not fit; refinement that would not fit is skipped.
@@ -116,13 +117,13 @@ class ChokingLoops
 {
 public:
   /**
-   * Analyses `surface` on the Delaunay filtration of its samples. Coinciding points are merged,
-   * points that no triangle uses are dropped. The orientation need not face outward. Needles,
-   * double triangles, touching and crossing parts are repaired (SurfacePreparation.h, Repairs()).
+   * Analyses `surface` on the Delaunay filtration of its samples. Coinciding points are merged, and
+   * points that no triangle uses are dropped. The surface need not be oriented outward. Needles,
+   * double triangles, and parts that touch or cross are repaired (SurfacePreparation.h, Repairs()).
    *
    * @throws std::invalid_argument for a surface that is not closed, consistently oriented and
-   * finite, lies in a plane, cannot be repaired, or whose size is not between 1e-32 and 1e32;
-   * std::runtime_error if it would need too many samples; Cancelled.
+   * finite, that lies in a plane or cannot be repaired, or whose size is not between 1e-32 and
+   * 1e32; std::runtime_error if it would need too many samples; Cancelled.
    *
    * Time is nearly linear: about 20 s and 1.5 GB for a million points, on two threads.
    */
@@ -134,8 +135,9 @@ public:
    * both sides (thesis, 6.3.1): `values` at the mesh's points, in units of the data, 0 on the
    * surface. Every triangle of the surface must be a face of the mesh.
    *
-   * `errors` at the mesh's points: how far the values are from the distance to the surface; none:
-   * they are another function. Radii are known up to the error of the mesh (CellError).
+   * `errors` at the mesh's points: how far the values may deviate from the distance to the surface;
+   * without errors, the values are taken as a function of another kind. Radii are known up to the
+   * error of the mesh (CellError).
    */
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(const SurfaceView& surface,
     const TetrahedralMesh& mesh, const std::vector<double>& values,
@@ -147,7 +149,7 @@ public:
 
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const FeatureDiagram& Diagram() const;
 
-  /// The surface, split as it was sampled: loops and membranes are lists of its points.
+  /// The surface after splitting for sampling: loops and membranes refer to its points.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const TriangleMesh& Samples() const;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceAdjacency& Adjacency() const;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceHomology& Homology() const;
@@ -162,8 +164,8 @@ public:
   /// A message to the user about the result, in one or two sentences; empty if there is none.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::string& Remark() const;
 
-  /// Largest sampling error anywhere, on a mesh the largest error of its function at a feature: the
-  /// least radius that can be trusted everywhere.
+  /// The largest sampling error anywhere, or, on a mesh, the largest error of the function at any
+  /// feature: the smallest radius that can be trusted everywhere.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LargestError() const;
 
   /// Features of a selection, ascending by Radius(): indices into Diagram().Features.
@@ -173,15 +175,15 @@ public:
   /// Loops and membrane of a feature; computed on first use.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOf(std::size_t feature);
 
-  /// The same for a feature whose membrane has been computed before.
+  /// The same for a feature whose membrane is already computed.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOfMade(std::size_t feature) const;
 
-  /// MinimumCutMembrane() of a feature, computed on first use; null if there is none, and for a
-  /// handle or tunnel whose loops it could not replace (IsInterchangeable()).
+  /// MinimumCutMembrane() of a feature, computed on first use; null if there is none, or if the
+  /// feature is a handle or tunnel whose loops the cut cannot replace (IsInterchangeable()).
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane* MinimumCutMembraneOf(
     std::size_t feature, const ProgressCallback& progress = {}, bool chords = false);
 
-  /// GreedyMembrane() of a feature; nothing where there is none, and as with the minimum cut.
+  /// GreedyMembrane() of a feature; empty in the same cases as MinimumCutMembraneOf() is null.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> GreedyMembraneOf(
     std::size_t feature) const;
 

@@ -1,6 +1,7 @@
 /**
  * @file ChokingLoopsOutput.h
- * @brief Features that share a loop, limits on loops, and both as VTK data, for vtkChokingLoops.
+ * @brief Features that share a loop, limits on loops, and the conversion to VTK data, for
+ * vtkChokingLoops.
  */
 #ifndef isthmus_ChokingLoopsOutput_h
 #define isthmus_ChokingLoopsOutput_h
@@ -12,7 +13,7 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// Narrowings beside each other that have one loop between them.
+// Adjacent narrowings that share one loop.
 
 /// A feature and its geometry.
 struct ShownFeature
@@ -23,14 +24,15 @@ struct ShownFeature
 };
 
 /**
- * Sets SharedWith, and Geometry to that of the feature named.
+ * Sets SharedWith and the shared Geometry of features that have the same loop.
  *
- * As where a wall between two chambers has two windows, the membrane of either takes in the other,
- * and both have one loop. To the first feature, in the order given, of the same side whose loops
- * coincide: as many of them, of lengths that differ by less than 2 %, and no point of either
- * farther than a tenth of the smaller radius from the other. And a feature that nothing on M holds
- * a loop of takes the shortest one of another feature that belongs to its choke point, too
- * (BelongsToChokePoint()), with a membrane within 0.3 of its radius of that.
+ * Example: if a wall between two chambers has two windows, the membrane of each window includes the
+ * other window, and both have the same loop. A feature is linked to the first feature, in the given
+ * order, on the same side whose loops coincide with its own: the same number of loops, lengths that
+ * differ by less than 2 %, and no point of one farther than a tenth of the smaller radius from the
+ * other. A feature without a geodesic loop of its own uses the shortest loop of another feature
+ * that also belongs to its choke point (BelongsToChokePoint()) and whose membrane passes within 0.3
+ * radii of that point.
  *
  * Cost: pairs of similar loops times their points squared.
  */
@@ -38,26 +40,27 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void FindShared(
   const ChokingLoops& loops, std::vector<ShownFeature>& features);
 
 // ------------------------------------------------------------------------------------------
-// Loops that are too long, or too far from where the ball gets stuck, left out.
+// Drops loops that are too long or too far from the point where the ball gets stuck.
 //
-// Source: X. Feng, PhD thesis, 6.5: a ball is stuck in a slot long before it is in a round passage
-// of the same girth. Where round ones are sought, loops are sorted by length, and those round a
-// choke face that do not reach the surface within a given distance are discarded.
+// Source: X. Feng, PhD thesis, 6.5: a ball gets stuck in a slot at a smaller radius than in a round
+// passage of the same girth. To find the round passages, loops are sorted by length, and those
+// around a choke face that do not reach the surface within a given distance are discarded.
 
 struct LoopLimits
 {
-  double MaximumLength = 0.0; ///< of a feature's longest loop, in the unit of the points; 0: any
-  double MaximumReach = 0.0;  ///< ReachOf() a feature; 0: any
-  bool ByLength = false;      ///< ascending by the longest loop instead of by radius
+  double MaximumLength =
+    0.0; ///< of a feature's longest loop, in the unit of the points; 0: no limit
+  double MaximumReach = 0.0; ///< ReachOf() a feature; 0: no limit
+  bool ByLength = false;     ///< ascending by the longest loop instead of by radius
 };
 
-/// Distance of the farthest point of a feature's loops from its choke point, in radii: 1 and little
-/// more for a round neck, sqrt(1 + (a/b)^2) for a slot with sides a and b < a.
+/// Distance of the farthest point of a feature's loops from its choke point, in radii: slightly
+/// above 1 for a round neck, sqrt(1 + (a/b)^2) for a slot with sides a and b < a.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ReachOf(
   const ChokingLoops& loops, const ShownFeature& feature);
 
-/// Leaves out what is beyond the limits, and sorts. Where the first of several features that share
-/// a loop goes, the next takes its place in SharedWith. O(points of all loops).
+/// Drops the features beyond the limits and sorts the others. If the first of several features that
+/// share a loop is dropped, the next one takes its place in SharedWith. O(points of all loops).
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ApplyLimits(
   const ChokingLoops& loops, const LoopLimits& limits, std::vector<ShownFeature>& features);
 
@@ -72,7 +75,7 @@ namespace isthmus
 // ------------------------------------------------------------------------------------------
 // Choking loops as VTK data, for vtkChokingLoops.
 
-/// The outputs as documented in vtkChokingLoops.h; `method`: that of the membranes.
+/// The outputs as documented in vtkChokingLoops.h; `method`: how the membranes are computed.
 void FillLoops(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output);
 void FillMembranes(const ChokingLoops& loops, const std::vector<ShownFeature>& features,

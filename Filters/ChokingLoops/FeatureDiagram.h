@@ -1,7 +1,7 @@
 /**
  * @file FeatureDiagram.h
- * @brief The persistence diagram of a shape: pairs of its filtration as handles, tunnels and
- * additional features, each on its side.
+ * @brief The persistence diagram of a shape: the pairs of its filtration, classified as handles,
+ * tunnels and additional features, inside or outside.
  */
 #ifndef isthmus_FeatureDiagram_h
 #define isthmus_FeatureDiagram_h
@@ -25,7 +25,7 @@ namespace isthmus
  * Counts the crossings of a ray, component by component, modulo 2: no orientation is needed, and a
  * ray through an edge is counted once, since both triangles evaluate the same expression.
  *
- * Building takes O(n), a query the triangles of one bin (some tens).
+ * Building takes O(n); a query visits the triangles of one bin (some tens).
  */
 class EnclosureTest
 {
@@ -58,28 +58,29 @@ enum class SpaceSide
   Outside = 1
 };
 
-/// A function on a tetrahedral mesh, linear in each tetrahedron, beside the one that it stands for.
+/// Error bound of a function that is linear in each tetrahedron of a mesh and approximates another
+/// one.
 struct CellError
 {
-  double Error = 0.0; ///< they differ by at most this in the tetrahedron
-  double Least = 0.0; ///< both are at least this there
+  double Error = 0.0; ///< largest difference of the two functions in the tetrahedron
+  double Least = 0.0; ///< lower bound of both functions in it
 };
 
 /**
- * The errors of the distance to M on a mesh. `values` at its points differ from the distance by at
- * most `atPoints` of each (empty: not at all).
+ * The errors of the distance to M on a mesh. The values at its points differ from the distance by
+ * at most `atPoints` (empty: they are exact).
  *
- * The distance changes by no more than one goes, so at a point with barycentric coordinates l_i it
- * differs from the linear function by at most sum l_i |x - v_i|. By Jensen's inequality that is at
- * most the radius of the smallest ball around the tetrahedron, and by Jung's theorem at most
- * sqrt(3/8) of its longest edge.
+ * The distance is 1-Lipschitz, so at a point with barycentric coordinates l_i it differs from the
+ * linear function by at most sum l_i |x - v_i|. By Jensen's inequality that is at most the radius
+ * of the smallest ball around the tetrahedron, and by Jung's theorem at most sqrt(3/8) of its
+ * longest edge.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<CellError> DistanceErrors(
   const CellFiltration& mesh, const std::vector<double>& values,
   const std::vector<double>& atPoints);
 
-/// The errors of any other function: within a tetrahedron it may have any of the values at its
-/// corners.
+/// The errors of any other function: within a tetrahedron, the true function may take any value
+/// between those at the corners.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<CellError> RangeErrors(
   const CellFiltration& mesh, const std::vector<double>& values);
 
@@ -92,9 +93,9 @@ struct FeatureContext
   const SurfaceInComplex& Embedding;
   const SurfaceAdjacency& Surface;
   std::vector<double>
-    PointError; ///< SamplingErrors() (SurfacePreparation.h); empty: M is part of the complex
-  std::vector<CellError> CellErrors; ///< of each tetrahedron, where M is part of the complex
-  std::vector<double> PointValue{};  ///< the function at points, where M is part of the complex
+    PointError; ///< SamplingErrors() (SurfacePreparation.h); empty if M is part of the complex
+  std::vector<CellError> CellErrors; ///< of each tetrahedron, if M is part of the complex
+  std::vector<double> PointValue{};  ///< the function at points, if M is part of the complex
 
   /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
   template <std::size_t N>
@@ -115,10 +116,10 @@ struct FeatureContext
 
 /**
  * Tetrahedra grouped across triangles that are not walls (IsWall()); a group lies in one region,
- * that of the circumcentre of its last tetrahedron in the filtration (of its centroid, where M is
- * part of the complex).
+ * the one that contains the circumcentre of its last tetrahedron in the filtration (or its
+ * centroid, if M is part of the complex).
  *
- * The dual edge of a triangle that enters above the sampling error keeps away from M, so that the
+ * The dual edge of a triangle that enters above the sampling error does not cross M, so the
  * circumcentres at its ends lie on the same side.
  */
 class SpaceRegions
@@ -127,7 +128,7 @@ public:
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SpaceRegions(
     const FeatureContext& context, const ProgressCallback& progress = {});
 
-  /// The components of M that enclose a tetrahedron, ascending; none for the exterior (None).
+  /// The components of M that enclose a tetrahedron, ascending; empty for the exterior (None).
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
 
   /// The same for a triangle that is not a wall.
@@ -166,30 +167,30 @@ inline const std::vector<int>& SpaceRegions::OfTriangle(TriangleId triangle)
 }
 
 // ------------------------------------------------------------------------------------------
-// Every narrowing of a shape, from the pairs of its filtration.
+// All narrowings of a shape, from the pairs of its filtration.
 
 enum class FeatureKind
 {
   Handle = 0,     ///< a loop of M that bounds inside, but not on M
-  Tunnel = 1,     ///< one that bounds outside
+  Tunnel = 1,     ///< a loop of M that bounds outside, but not on M
   Additional = 2, ///< a narrowing that the homology of M does not detect
-  Noise = 3       ///< not distinguishable from the sampling, or M itself
+  Noise = 3       ///< not distinguishable from the sampling error, or M itself
 };
 
 /**
  * A narrowing of the space on one side of M. Lengths are in the unit of the points.
  *
  * A ball that grows inside or outside of M defines two radii:
- * - Birth, also called Radius: of the largest ball that passes the narrowing. There a loop of M is
- *   filled (handles, tunnels), or a void is closed off (additional features).
- * - Death: of the largest ball that fits behind it, at which the space there is filled. For a
- *   handle or tunnel: the last death in its region.
- * - Persistence: Death - Birth, how much the space widens behind the narrowing.
+ * - Birth, also called Radius: the radius of the largest ball that passes the narrowing. At this
+ *   radius a loop of M is filled (handles, tunnels), or a void is closed off (additional features).
+ * - Death: the radius of the largest ball that fits behind the narrowing. At this radius the space
+ *   behind it is filled. For a handle or tunnel: the last death in its region.
+ * - Persistence: Death - Birth, which measures how much the space widens behind the narrowing.
  *
  * These are the arrays `Birth`, `Death` and `Persistence` of loops, membranes and choke points. The
- * persistence diagram shows the pair of the filtration, PairBirth and PairDeath: the same for
- * additional features; for handles and tunnels the class of the loop, which exists from the start
- * (0) and dies at Radius().
+ * persistence diagram shows the pair of the filtration, PairBirth and PairDeath: for additional
+ * features the same two radii; for handles and tunnels those of the class of the loop, which exists
+ * from the start (0) and dies at Radius().
  */
 struct ShapeFeature
 {
@@ -198,17 +199,19 @@ struct ShapeFeature
   FeatureKind Kind = FeatureKind::Noise;
   double PairBirth = 0.0;
   double PairDeath = 0.0;
-  /// PairDeath^2 - PairBirth^2 exceeds the square of the sampling error, or PairDeath - PairBirth
-  /// twice the error of the function on a mesh (a handle's or tunnel's radius that error itself): a
-  /// feature of M, not of the samples or the mesh.
+  /// True for a feature of M that is not caused by the samples or the mesh: PairDeath^2 -
+  /// PairBirth^2 exceeds the square of the sampling error or, on a mesh, PairDeath - PairBirth
+  /// exceeds twice the error of the function (for a handle or tunnel, its radius exceeds that
+  /// error).
   bool Trusted = false;
   double Error = 0.0; ///< the local sampling error
-  /// Of the function on a mesh, at all radii up to PairDeath: birth and death are that exact.
+  /// On a mesh: the largest error of the function at radii up to PairDeath. Birth and death are
+  /// known up to this error.
   double FunctionError = 0.0;
   /// The triangle where a ball of radius Radius() gets stuck.
   TriangleId Choke = TriangleId::None();
   double Death = 0.0;
-  /// For a handle or tunnel: basis loops of SurfaceHomology that it is the sum of.
+  /// For a handle or tunnel: the basis loops of SurfaceHomology whose sum it is.
   std::vector<std::size_t> Sum;
 
   double Radius() const { return this->Dimension == 1 ? this->PairDeath : this->PairBirth; }
@@ -221,7 +224,7 @@ inline bool IsGenerator(const ShapeFeature& feature)
   return feature.Kind == FeatureKind::Handle || feature.Kind == FeatureKind::Tunnel;
 }
 
-/// What FindFeatures found.
+/// Result of FindFeatures().
 struct FeatureDiagram
 {
   std::vector<ShapeFeature> Features;          ///< ascending by Radius()
@@ -230,18 +233,18 @@ struct FeatureDiagram
 };
 
 /**
- * The pairs of a filtration as features with side and kind; the classes of M itself are kept
- * separate.
+ * The pairs of a filtration as features with side and kind; classes of M itself are marked as
+ * Noise.
  *
- * M's own class in each bounded region of its complement is the pair, born below the error, with
- * the greatest death; it is kept as Noise. Pairs of equal birth and death, and those that die below
+ * In each bounded region of the complement, the class of M itself is the pair with the largest
+ * death among those born below the error. Pairs of equal birth and death, and pairs that die below
  * the error, are omitted.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram FindFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
-// Which features of a diagram are reported, and the threshold that a diagram proposes.
+// Selection of the reported features, and the threshold proposed by a diagram.
 
 /// A length as given by the user: in percent of a side's reference length, or in units of the data.
 struct LengthSetting
@@ -270,10 +273,10 @@ struct FeatureSelection
   LengthSetting MaximumRadius{ 100.0, true };
   LengthSetting MinimumPersistence{ 5.0, true };
   ThresholdMode Threshold = ThresholdMode::Given;
-  /// Handles and tunnels need not obey MaximumRadius. MinimumPersistence never applies to them: a
-  /// ring of constant width does not widen behind the narrowing, and yet it is a handle.
+  /// Report handles and tunnels whatever MaximumRadius is. MinimumPersistence never applies to
+  /// them: a ring of constant width does not widen behind the narrowing, and yet it is a handle.
   bool AlwaysReportHandles = true;
-  /// Drop features that may be ones of the sampling (ShapeFeature::Trusted).
+  /// Drop features that may be caused by the sampling (see ShapeFeature::Trusted).
   bool TrustedOnly = false;
   /// Keep the features of the largest persistence; 0: all of them.
   std::size_t MaximumNumber = 0;
@@ -282,14 +285,14 @@ struct FeatureSelection
 /// A gap between consecutive persistences of one side, in the unit of the points.
 struct PersistenceGap
 {
-  double Threshold = 0.0; ///< its middle: features with a larger persistence are selected
+  double Threshold = 0.0; ///< middle of the gap: features with a larger persistence are selected
   double Width = 0.0;     ///< 0: there is none
 };
 
 /**
  * The largest gap of one side's additional features: the largest difference of consecutive
- * persistences in descending order, with 0 after the last. A gap narrower than a hundredth of the
- * side's reference length does not count; the threshold is then that hundredth.
+ * persistences in descending order, with 0 after the last. If no gap is wider than 1 % of the
+ * side's reference length, the threshold is that 1 %.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT PersistenceGap LargestGap(
   const FeatureDiagram& diagram, SpaceSide side);

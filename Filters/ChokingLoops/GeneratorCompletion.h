@@ -15,28 +15,29 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// Handles and tunnels of a surface from tetrahedra that have its triangles among their
-// faces.
+// Handles and tunnels of a surface from a tetrahedral mesh that contains its triangles as faces.
 
-/// A handle or tunnel with the loop that it is and the membrane that fills it.
+/// A handle or tunnel with its loop and the membrane that fills the loop.
 struct ConformingGenerator
 {
   SpaceSide Side = SpaceSide::Inside;
-  double Radius = 0.0; ///< at most this one is the true radius at which the loop is filled
+  double Radius = 0.0; ///< upper bound of the true radius at which the loop is filled
   Point3 Centre{ 0.0, 0.0, 0.0 };
   Membrane Shape; ///< ids of the surface's points, then Extra
 };
 
 /**
- * Exactly g handles and g tunnels, whatever the distance of sheets: space is tetrahedralized by
- * TetGen without a new point on the surface M, the simplices of M enter first, the others by the
- * radius of the smallest ball round their corners, and M's loops are reduced over Z/2.
+ * Finds exactly g handles and g tunnels, however close sheets of the surface M are: TetGen
+ * tetrahedralizes the space without adding points on M; the simplices of M enter the filtration
+ * first, the others by the radius of the smallest ball around their corners; then the loops of M
+ * are reduced over Z/2.
  *
- * M is part of the complex, so the kernel of H1(M) -> H1(side) is what is reduced, and that has
+ * M is part of the complex, so the reduction computes the kernel of H1(M) -> H1(side), which has
  * rank g on either side ("half lives, half dies"). Each membrane lies on its side of M. Points of a
- * triangle are no farther from its corners than the radius of its ball: hence the bound Radius.
+ * triangle are no farther from its corners than the radius of its ball, so Radius is an upper
+ * bound.
  *
- * Per side ascending by Radius; loops of one side are independent in H1(M).
+ * Results are sorted by Radius on each side; loops of one side are independent in H1(M).
  * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h).
  * @throws std::runtime_error or std::invalid_argument with a message when TetGen is missing, fails
  * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
@@ -45,9 +46,9 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> Conforming
   const SurfaceView& surface, const ProgressCallback& progress = {});
 
 /**
- * A loop and membrane of `surface` on the same surface after SplitLongEdges()
- * (SurfacePreparation.h): each edge of M becomes the pieces that it was split into. `samples` keeps
- * the surface's points as its first ones.
+ * Transfers a loop and membrane of `surface` to the same surface after SplitLongEdges()
+ * (SurfacePreparation.h): each edge of M is replaced by the pieces into which it was split. The
+ * first points of `samples` are those of the surface.
  */
 class SplitSurface
 {
@@ -63,14 +64,14 @@ private:
 
   const SurfaceAdjacency& Samples;
   SurfaceAdjacency Original;
-  std::map<Point3, SimplexId> Added; ///< the points that splitting made
+  std::map<Point3, SimplexId> Added; ///< the points added by splitting
 };
 
 // ------------------------------------------------------------------------------------------
-// Handles and tunnels that the samples of a surface do not resolve, found on the surface.
+// Handles and tunnels that the samples do not resolve, found on the original surface.
 
-/// How many handles and tunnels the samples do not settle: not above the sampling error, or without
-/// a loop.
+/// Number of handles and tunnels that the samples do not resolve: those not above the sampling
+/// error, or without a loop.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::size_t CountUnresolved(const LocatedFeatures& features);
 
 inline bool AllResolved(const LocatedFeatures& features)
@@ -79,12 +80,12 @@ inline bool AllResolved(const LocatedFeatures& features)
 }
 
 /**
- * Completes handles and tunnels to g each, with loops, where sheets of M are nearer to each other
+ * Completes handles and tunnels to g each, with loops, where sheets of M are closer to each other
  * than the samples. ConformingGenerators() of `surface`, which was split into `context.Surface`,
- * give the classes that bound on each side. A generator that the samples settle stays if its class
- * is one of them; the others make way for conforming ones, ascending by radius, that are
- * independent of those that stay. These are not trusted: their true radius lies between 0 and
- * Radius().
+ * provide the classes that bound on each side. A generator resolved by the samples is kept if its
+ * class is one of them; the others are replaced by conforming generators, in order of radius, that
+ * are independent of those kept. The replacements are not trusted: their true radius lies between 0
+ * and Radius().
  *
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */

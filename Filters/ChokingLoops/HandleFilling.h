@@ -15,23 +15,23 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// A membrane with a thickness: what fills a tunnel, or cuts a handle.
+// A thickened membrane, which fills a tunnel or cuts a handle.
 
 /// A closed solid that faces outward.
 struct MembranePlate
 {
-  TriangleMesh Solid;       ///< all of its points are at its edge
-  std::vector<Point3> Loop; ///< the loop that it spans, evenly spaced
+  TriangleMesh Solid;       ///< all of its points are at the edge of the plate
+  std::vector<Point3> Loop; ///< the loop that the membrane spans, evenly spaced
   double Area = 0.0;        ///< of the membrane, within the loop
   double Thickness = 0.0;
 };
 
 /**
- * The filling of least area of a closed curve (PolygonFilling()), continued beyond the curve by
- * `rim` within its surface and made `thickness` thick, half to either side. Nothing where the
- * filling fails or the plate crosses itself.
+ * The filling of least area of a closed curve (PolygonFilling()), extended beyond the curve by
+ * `rim` and thickened to `thickness`, half to either side. Empty if the filling fails or the plate
+ * intersects itself.
  *
- * The curve is taken at points no farther apart than half of `rim`, between 32 and 256 of them.
+ * The curve is sampled at 32 to 256 points, where possible no farther apart than half of `rim`.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<MembranePlate> PlateOn(
   const std::vector<Point3>& loop, double thickness, double rim);
@@ -46,14 +46,15 @@ struct HandleFillingParameters
 {
   /// Handles and tunnels with a smaller radius are removed. In the unit of the points.
   double Below = 0.0;
-  /// Of what fills a tunnel, or of the gap that cuts a handle: in its radii.
+  /// Thickness of the plate that fills a tunnel, or width of the gap that cuts a handle, in radii
+  /// of the handle or tunnel.
   double Thickness = 0.25;
   bool Inside = true;  ///< cut handles
   bool Outside = true; ///< fill tunnels
   ChokingLoopParameters Analysis;
 };
 
-/// What was done about one handle or tunnel.
+/// The filling of one handle or tunnel.
 struct HandleFill
 {
   FeatureKind Kind = FeatureKind::Handle;
@@ -65,30 +66,31 @@ struct HandleFill
 struct FilledSurface
 {
   TriangleMesh Mesh;        ///< faces outward
-  std::vector<int> Filling; ///< one for each triangle: 1 + place in Fills; 0: of the surface given
+  std::vector<int> Filling; ///< per triangle: 1 + index in Fills; 0: from the input surface
   std::vector<HandleFill> Fills;
-  std::int64_t Genus = 0; ///< of Mesh, all components together; it was by Fills.size() higher
-  std::size_t Left = 0;   ///< handles and tunnels below the size that could not be filled
+  std::int64_t Genus =
+    0; ///< of Mesh, all components together; lower by Fills.size() than that of the input
+  std::size_t Left = 0; ///< handles and tunnels below the size that could not be filled
   RepairReport Repairs;
 };
 
 /**
- * Surgery along the membranes of the handles and tunnels (MakeLoopFeature()) with a radius below a
- * size, the smallest first. A tunnel's membrane, made a plate, is joined to what the surface
- * encloses, and a handle's is taken out of it. Each lowers the genus by one, which is held to, as
- * are the number of components and the volume (within a factor of 2 of the membrane's area times
- * the thickness); what fails that, or has several loops, is counted in Left, and the surface stays
- * as it was there.
+ * Removes the handles and tunnels with a radius below a size, the smallest first, by surgery along
+ * their membranes (MakeLoopFeature()). The plate of a tunnel is added to the solid that the surface
+ * encloses, that of a handle is subtracted from it. Each operation must lower the genus by one,
+ * keep the number of components, and change the volume by the membrane's area times the thickness
+ * (within a factor of 2). If it does not, or if the feature has several loops, the surface is not
+ * changed there and the feature is counted in Left.
  *
- * A handle and the tunnel it winds round go by one cut: of two that cross, the second waits until
- * what the first has left is analysed again.
+ * One cut removes a handle together with the tunnel that it surrounds: if two membranes cross, the
+ * second is postponed until the surface has been analysed again after the first cut.
  *
- * Away from the plates, the surface stays bit for bit. A plate is thinner by halves (an eighth at
- * most) where its edge would come out of the wall that holds it.
+ * Away from the plates the surface is bitwise unchanged. A plate is thinned by factors of two, down
+ * to an eighth, where its edge would otherwise protrude from the wall that holds it.
  *
- * @throws std::invalid_argument for a size that is not above 0, a thickness not in (0, 1], and as
- * ChokingLoops does; Cancelled.
- * Time: one ChokingLoops for each round (mostly one or two), and O(n log n) for each plate.
+ * @throws std::invalid_argument for a size that is not above 0 or a thickness outside (0, 1];
+ * everything that ChokingLoops throws; Cancelled. Time: one ChokingLoops per round (usually one or
+ * two), and O(n log n) per plate.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FilledSurface FillHandles(TriangleMesh surface,
   const HandleFillingParameters& parameters, const ProgressCallback& progress = {});

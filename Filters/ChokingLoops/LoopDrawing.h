@@ -1,7 +1,7 @@
 /**
  * @file LoopDrawing.h
- * @brief From a feature to the loops and the membrane that are shown: shortened, and held at the
- * choke point.
+ * @brief From a feature to the displayed loops and membrane: shortened, and kept at the choke
+ * point.
  */
 #ifndef isthmus_LoopDrawing_h
 #define isthmus_LoopDrawing_h
@@ -23,19 +23,20 @@ namespace isthmus
 // Does a loop belong to its choke point?
 
 /**
- * How far the true radius may lie below Radius(): between sqrt(d^2 - e^2) and d, since
+ * How far the true radius may lie below d = Radius(): it is between sqrt(d^2 - e^2) and d, since
  * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S. With a function on a mesh: how
  * far it may lie below or above (ShapeFeature::FunctionError).
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
 
 /**
- * No loop that surrounds a choke point is shorter: 2 pi (Radius() - UncertaintyOf()).
+ * Lower bound for the length of a loop that surrounds a choke point: 2 pi (Radius() -
+ * UncertaintyOf()).
  *
- * M keeps that far away from the choke point c. Projected from c onto the sphere of that radius, a
- * loop on M does not get longer; if c lies in its convex hull, the projection lies in no open
- * hemisphere, and a closed curve on a unit sphere that lies in no open hemisphere is at least 2 pi
- * long (W. Fenchel, Math. Ann. 101 (1929) 238).
+ * M is at least r = Radius() - UncertaintyOf() away from the choke point c. Projected from c onto
+ * the sphere of radius r, a loop on M does not get longer. If c lies in the convex hull of the
+ * loop, the projection lies in no open hemisphere, and a closed curve on a unit sphere that lies in
+ * no open hemisphere is at least 2 pi long (W. Fenchel, Math. Ann. 101 (1929) 238).
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ShortestGirth(const ShapeFeature& feature);
 
@@ -50,9 +51,9 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double SharpestTurn(
   const std::vector<Point3>& polygon, double least);
 
 // ------------------------------------------------------------------------------------------
-// From a membrane's loops along edges to geodesic ones, with the membrane adapted to them.
+// From the loops of a membrane along edges to geodesic loops, with an adapted membrane.
 
-/// Which membrane spans a choke.
+/// How the membrane that spans a choke is computed.
 enum class MembraneMethod
 {
   Automatic,  ///< as MakeLoopFeature() chooses
@@ -71,14 +72,14 @@ struct VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature
   std::vector<Point3> Extra;
   double Area = 0.0;
   bool Collapsed = false;    ///< a loop is contractible on M: it is returned unchanged
-  bool Held = false;         ///< no geodesic loop at the choke: fixed where the ball touches M
-  bool Converged = true;     ///< the loops cannot be shortened further, except where they are fixed
-  double SharpestBend = 0.0; ///< largest turning angle where it is fixed, in radians
-  bool Encircling = false;   ///< not of the class that the choke closed (FeatureMembrane.h)
-  MembraneMethod Method = MembraneMethod::Automatic; ///< that the membrane was made by
+  bool Held = false;         ///< no geodesic loop there: fixed where the ball touches M
+  bool Converged = true;     ///< the loops are geodesic, except where they are fixed
+  double SharpestBend = 0.0; ///< largest turning angle at fixed points, in radians
+  bool Encircling = false;   ///< belongs to another class than the choke closed (FeatureMembrane.h)
+  MembraneMethod Method = MembraneMethod::Automatic; ///< how the membrane was computed
   double GrowthCost = 0.0;                           ///< Membrane::GrowthCost
 
-  /// Of its longest loop; 0 without loops.
+  /// Length of its longest loop; 0 without loops.
   double LongestLength() const;
 
   const Point3& Point(SimplexId id, const SurfaceView& samples) const
@@ -91,43 +92,44 @@ struct VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature
 /// Largest turning angle, in radians, of a loop at a fixed point; sharper corners are cut.
 constexpr double SharpestKept = 0.7853981633974483;
 
-/// The loops of a membrane, shortened on M; those that pass through some of `pins` keep doing so.
+/// The loops of a membrane, shortened on M; loops through some of the `pins` stay fixed there.
 /// Empty with 0 `rounds`: the loops are not changed. @throws Cancelled.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceCurve> ShortenedLoops(
   const SurfaceAdjacency& surface, const Membrane& membrane, int rounds,
   const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
 
-/// The feature with the shortened loops of its membrane, if there are any, and strips between the
-/// old and the new ones. Corners at pins that turn by more than SharpestKept are cut at a distance
-/// of `cut`. If there are several loops, those that are contractible on M are filled instead.
+/// The feature with the shortened loops of its membrane, if there are any, and strips of triangles
+/// between the old and the new loops. Corners at pins that turn by more than SharpestKept are cut
+/// at a distance of `cut`. If there are several loops, those that are contractible on M are filled
+/// instead.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature Drawn(const SurfaceAdjacency& surface,
   const Membrane& membrane, const std::vector<SurfaceCurve>& tight, double cut = 0.0);
 
 // ------------------------------------------------------------------------------------------
-// A choking loop as it is shown: curves on the surface and a membrane that they bound.
+// A choking loop as displayed: curves on the surface and a membrane that they bound.
 
-/// What distinguishes a loop that belongs to its choke from one that does not, and the range in
-/// which each parameter may be chosen: TestLoopTolerances checks that lengths change by at most 3 %
-/// at the ends of 0.25 to 0.32, 47 to 60 degrees, 80 to 100 degrees, { 0.25, 0.4 } to
-/// { 0.35, 0.52 }; most loops do not change.
+/// Tolerances that decide whether a loop belongs to its choke. TestLoopTolerances checks that
+/// lengths change by at most 3 % when the parameters, in the order below, are moved to either end
+/// of the ranges 0.25 to 0.32, 47 to 60 degrees, 80 to 100 degrees, and { 0.25, 0.4 } to { 0.35,
+/// 0.52 }; most loops do not change.
 struct LoopTolerances
 {
-  /// In radii: how far the choke point may lie outside of the hull of its loops. A round loop that
-  /// touches the ball is as long as 0.98 of its girth only within sqrt(1 - 0.98^2) = 0.2 of it; a
-  /// wider one, of a neck that is not round, should still be within 0.35 of its position (with
-  /// 0.35, one loop of skull_low_resolution.obj is replaced by another, 6 % shorter).
+  /// Largest distance of the choke point from the convex hull of its loops, in radii. A round loop
+  /// that touches the ball is as long as 0.98 of its girth only within sqrt(1 - 0.98^2) = 0.2 of
+  /// it; a wider one, around a neck that is not round, should still be within 0.35 of its position
+  /// (with 0.35, one loop of skull_low_resolution.obj is replaced by another that is 6 % shorter).
   double Nearness = 0.3;
-  /// Largest turning angle of a loop where it is fixed, in radians: above SharpestKept (45
-  /// degrees), below which corners are not cut, and at most the 60 degrees that are allowed
-  /// anywhere on a loop: 54.
+  /// Largest turning angle of a loop where it is fixed, in radians: 54 degrees. It must be above
+  /// SharpestKept (45 degrees), below which corners are not cut, and at most the 60 degrees that
+  /// are allowed anywhere on a loop.
   double SharpestHeld = 0.3 * Pi;
-  /// From this turning angle on, a loop reverses its direction instead of surrounding the choke (a
-  /// hairpin): its two directions at the point form an angle below 90 degrees.
+  /// Above this turning angle, in radians, a loop reverses its direction instead of surrounding the
+  /// choke (a hairpin): its two branches at the point form an angle below 90 degrees.
   double SharpestLoop = 0.5 * Pi;
-  /// In radii: distances at which corners are cut, tried one after the other; loops that become
-  /// shorter than their girth are rejected. With repeated cuts at half the distance, a cut reaches
-  /// up to twice as far; contacts spread evenly around the ball are 2 pi / 3 apart, so that cuts of
-  /// up to pi / 6 = 0.52 from both ends leave some of the loop between them.
+  /// Distances at which corners are cut, in radii, tried one after the other; loops that become
+  /// shorter than the lower bound are rejected. With repeated cuts at half the distance, a cut
+  /// reaches up to twice as far. Contacts spread evenly around the ball are 2 pi / 3 apart, so cuts
+  /// of up to pi / 6 = 0.52 from both ends leave part of the loop between them.
   std::array<double, 2> CornerCuts{ 0.3, 0.5 };
 };
 
@@ -142,14 +144,16 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool BelongsToChokePoint(const ChokingLoops
  * A trusted feature's loops belong to its choke point: the longest is at least 0.98 ShortestGirth()
  * long, and the point lies within 0.3 of its radius of their convex hull. Of the loops of
  * MembraneOf() and, where those do not belong or are long, of MinimumCutMembraneOf(), the shorter
- * ones that belong are used. If neither belong, since there is no geodesic loop there, the loops
- * are fixed where the choking ball touches M, geodesic between these points, with corners cut off.
- * If they still turn sharply (by more than 54 degrees), or if a loop of another class that bounds
- * there (EncirclingMembranesOf()) is no longer, that loop is used; if all are hairpins, a geodesic
- * loop of the class elsewhere, which then does not surround the choke point.
+ * ones that belong are used. If neither loops belong, because there is no geodesic loop there, the
+ * loops are fixed where the choking ball touches M, are geodesic between these points, and have
+ * their corners cut. If they still turn sharply (by more than 54 degrees), or if a loop of another
+ * class that bounds there (EncirclingMembranesOf()) is not longer, that loop is used. If all of
+ * these are hairpins, a geodesic loop of the class elsewhere is used, which does not surround the
+ * choke point.
  *
- * With another `method` than Automatic, the membrane is that one and its loops are shortened, with
- * none of these choices; where there is no such membrane, the above, and Method is Automatic.
+ * With a `method` other than Automatic, its membrane is used and the loops are shortened, without
+ * any of these choices. If the method finds no membrane, the automatic one is used and Method is
+ * set to Automatic.
  *
  * @throws Cancelled.
  */
@@ -158,7 +162,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& l
   const LoopTolerances& tolerances = {}, MembraneMethod method = MembraneMethod::Automatic);
 
 // ------------------------------------------------------------------------------------------
-// The loops of many features, and the estimated time to draw them.
+// Loops of many features, and the estimated time to draw them.
 
 /// The number of loops still to be drawn, and the estimated time.
 struct DrawingCost
@@ -173,14 +177,15 @@ struct DrawingCost
 
 /**
  * Indices of `count` features in drawing order: first a sample spread evenly over them, then the
- * others. `sample` becomes the size of the sample: a quarter, at least 24; all, if there are fewer.
+ * others. `sample` is set to the size of the sample: a quarter, but at least 24, or all if there
+ * are fewer.
  *
- * The time of a single loop cannot be predicted (a loop on a neck: milliseconds; one that slides
- * off: a thousand times as much), but a mean can be estimated from a sample. The standard deviation
- * of the times is 1.4 to 3 times their mean (twelve surfaces and noisy contours), that of the mean
- * of 24 of them therefore 0.3 to 0.6 of it. A factor of two is not guaranteed: since the
- * distribution is skewed, the estimate is more often too low than too high, on noisy contours 0.36
- * to 0.93 of the actual time.
+ * The time of a single loop cannot be predicted (milliseconds for a loop on a neck, a thousand
+ * times as long for one that slides off), but a mean can be estimated from a sample. The standard
+ * deviation of the times is 1.4 to 3 times their mean (twelve surfaces and noisy contours), so that
+ * of the mean of 24 of them is 0.3 to 0.6 times the mean. A factor of two is not guaranteed: the
+ * distribution is skewed, so the estimate is more often too low than too high (on noisy contours
+ * 0.36 to 0.93 times the actual time).
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SampledFirst(
   std::size_t count, std::size_t& sample);
@@ -189,8 +194,8 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SampledFirst(
 using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
 
 /**
- * Draws the loops of `features` (MakeLoopFeature()) that are not among `drawn` already. If there
- * are more than 24, `estimated` is called once, after a quarter of them or 24, with the remaining
+ * Draws the loops of those `features` (MakeLoopFeature()) that are not in `drawn` yet. If there are
+ * more than 24, `estimated` is called once, after a quarter of them or 24, with the remaining
  * number and the estimated time. The result does not depend on the order.
  *
  * Features are drawn on as many threads as ParallelFor() uses, each by the first one that is free;

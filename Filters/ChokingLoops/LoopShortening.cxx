@@ -652,7 +652,8 @@ std::vector<std::vector<SimplexId>> PiecesOf(
   }
   if (at.empty())
   {
-    throw std::invalid_argument("The loop passes none of the points that it is to pass.");
+    throw std::invalid_argument(
+      "The loop passes through none of the points at which it is to be fixed.");
   }
   std::vector<std::vector<SimplexId>> pieces;
   for (std::size_t k = 0; k < at.size(); ++k)

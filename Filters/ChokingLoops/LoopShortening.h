@@ -18,17 +18,17 @@ namespace isthmus
 // Source: S.-Q. Xin, Y. He, C.-W. Fu, "Efficiently computing exact geodesic loops within finite
 // steps", IEEE TVCG 18 (2012) 879, the thesis' reference [198]: the shortest closed path in the
 // strip of triangles that the curve crosses, by unfolding and a funnel; where the path bends at a
-// point with an angle below pi on its other side, the strip is led round that side.
+// point and the angle on the other side is below pi, the strip is rerouted around that side.
 
 /// A closed curve that runs straight through triangles.
 struct SurfaceCurve
 {
   std::vector<SurfaceCurvePoint> Crossings;
-  /// Crossings at points of the surface that the curve is held at (LoopShortening.h).
+  /// Crossings at the points of the surface where the curve is fixed.
   std::vector<std::size_t> Pins;
-  double SharpestBend = 0.0; ///< largest turn there, in radians (LoopShortening.h)
+  double SharpestBend = 0.0; ///< largest turning angle at them, in radians
   double Length = 0.0;
-  bool Converged = false; ///< a geodesic: straight, or bent with at least pi on either side
+  bool Converged = false; ///< a geodesic: straight, or with an angle of at least pi on either side
   /// The loop is contractible within its strip: it is returned unchanged.
   bool Contractible = false;
 };
@@ -39,15 +39,15 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LengthOf(
 
 struct LoopShorteningParameters
 {
-  int MaximumRounds = 200; ///< each finds the shortest path in the strip and leads it on
+  int MaximumRounds = 200; ///< each finds the shortest path in the strip and reroutes the strip
   double Tolerance = 1e-6; ///< relative accuracy of the length within a strip
 };
 
 /**
- * Shortens the closed curve through the points `loop`, consecutive ones joined by an edge.
+ * Shortens the closed curve through the points `loop`; an edge joins consecutive points.
  *
- * Never longer than the curve given. Cost of a round: the number of edges crossed. Throws
- * std::invalid_argument for a loop with consecutive points that no edge joins, and Cancelled.
+ * The result is never longer than the input. Time of a round: proportional to the number of edges
+ * crossed. Throws std::invalid_argument if no edge joins two consecutive points, and Cancelled.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
   const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {},
@@ -57,27 +57,27 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjac
 // A closed curve that is geodesic between fixed points.
 
 /**
- * As ShortenLoop(), but the curve keeps passing `pins`, points of `loop`, which need not be
- * straight there: each piece between two of them becomes a geodesic of its homotopy class.
+ * Like ShortenLoop(), but the curve stays fixed at `pins`, which are points of `loop`, and may bend
+ * there: each piece between two pins becomes a geodesic of its homotopy class.
  *
- * @pre at least one pin is a point of the loop. @throws what ShortenLoop() throws.
+ * @pre at least one pin is a point of the loop. @throws the exceptions of ShortenLoop().
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface,
   const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins,
   const LoopShorteningParameters& parameters = {}, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
-// Cuts the corners of a curve that is held at points of a surface.
+// Cuts the corners of a curve that is fixed at points of a surface.
 
 /**
  * At each pin (SurfaceCurve::Pins) where the curve turns by more than `sharpest` radians, the piece
- * from `reach` before it to `reach` behind it (less beside another pin, and a crossing at least)
+ * from `reach` before it to `reach` behind it (less next to another pin, but at least one crossing)
  * is replaced by the shortest path between its ends on the side of the pin where the angle is
- * smaller: two corners in place of one, which are cut half as far off again where they are too
- * sharp, five times at most. SurfaceCurve::SharpestBend is then the largest turn at what is left
- * of them. With `reach` 0 it is only measured.
+ * smaller. This replaces one corner by two; corners that are still too sharp are cut again at half
+ * the distance, at most five times. SurfaceCurve::SharpestBend is the largest turning angle that
+ * remains. With `reach` 0 it is only measured.
  *
- * Time: proportional to what is cut.
+ * Time: proportional to the number of crossings removed.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve CutCorners(
   const SurfaceAdjacency& surface, SurfaceCurve curve, double sharpest, double reach);

@@ -1,6 +1,7 @@
 /**
  * @file MapHandles.h
- * @brief Bridges and windows of a map over its levels, and levels that nothing happens at.
+ * @brief Bridges and windows of a map over its levels, and intervals of levels without topological
+ * change.
  */
 #ifndef isthmus_MapHandles_h
 #define isthmus_MapHandles_h
@@ -12,11 +13,11 @@ namespace isthmus
 {
 
 /**
- * A saddle of the map: a bridge (1-saddle), where two parts or the two ends of a bow meet, or a
- * window (2-saddle), where what is open across closes.
+ * A saddle of the map: a bridge (1-saddle), where two parts of the object or the two ends of an arc
+ * meet, or a window (2-saddle), where an opening through the object closes.
  *
- * The elder rule says whether a saddle ends one class or begins another, and splits the saddles of
- * a symmetric map between the two; the saddles themselves are symmetric.
+ * The elder rule decides whether a saddle ends one class or begins another, so equivalent saddles
+ * of a symmetric map may be assigned differently; the saddles themselves are symmetric.
  */
 struct MapHandle
 {
@@ -28,7 +29,7 @@ struct MapHandle
   std::array<double, 2> Interval{};
 };
 
-/// A run of levels at which nothing appears or goes, and what there is.
+/// An interval of levels in which nothing appears or disappears, and its Betti numbers.
 struct StableInterval
 {
   double Low = 0.0;
@@ -38,13 +39,13 @@ struct StableInterval
   double Middle() const { return this->Low + 0.5 * (this->High - this->Low); }
 };
 
-/// Bridges, then windows, each by FeatureId, of the features kept.
+/// Bridges, then windows, each sorted by FeatureId, of the features kept.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<MapHandle> MapHandles(
   const VolumeView& volume, const FeatureList& features, const FeatureParameters& parameters);
 
 /**
  * The intervals between levels in `range` where a feature that is kept begins or ends, the longest
- * first. Those with nothing in them (no component) are left out.
+ * first. Intervals without any component are omitted.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<StableInterval> StableIntervals(
   const FeatureList& features, bool superlevel, const std::array<double, 2>& range);

@@ -1,7 +1,7 @@
 /**
  * @file MinimumCutMembrane.h
- * @brief Membranes through a choke triangle whatever cycles the filtration closed: that of least
- * area, a minimum cut of the tetrahedra around it, and one that grows greedily.
+ * @brief Membranes through a choke triangle that do not depend on the cycles of the filtration: the
+ * one of least area, a minimum cut of the tetrahedra around it, and one that grows greedily.
  */
 #ifndef isthmus_MinimumCutMembrane_h
 #define isthmus_MinimumCutMembrane_h
@@ -22,7 +22,7 @@ namespace isthmus
 // ------------------------------------------------------------------------------------------
 // The minimum cut of a network: the cheapest set of links that separates sources from sinks.
 
-/// A link of two nodes that flow may pass either way.
+/// A link between two nodes; flow may pass in both directions.
 struct FlowLink
 {
   std::array<std::int32_t, 2> Nodes;
@@ -30,12 +30,13 @@ struct FlowLink
 };
 
 /**
- * One char a node: 1 for those that the sources still reach when a largest flow has filled the
- * links. The links from 1 to 0 are a minimum cut, the one nearest to the sources. Whole numbers,
- * so that the answer depends on nothing but the input.
+ * One char per node: 1 for nodes that the sources still reach after a maximum flow has saturated
+ * the links. The links from 1 to 0 are a minimum cut, the one nearest to the sources. Capacities
+ * are integers, so the result depends on the input only.
  *
- * Source: Y. Boykov, V. Kolmogorov, IEEE Trans. PAMI 26 (2004) 1124, by Boost.Graph. It runs to its
- * end once begun: 0.1 s on the largest graphs of tetrahedra here.
+ * Source: Y. Boykov, V. Kolmogorov, IEEE Trans. PAMI 26 (2004) 1124, in the implementation of
+ * Boost.Graph. It cannot be cancelled while it runs, which takes 0.1 s on the largest graphs of
+ * tetrahedra here.
  *
  * @pre nodes of links, sources and sinks lie in [0, nodes); no node is source and sink.
  * @throws Cancelled before it begins.
@@ -47,21 +48,21 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<char> MinimumCut(std::int32_t n
 // ------------------------------------------------------------------------------------------
 // The tetrahedra around a choke triangle, and the triangles between them.
 
-/// Place of a cell among the surroundings of a choke.
+/// Index of a cell in the surroundings of a choke.
 using CellPlace = Handle<struct SurroundingCell, std::int32_t>;
 
 /// A triangle between two cells.
 struct CellLink
 {
   std::array<CellPlace, 2> Cells;
-  std::int64_t Capacity; ///< its area: 2^30 for a squared radius
+  std::int64_t Capacity; ///< its area, scaled so that a squared radius has 2^30
   TriangleId Triangle;
 };
 
 /**
- * Cells (tetrahedra, and None for what is beyond the complex) round a choke triangle, linked across
- * triangles that are no walls. Costs what lies within reach, times a look-up among all triangles:
- * O(log n).
+ * Cells (tetrahedra, and None for the space beyond the complex) around a choke triangle, linked
+ * across triangles that are not walls. Time: number of cells within reach times O(log n), for
+ * finding a triangle among all triangles.
  */
 class ChokeSurroundings
 {
@@ -77,10 +78,10 @@ public:
   {
   }
 
-  /// Takes in the cells that a walk from the choke meets across triangles with a corner within
-  /// `reach` of the centre, `most` and a few at most; false: there are no others. What lies beyond
-  /// the complex is met, but not passed: it leads to nothing but dead ends. Asked again, it goes on
-  /// from there. @pre `reach` is no less than before.
+  /// Collects the cells that a search from the choke reaches across triangles with a corner within
+  /// `reach` of the centre, and stops after slightly more than `most`; returns false if there are
+  /// no more cells. The space beyond the complex is recorded but not crossed, since it leads only
+  /// to dead ends. Another call continues the search. @pre `reach` is not less than before.
   bool Collect(double reach, std::size_t most);
 
   const HandleVector<CellPlace, TetrahedronId>& Cells() const { return this->Met; }
@@ -99,7 +100,8 @@ public:
     return Dot(p - this->Centre, p - this->Centre) < reach * reach;
   }
 
-  /// The place of a tetrahedron: where Voronoi vertices of samples are, else its centroid.
+  /// The position of a tetrahedron: its Voronoi vertex on a complex of samples, otherwise its
+  /// centroid.
   Point3 Middle(TetrahedronId cell) const;
 
 private:
@@ -109,7 +111,7 @@ private:
   void Link(TriangleId triangle, CellPlace from, CellPlace to);
   double Area(TriangleId triangle) const;
 
-  /// Of a coarse mesh, not even the choke triangle itself need be that near.
+  /// On a coarse mesh, even the choke triangle itself may be farther away.
   bool IsWithinReach(TriangleId triangle) const
   {
     const auto corners = this->F.TrianglePoints(triangle);
@@ -127,8 +129,9 @@ private:
   double Reach = 0.0;
   IdMap<TetrahedronId, CellPlace> Places{ CellPlace::None() };
   HandleVector<CellPlace, TetrahedronId> Met;
-  std::size_t Passed = 0; ///< of the cells met: those whose faces were looked at
-  std::vector<std::pair<TriangleId, CellPlace>> Beyond; ///< faces of these out of reach
+  std::size_t Passed = 0; ///< number of cells whose faces have been examined
+  std::vector<std::pair<TriangleId, CellPlace>>
+    Beyond; ///< faces of these cells that were out of reach
   std::vector<CellLink> All;
 };
 
@@ -160,28 +163,27 @@ void ChokeSurroundings::ForLinks(TetrahedronId cell, Visit&& visit) const
 }
 
 // ------------------------------------------------------------------------------------------
-// The smallest membrane through a choke triangle, whatever cycles the filtration closed.
+// The membrane of least area through a choke triangle.
 
 struct ShapeFeature;
 
 /**
- * Triangles of the complex that part the space on one side of a feature's choke triangle from that
- * on the other: of all such sets the one of least area, as far as it hangs together with the choke
- * triangle. What is wider than the choke on either side (deeper than its radius and within 1.5
- * radii of `centre`) stays whole, so that the membrane runs through the choke point and does not
- * wrap the way through it.
+ * The set of triangles of least area that separates the spaces on the two sides of a feature's
+ * choke triangle, restricted to its part connected with the choke triangle. The wider space on
+ * either side (deeper than the radius of the choke and within 1.5 radii of `centre`) is not cut, so
+ * the membrane runs through the choke point instead of wrapping around the passage.
  *
- * It stands in for the cycle that an edge closed, which may run round the whole shape. The search
- * begins within 3 radii of `centre` and goes on to 6 where the membrane needs it. The boundary lies
- * on M, up to edges as short as the sampling error. Empty when nothing parts the sides there, or
- * beyond 50,000 tetrahedra within reach. Cost: that of MinimumCut on the tetrahedra within
- * reach, which a walk from the choke triangle finds.
+ * It replaces the cycle that an edge closed in the filtration, which may run around the whole
+ * shape. The search begins within 3 radii of `centre` and is extended to 6 if the membrane requires
+ * it. The boundary lies on M, except for edges as short as the sampling error. The result is empty
+ * if nothing separates the sides there, or if there are more than 50,000 tetrahedra within reach.
+ * Cost: that of MinimumCut() on the tetrahedra within reach.
  *
- * With `chords`, the boundary may run along edges that join two points of M through the space, as a
- * mesh that M is part of has them: the paths on M that replace them bound little more.
+ * With `chords`, the boundary may run along edges that join two points of M through the space,
+ * which occur in a mesh that contains M. The paths on M that replace them change the area little.
  *
- * Empty, too, where the choke triangle lies on M. @pre `feature.Choke` is a triangle of the
- * complex.
+ * The result is also empty if the choke triangle lies on M. @pre `feature.Choke` is a triangle of
+ * the complex.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain MinimumCutTriangles(
@@ -191,7 +193,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain MinimumCutTriangles(
 // ------------------------------------------------------------------------------------------
 // A membrane through a choke triangle that grows step by step.
 
-/// Triangles grown from a choke triangle, and what they cost.
+/// Triangles grown from a choke triangle, and their cost.
 struct GreedyPatches
 {
   TriangleChain Triangles; ///< the choke triangle among them
@@ -200,24 +202,25 @@ struct GreedyPatches
 };
 
 /**
- * Grows a membrane as X. Feng's thesis does (6.3.2).
+ * Grows a membrane by the method of X. Feng, PhD thesis, 6.3.2.
  *
- * The membrane is the choke triangle f at first, with its two tetrahedra in the left and the right
- * cluster. At each step the vertex v of the boundary with the largest value d is taken. In the
- * one-ring of v, a path replaces v between its two neighbours on the boundary; the triangles of the
- * path with v join the membrane, and the tetrahedra around v join the clusters, those on either
- * side of the triangles. The path is the cheapest (Dijkstra) along edges of the ring whose triangle
- * with v is in the filtration before f and has not two tetrahedra of the same cluster. A step from
- * p to q costs (|p - q| + d(q)) / 2: the length keeps the area small, the distance leads down to M.
- * Vertices of the boundary are avoided where that is possible, those passed always, so it ends.
+ * The membrane starts as the choke triangle f, with its two tetrahedra in the left and the right
+ * cluster. Each step processes the boundary vertex v with the largest value d. A path in the
+ * one-ring of v replaces v between its two neighbours on the boundary; the triangles formed by the
+ * path and v join the membrane, and the tetrahedra around v join the cluster on their side of these
+ * triangles. The path is the cheapest (Dijkstra) along edges of the ring whose triangle with v
+ * precedes f in the filtration and does not have both tetrahedra in the same cluster. A step from p
+ * to q costs (|p - q| + d(q)) / 2: the length term keeps the area small, and the distance term
+ * leads down to M. Boundary vertices are avoided if possible, and vertices processed before always,
+ * so the growth terminates.
  *
- * It is greedy: nothing is ever taken back, and the area is not minimal (MinimumCutTriangles()).
- * The boundary ends with all of its vertices on M. O(s log s) per step in the s tetrahedra around a
- * vertex.
+ * The method is greedy: no step is ever undone, and the area is not minimal (unlike that of
+ * MinimumCutTriangles()). All vertices of the final boundary lie on M. A step takes O(s log s) for
+ * the s tetrahedra around a vertex.
  *
- * Nothing where the growth has no way on, where v has no whole ring, and where M is not part of the
- * complex: all points of samples lie on M, where d is 0. @pre `feature.Choke` is a triangle of the
- * complex.
+ * The result is empty if the growth gets stuck, if the ring of v is incomplete, or if M is not part
+ * of the complex (all sample points lie on M, where d is 0). @pre `feature.Choke` is a triangle of
+ * the complex.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<GreedyPatches> GrowGreedily(
   const FeatureContext& context, const ShapeFeature& feature);

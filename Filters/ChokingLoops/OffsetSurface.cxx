@@ -26,12 +26,12 @@ Point3 NodeOf(const DistanceGrid& grid, std::size_t i)
       static_cast<double>(k) };
 }
 
-/// Room for the offset and two cells beyond it.
+/// Bounding box of the offset and two cells beyond it.
 Bounds3 BoxAround(const SurfaceView& surface, double distance, std::int64_t cells)
 {
   if (surface.Triangles.empty())
   {
-    throw std::invalid_argument("The surface has no triangles to keep a distance from.");
+    throw std::invalid_argument("The surface has no triangles: give a triangulated surface.");
   }
   RequireAbove("Distance", distance, 0.0, LargestLength, "It is the distance from the surface.");
   const auto& first = surface.Points[static_cast<std::size_t>(surface.Triangles[0][0])];
@@ -94,7 +94,8 @@ void MakeExact(
 DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, OffsetSide side,
   std::int64_t cells, const ProgressCallback& progress)
 {
-  RequireRange("Resolution", static_cast<double>(cells), 8, 1024, "It counts cells along a side.");
+  RequireRange("Resolution", static_cast<double>(cells), 8, 1024,
+    "It is the number of cells along the longest side.");
   const UnitScale scale(surface.Points);
   if (!scale.IsOne())
   {
@@ -123,8 +124,8 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
   if (!std::all_of(grid.Values.begin(), grid.Values.end(), [](double d) { return d < HUGE_VAL; }))
   {
     throw std::runtime_error("At a Distance of " + FormatNumber(distance) +
-      " the grid is too coarse for the surface, which no node comes near: take a smaller Distance "
-      "or a higher Resolution.");
+      " the grid is too coarse: no node is near the surface. Use a smaller Distance or a higher "
+      "Resolution.");
   }
   if (side != OffsetSide::Both)
   {

@@ -19,22 +19,22 @@ namespace isthmus
 // ------------------------------------------------------------------------------------------
 // First homology of a closed surface: 2g loops, and the class of any other loop.
 
-/// Coordinates of a class in H1(M; Z/2), 64 to a word.
+/// Coordinates of a class in H1(M; Z/2), 64 per word.
 using HomologyClass = std::vector<std::uint64_t>;
 
 /**
  * Basis of H1(M; Z/2) by tree and cotree (D. Eppstein, "Dynamic generators of topologically
- * embedded graphs", SODA 2003): edges that are neither in a spanning tree of the points nor in one
- * of the triangles, 2g of them in all, each closed through the tree. The dual loops, closed through
- * the cotree, read off the class of any loop of edges.
+ * embedded graphs", SODA 2003): the 2g edges that are neither in a spanning tree of the points nor
+ * in one of the triangles, each closed through the tree. The dual loops, closed through the cotree,
+ * give the class of any loop of edges.
  */
 class SurfaceHomology
 {
 public:
-  /// O(n (1 + g / 64)) in time; with handles, g / 4 bytes an edge.
+  /// Time: O(n (1 + g / 64)). Memory, if there are handles: g / 4 bytes per edge.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SurfaceHomology(const SurfaceAdjacency& surface);
 
-  /// 2g, g being the sum over all components.
+  /// 2g, where g is summed over all components.
   std::size_t Rank() const { return this->Generators.size(); }
 
   /// Connected components, and the component of each point (-1 for a point no triangle uses).
@@ -50,8 +50,8 @@ public:
   /// The class of a cycle of edges. Its coordinates are with respect to the loops above.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologyClass ClassOf(const SurfaceChain& edges) const;
 
-  /// Adds an edge to the class of a chain, which is that of no edges at first, and ClassOf() the
-  /// chain where it is a cycle.
+  /// Adds an edge to the class of a chain. The class starts at zero and equals ClassOf() once the
+  /// chain is a cycle.
   void AddTo(HomologyClass& c, SurfaceEdgeId edge) const
   {
     for (std::size_t w = 0; w < this->Words && !this->Crossings.empty(); ++w)
@@ -76,7 +76,7 @@ private:
   int ComponentCount = 0;
 };
 
-/// True for the class of a loop that bounds on M.
+/// True if the class is zero, i.e. if the loop bounds on M.
 inline bool IsZero(const HomologyClass& c)
 {
   return std::all_of(c.begin(), c.end(), [](std::uint64_t word) { return word == 0; });
@@ -86,7 +86,7 @@ inline bool IsZero(const HomologyClass& c)
 class HomologySpan
 {
 public:
-  /// Adds a class; true when it was not in the subspace before.
+  /// Adds a class; returns true if it was not in the subspace before.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Add(HomologyClass c);
 
   bool Contains(HomologyClass c) const
@@ -104,7 +104,7 @@ private:
 };
 
 // ------------------------------------------------------------------------------------------
-// From edges of a surface to edges of the complex of its points, and back.
+// Correspondence between edges of a surface and edges of the complex of its points.
 
 /// The surface's points are points of the complex, with the same ids; its edges and triangles need
 /// not be simplices of it.
@@ -120,8 +120,8 @@ public:
 
   /**
    * Edges of the complex that replace an edge of the surface: itself, or the Delaunay edges between
-   * the Voronoi cells that it passes. Each of these enters before half the edge's length, and the
-   * path can be deformed into the edge within the balls of that radius.
+   * the Voronoi cells that it passes. Each of these enters the complex before half the length of
+   * the edge, and the path can be deformed into the edge within the balls of that radius.
    */
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
 
@@ -156,12 +156,12 @@ void Toggle(std::set<Id>& chain, Id e)
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain BoundaryOf(
   const CellFiltration& f, const TriangleChain& triangles);
 
-/// Of `triangles`, those that hang together with `seed` across edges that are not on M.
+/// Those of the `triangles` that are connected with `seed` across edges that are not on M.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain ConnectedPiece(const CellFiltration& f,
   const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
 
 // ------------------------------------------------------------------------------------------
-// The triangle, hence the radius, at which each class of loops on a surface dies.
+// The triangle, and so the radius, at which each class of loops on a surface dies.
 
 /// A class of H1(M) that dies in the complex.
 struct SurfaceGenerator
@@ -171,13 +171,13 @@ struct SurfaceGenerator
 };
 
 /**
- * The persistent kernel of H1(M) -> H1(K_d), with Z/2 coefficients: as many fillers as classes of M
- * die in the complex, each at the value where the kernel grows.
+ * The persistent kernel of H1(M) -> H1(K_d), with Z/2 coefficients: one filler for each class of M
+ * that dies in the complex, at the value where the kernel grows.
  *
- * When the complex fills space, that is all 2g classes: where inside and outside are apart from
- * each other (above the sampling error), g of them die inside and g outside ("half lives, half
- * dies"), and what a filler closes is a class of its side plus, perhaps, one that died before on
- * the other. Ascending by value. Time: 2g reductions of cycles and an elimination of 2g columns.
+ * If the complex fills space, all 2g classes die. Where inside and outside are separated (above the
+ * sampling error), g of them die inside and g outside ("half lives, half dies"), and a filler
+ * closes a class of its side, possibly plus one that died before on the other side. Ascending by
+ * value. Time: 2g cycle reductions and an elimination of 2g columns.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceGenerator> SurfaceGenerators(
   const SurfaceHomology& homology, const SurfaceInComplex& surface, const CellFiltration& f,

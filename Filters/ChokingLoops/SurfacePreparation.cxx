@@ -27,10 +27,10 @@ namespace isthmus
 namespace
 {
 
-/// How far copies of a point are drawn to the middle of their neighbours.
+/// How far copies of a point are moved towards the mean of their neighbours.
 constexpr double DrawnBy = 0.01;
 
-/// Thin triangles may hide others, and repair may make some.
+/// Thin triangles may hide others, and repair may create some.
 constexpr int MostRounds = 3;
 
 /// Moves points that lie at the place of another one into the sheet they belong to.
@@ -66,7 +66,7 @@ void DrawApart(TriangleMesh& mesh)
   }
 }
 
-/// Of the surface as turned, parts that face inward counted as holes.
+/// Volume of the surface after orientation; parts that face inward count as holes.
 double VolumeOf(const SurfaceView& mesh)
 {
   double six = 0.0;
@@ -79,7 +79,7 @@ double VolumeOf(const SurfaceView& mesh)
   return std::abs(six / 6.0);
 }
 
-/// Corners of a triangle, the least first, in their order round it.
+/// Corners of a triangle in their cyclic order, starting with the smallest.
 std::array<Point3, 3> PlacesOf(const SurfaceView& mesh, const Triangle& t)
 {
   std::array<Point3, 3> p{ mesh.Points[At(t[0])], mesh.Points[At(t[1])], mesh.Points[At(t[2])] };
@@ -87,7 +87,7 @@ std::array<Point3, 3> PlacesOf(const SurfaceView& mesh, const Triangle& t)
   return p;
 }
 
-/// Counts and places the triangles of `before` that are not in `after`.
+/// Counts and locates the triangles of `before` that are not in `after`.
 void ReportChanges(const SurfaceView& before, const SurfaceView& after, RepairReport& report)
 {
   std::map<std::array<Point3, 3>, int> left;
@@ -154,9 +154,9 @@ TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& 
   }
   catch (const std::exception&)
   {
-    clean = false; // the sentence below says the same
+    clean = false; // the message below says the same
   }
-  const std::string advice = " Make the surface again (Contour, Surface Remesh), or allow "
+  const std::string advice = " Recreate the surface (Contour, Surface Remesh), or allow "
                              "self-intersections to continue anyway.";
   if (!clean)
   {
@@ -167,12 +167,12 @@ TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& 
   if (!(share <= RepairableShare))
   {
     throw std::invalid_argument(what + " Its repair would change the volume by " +
-      FormatNumber(100.0 * share) + " %, and the most is " + FormatNumber(100.0 * RepairableShare) +
-      " %." + advice);
+      FormatNumber(100.0 * share) + " %, but at most " + FormatNumber(100.0 * RepairableShare) +
+      " % is allowed." + advice);
   }
   ReportChanges(surface, mesh, report);
   report.Message = what + " It was repaired: " + std::to_string(report.Changed) +
-    " triangles changed, and the volume by " + FormatNumber(100.0 * share) + " %.";
+    " triangles changed, and the volume changed by " + FormatNumber(100.0 * share) + " %.";
   const std::string topology = DescribeTopologyChange(surface, mesh);
   report.Message += (topology.empty() ? "" : " ") + topology;
   return mesh;
@@ -183,9 +183,9 @@ TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& 
 namespace
 {
 
-constexpr double Flat = 1e-10; ///< thickness over width: what rounding leaves of a plane
+constexpr double Flat = 1e-10; ///< thickness over width: a plane after rounding
 
-/// Of all points the one where `measure` is greatest.
+/// The point where `measure` is largest.
 template <typename Measure>
 const Point3& Farthest(const View<Point3>& points, Measure&& measure)
 {
@@ -193,7 +193,7 @@ const Point3& Farthest(const View<Point3>& points, Measure&& measure)
     [&measure](const Point3& a, const Point3& b) { return measure(a) < measure(b); });
 }
 
-/// How far the points lie from the plane of three that are far from each other.
+/// Largest distance of the points from the plane of three distant ones.
 double Thickness(const View<Point3>& points)
 {
   const Point3& origin = points.front();
@@ -233,7 +233,7 @@ void RequireUsableSize(const SurfaceView& surface)
   }
 }
 
-/// Repair would look for an inside for long, in vain.
+/// Repair would take long and find no inside.
 void RequireThickness(const SurfaceView& surface)
 {
   Bounds3 box{ surface.Points.front(), surface.Points.front() };
@@ -248,22 +248,22 @@ void RequireThickness(const SurfaceView& surface)
   }
 }
 
-/// Holes, missing points and triangles turned against each other are not guessed at.
+/// Holes, missing points and inconsistently oriented triangles are not repaired here.
 bool CanBeRepaired(const SurfaceDefects& defects)
 {
   return defects.InvalidPoints.empty() && defects.InvalidTriangles.empty() &&
     defects.BoundaryTriangles.empty() && defects.FlippedTriangles.empty();
 }
 
-/// Open, with all points and triangles as they must be.
+/// True if holes are the only defect.
 bool IsMerelyOpen(const SurfaceDefects& defects)
 {
   return defects.InvalidPoints.empty() && defects.InvalidTriangles.empty() &&
     !defects.BoundaryTriangles.empty();
 }
 
-/// The surface repaired where it has thin triangles; none: it has none, or it is as good with them,
-/// since they are no defect by themselves and can't be taken out without making one.
+/// The surface without its thin triangles; empty if it has none, or if removing them would cause a
+/// defect, since they are no defect by themselves.
 std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allowCrossings,
   RepairReport& report, const ProgressCallback& progress)
 {
@@ -275,7 +275,7 @@ std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allo
   try
   {
     return RepairedForAnalysis(surface,
-      "The surface has " + std::to_string(thin.size()) + " triangles next to no area (" +
+      "The surface has " + std::to_string(thin.size()) + " triangles with almost no area (" +
         FirstIds(thin) + ").",
       allowCrossings, report, progress);
   }
@@ -291,7 +291,7 @@ std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allo
 namespace
 {
 
-/// What CheckedSurface does once coinciding points are merged and cracks closed.
+/// The rest of CheckedSurface(), after coinciding points are merged and cracks closed.
 TriangleMesh CheckedMergedSurface(TriangleMesh surface, const SurfaceDefects& defects,
   bool allowCrossings, const ProgressCallback& progress, RepairReport* report)
 {
@@ -505,7 +505,7 @@ double EdgeLengthFor(const SurfaceView& mesh, double points)
   const auto count = static_cast<std::int64_t>(mesh.Points.size());
   for (const Triangle& t : mesh.Triangles)
   {
-    // Corners that are no points are told by what checks the mesh, later.
+    // Invalid corners are reported later, by the check of the mesh.
     if (std::any_of(t.begin(), t.end(), [count](auto id) { return id < 0 || id >= count; }))
     {
       continue;
@@ -519,7 +519,7 @@ double EdgeLengthFor(const SurfaceView& mesh, double points)
 TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t maximumPoints,
   const ProgressCallback& progress)
 {
-  double left = 1.0; // nobody knows how many rounds there will be: each takes half of the bar
+  double left = 1.0; // the number of rounds is unknown: each takes half of the remaining progress
   for (bool again = true; again;)
   {
     const std::size_t before = mesh.Points.size();
@@ -539,7 +539,7 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t m
       AddPieces(mesh.Points, t, m, pieces);
       if (mesh.Points.size() > maximumPoints)
       {
-        return {}; // at once: a round may make four times as many
+        return {}; // at once, since a round may quadruple the number
       }
     }
     mesh.Triangles = std::move(pieces);
@@ -554,19 +554,21 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t m
 namespace
 {
 
-/// Samples that automatic spacing spreads over a surface, however few points it has.
+/// Number of samples that automatic spacing spreads over a surface, however few points it has.
 constexpr double UsualSamples = 20000.0;
 
 /// More would take some 30 GB.
 constexpr std::size_t MostSamples = 20'000'000;
 
-/// Of the spacing: what three rounds that are finer by 0.6 would still tell, and half of it.
+/// Fraction of the spacing that three rounds, each finer by 0.6, would still resolve, and half of
+/// it.
 constexpr double Telling = 0.1;
 
-/// Points that refinement may add, beside doubling what there are.
+/// Number of points that refinement may add, besides doubling the existing ones.
 constexpr std::size_t MorePoints = 100000;
 
-/// Twice the volume by the area of a closed surface: how thick a plate is, how wide half a rod.
+/// Twice the volume divided by the area of a closed surface: the thickness of a plate, or the
+/// radius of a rod.
 double ThicknessOf(const SurfaceView& surface)
 {
   return 2.0 * std::abs(SignedVolume(surface)) / SurfaceArea(surface);
@@ -630,11 +632,12 @@ TriangleMesh FirstSamples(
       CopyOf(surface), [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
   };
   const double edges = LengthOfEdges(surface);
-  RequireRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
+  RequireRange("SampleSpacing", spacing, 0.0, LargestLength,
+    "It is a length, or 0 to choose it automatically.");
   if (spacing > 0.0 && edges / spacing > 2.0 * static_cast<double>(MostSamples))
   {
-    throw std::invalid_argument("A SampleSpacing of " + FormatNumber(spacing) + " takes some " +
-      FormatNumber(edges / spacing) + " points along the edges alone, and the most is " +
+    throw std::invalid_argument("A SampleSpacing of " + FormatNumber(spacing) + " needs about " +
+      FormatNumber(edges / spacing) + " points along the edges alone, but the limit is " +
       FormatNumber(static_cast<double>(MostSamples)) + ": raise it.");
   }
   // Triangles with edges of that length, equilateral ones at the most, and half as many points.
@@ -642,8 +645,8 @@ TriangleMesh FirstSamples(
     spacing > 0.0 ? SurfaceArea(surface) / (0.5 * std::sqrt(3.0) * spacing * spacing) : 0.0;
   if (fewest > static_cast<double>(MostSamples))
   {
-    throw std::invalid_argument("A SampleSpacing of " + FormatNumber(spacing) + " takes " +
-      FormatNumber(fewest) + " points at least, and the most is " +
+    throw std::invalid_argument("A SampleSpacing of " + FormatNumber(spacing) + " needs at least " +
+      FormatNumber(fewest) + " points, but the limit is " +
       FormatNumber(static_cast<double>(MostSamples)) + ": raise it.");
   }
   if (spacing > 0.0)
@@ -651,19 +654,19 @@ TriangleMesh FirstSamples(
     TriangleMesh samples = split(MostSamples, progress);
     if (samples.Points.empty())
     {
-      throw std::runtime_error("Sampling the surface so finely takes more than " +
+      throw std::runtime_error("Sampling the surface this finely needs more than " +
         std::to_string(MostSamples) + " points: raise the sample spacing.");
     }
     return samples;
   }
-  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
+  // Edges of a good mesh vary around their mean: those up to 1.7 times the mean are not split.
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
-  // Needles take far more points than their area suggests.
-  // Where all is thinner than refined samples could tell, they would be for nothing.
+  // Needles take far more points than their area suggests. If everything is thinner than refined
+  // samples could resolve, refinement is useless.
   const double share = ThicknessOf(surface) < Telling * spacing ? 1.0 : 5.0;
   const std::size_t most =
     4 * surface.Points.size() + static_cast<std::size_t>(share * UsualSamples);
-  // Edges are split to it, whatever the area: needles have next to none.
+  // Edges are split to this length whatever the area: needles have almost none.
   spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
   const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
   TriangleMesh samples = split(most, still);

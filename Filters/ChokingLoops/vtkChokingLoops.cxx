@@ -51,16 +51,16 @@ std::string SecondsText(double seconds)
   return isthmus::FormatNumber(0.1 * std::ceil(10.0 * seconds)) + " s";
 }
 
-constexpr const char* Unsettled =
-  ", handles or tunnels on the surface's own triangles among it: the samples do not settle them.";
+constexpr const char* Unsettled = ", including handles or tunnels on the surface's own triangles, "
+                                  "which the samples do not resolve.";
 
 void TellDrawing(const isthmus::DrawingCost& cost)
 {
-  vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Loops, " features to draw yet, ",
-                 SecondsText(cost.Seconds), " or so."));
+  vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Loops, " features still to be drawn, ",
+                 "about ", SecondsText(cost.Seconds), "."));
 }
 
-/// What an analysis is going to take, as far as it can be known: its time depends on the shape.
+/// Logs what an analysis needs at least; its time depends on the shape.
 void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
 {
   // Halved edges are three quarters of the spacing long, on average.
@@ -68,11 +68,11 @@ void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
     spacing > 0.0 ? 2.0 * std::pow(isthmus::EdgeLengthFor(surface, 1.0) / spacing, 2.0) : 20000.0;
   const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
   const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
-  vtkLog(INFO, << isthmus::TextOf("Choking loops of at least ", whole(samples), " samples, from ",
-                 whole(50.0 + samples / 400.0), " MiB on."));
+  vtkLog(INFO, << isthmus::TextOf("Choking loops of at least ", whole(samples),
+                 " samples: at least ", whole(50.0 + samples / 400.0), " MiB."));
 }
 
-/// The analysis' parameters; `memoryLimit` in MiB. The cost of each round is told in the log.
+/// The analysis' parameters; `memoryLimit` in MiB. The cost of each round is logged.
 isthmus::ChokingLoopParameters ParametersOf(
   double sampleSpacing, bool allowSelfIntersections, double memoryLimit)
 {
@@ -84,7 +84,7 @@ isthmus::ChokingLoopParameters ParametersOf(
   {
     if (cost.Seconds < 0.0)
     {
-      vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Samples, " samples, some ",
+      vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Samples, " samples, about ",
                      isthmus::MemoryText(cost.Bytes), "."));
       return;
     }
@@ -94,8 +94,8 @@ isthmus::ChokingLoopParameters ParametersOf(
   return parameters;
 }
 
-/// All points and cells of `grid`. Throws std::invalid_argument for a cell that is no tetrahedron,
-/// with its number, or for none.
+/// All points and cells of `grid`. Throws std::invalid_argument if there are none, or for a cell
+/// that is not a tetrahedron, with its number.
 isthmus::TetrahedralMesh TetrahedraOf(vtkUnstructuredGrid* grid)
 {
   isthmus::TetrahedralMesh mesh;
@@ -109,7 +109,7 @@ isthmus::TetrahedralMesh TetrahedraOf(vtkUnstructuredGrid* grid)
     if (grid->GetCellType(c) != VTK_TETRA)
     {
       throw std::invalid_argument("Cell " + std::to_string(c) +
-        " of the tetrahedral mesh is no tetrahedron: tetrahedralize it first.");
+        " of the tetrahedral mesh is not a tetrahedron: tetrahedralize the mesh first.");
     }
     vtkIdType count = 0;
     const vtkIdType* p = nullptr;
@@ -140,9 +140,9 @@ isthmus::TetrahedralParameters MeshAround(const isthmus::TriangleMesh& surface)
   return parameters;
 }
 
-/// A surface without triangles larger than the tetrahedra beside it: it is kept as it is, and
-/// beside a triangle as large as a face of a cube there would be a million of them, none of them
-/// small.
+/// The surface with its triangles split to the size of the tetrahedra: TetGen keeps the surface,
+/// and next to a triangle as large as the face of a cube it would create a million tetrahedra, none
+/// of them small.
 isthmus::TriangleMesh SplitFor(
   const isthmus::TetrahedralParameters& parameters, const isthmus::TriangleMesh& surface)
 {
@@ -152,7 +152,7 @@ isthmus::TriangleMesh SplitFor(
 
 }
 
-/// The analysis and what it was made of.
+/// The analysis and its input.
 struct vtkChokingLoops::Cache
 {
   using Key = std::tuple<vtkDataObject*, vtkMTimeType, vtkDataObject*, vtkMTimeType, int, int,
@@ -204,8 +204,8 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   if (triangles.Triangles.empty())
   {
     throw std::invalid_argument("The surface has " + std::to_string(triangles.Points.size()) +
-      " points but no triangles: choking loops need a closed surface. Make one of them (Alpha "
-      "Shape, Contour).");
+      " points but no triangles: choking loops need a closed surface. Create one from the points "
+      "(Alpha Shape, Contour).");
   }
   TellEstimate(triangles, this->Filtration == Delaunay ? this->SampleSpacing : 0.0);
   if (this->CapHoles)
@@ -269,7 +269,7 @@ void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)
   {
     vtkWarningMacro(<< made->Loops->Repairs().Message);
   }
-  // With TrustedOnly it would be about features that are not reported.
+  // With TrustedOnly the remark would be about features that are not reported.
   if (!made->Loops->Remark().empty() && !this->TrustedOnly)
   {
     vtkWarningMacro(<< made->Loops->Remark());
@@ -340,8 +340,9 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
   }
   if (method == isthmus::MembraneMethod::Greedy && this->Filtration == Delaunay)
   {
-    vtkWarningMacro(<< "Greedy membranes need the filtration Tetrahedral mesh: all points of the "
-                       "Delaunay filtration lie on the surface. The automatic ones are taken.");
+    vtkWarningMacro(
+      << "Greedy membranes need the filtration Tetrahedral mesh: all points of the Delaunay "
+         "filtration lie on the surface. The automatic membranes are used instead.");
   }
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
   isthmus::DrawFeatures(
@@ -350,7 +351,7 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
   for (const std::size_t feature : chosen)
   {
     const isthmus::LoopFeature& geometry = this->Kept->Geometry.at({ feature, rounds });
-    if (!geometry.Loops.empty()) // what has no loop is neither drawn nor counted
+    if (!geometry.Loops.empty()) // features without a loop are neither drawn nor counted
     {
       shown.push_back({ feature, &geometry });
     }
@@ -418,8 +419,9 @@ bool vtkChokingLoops::FindLoops(
       this->Analyse(surface, mesh);
       if (this->AllowSelfIntersections)
       {
-        vtkWarningMacro(<< "Self-intersections were not looked for: where the surface crosses "
-                           "itself, inside and outside are not defined and counts not assured.");
+        vtkWarningMacro(
+          << "The surface was not checked for self-intersections: where it crosses itself, inside "
+             "and outside are not defined and the counts are not guaranteed.");
       }
       const std::vector<isthmus::ShownFeature> shown = this->DrawLoops();
       const isthmus::ChokingLoops& analysis = *this->Kept->Loops;

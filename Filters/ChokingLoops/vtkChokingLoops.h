@@ -1,20 +1,20 @@
 /**
  * @class vtkChokingLoops
- * @brief Every narrowing of a closed surface: handles, tunnels, and bottlenecks beside them.
+ * @brief Finds every narrowing of a closed surface: handles, tunnels, and other bottlenecks.
  *
  * A ball that rolls inside the surface, or outside of it, gets stuck where the space is narrow.
- * Each such place is a choke point with a radius (`Radius`); the loop round it, on the surface,
+ * Each such place is a choke point with a radius (`Radius`); the loop around it, on the surface,
  * bounds a membrane through it. Handles (a loop that bounds inside but not on the surface) and
- * tunnels (outside) are found with the exact number that homology demands, g of each for genus g;
- * the others, the neck of a bunny or the pores of a shell, by the persistence of the voids behind
- * them.
+ * tunnels (a loop that bounds outside) are found in exactly the number that homology requires, g of
+ * each for genus g. Other narrowings, such as the neck of a bunny or the pores of a shell, are
+ * found by the persistence of the voids behind them.
  *
  * Source: X. Feng, PhD thesis, chapter 6. The filtration is the alpha complex of samples of the
- * surface (H. Edelsbrunner, Discrete Comput. Geom. 13, 1995), which is exact for its offset, or
- * that of the thesis, a function on a tetrahedral mesh.
+ * surface (H. Edelsbrunner, Discrete Comput. Geom. 13, 1995), which is exact for the offsets of the
+ * samples, or that of the thesis, by a function on a tetrahedral mesh.
  *
  * Input 0: closed triangulated surfaces (vtkPolyData), any genus, any number of components,
- * cavities included, whichever way they face. Input 1, optional: a tetrahedral mesh
+ * cavities included, with any consistent orientation. Input 1, optional: a tetrahedral mesh
  * (vtkUnstructuredGrid) of one side or both that has the surface's triangles among its faces, for
  * TetrahedralMesh.
  *
@@ -26,28 +26,29 @@
  *     - `Death`: radius at which the space behind the narrowing is filled
  *     - `Persistence`: Death - Birth
  *     - `Uncertainty`: the true radius lies in [Radius - Uncertainty, Radius]; with TetrahedralMesh
- *       in [Radius - Uncertainty, Radius + Uncertainty], since the mesh knows the distance at its
- *       points only: 0.61 of the longest edge of the tetrahedra that reach so near to the surface,
- *       on the same side (with PointArray: the range of the array within them)
- *     - `Trusted`: 1 for a feature of the surface, 0 if it may be one of the sampling
+ *       in [Radius - Uncertainty, Radius + Uncertainty], since the distance is known only at the
+ *       points of the mesh. It is 0.61 times the longest edge of the tetrahedra on the same side
+ *       that come that close to the surface (with PointArray: the largest range of the array within
+ *       one of them)
+ *     - `Trusted`: 1 for a feature of the surface, 0 if it may be caused by the sampling
  *     - `Length`
  *     - `Reach`: of the feature, distance of its loops' farthest point from the choke point, in
  *       radii: 1 for a round neck
  *     - `FeatureId`, `Component`
- *     - `SharedWith`: where several narrowings have one loop, such as the windows of a wall: the
- *       `FeatureId` of the first of them, whose points the others' cells use; otherwise -1
+ *     - `SharedWith`: if several narrowings have the same loop, such as the windows of a wall: the
+ *       `FeatureId` of the first of them, whose points the cells of the others use; otherwise -1
  *
- *     A feature may have several loops, as an annulus has.
+ *     A feature may have several loops, for example if its membrane is an annulus.
  *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
- *     `Radius`, `Birth`, `Death`, `Persistence`, `Kind`; where MembraneMethod is not Automatic also
- *     `Method` (that it was made by: 0 where the method asked for found none), with Greedy
- *     `GrowthCost` (the sum of its paths' costs, in the unit of the points, before shortening; 0
- *     for another method).
+ *     `Radius`, `Birth`, `Death`, `Persistence`, `Kind`; if MembraneMethod is not Automatic also
+ *     `Method` (the method by which the membrane was computed: 0 if the chosen method found none),
+ *     and with Greedy `GrowthCost` (sum of the path costs of the growth, in the unit of the points,
+ *     before shortening; 0 for another method).
  *  2. choke points: one vertex for a feature, point arrays `Radius`, `Birth`, `Death`,
  *     `Persistence`, `Kind`, `Side`, `FeatureId`.
  *  3. persistence diagram: a vtkTable with `FeatureId`, `Dimension`, `Side`, `Birth`, `Death`,
  *     `Persistence`, `Radius`, `Kind` (3: noise, or the surface itself). A bar and its loops have
- *     the same `FeatureId`, so that selecting one shows the other. Rows of dimension 2 (additional
+ *     the same `FeatureId`, so selecting one shows the other. Rows of dimension 2 (additional
  *     loops) have the same birth and death as their loops. Rows of dimension 1 (handles and
  *     tunnels) are the class of the loop on the surface: birth 0, death `Radius`.
  *
@@ -62,23 +63,24 @@
  * Lengths are in the unit of the points, areas in its square. Field data of output 0:
  * `NumberOfSamples`, `LargestSamplingError`, `ReferenceLength` (inside, outside),
  * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside; features, each
- * counted once, however many loops it has), `NumberOfFeatures` (those that Side and the thresholds
- * choose), `NumberOfUntrustedFeatures` (those of them that are not trusted),
- * `NumberOfShownFeatures` (those of them that MaximumNumberOfLoops, TrustedOnly, MaximumLength and
- * MaximumReach leave), `ProposedThreshold` (inside, outside: the persistence at the middle of the
- * side's largest gap, and the gap's width, 0 where it has none; in the unit of the points).
+ * counted once, however many loops it has), `NumberOfFeatures` (selected by Side and the
+ * thresholds), `NumberOfUntrustedFeatures` (those of them that are not trusted),
+ * `NumberOfShownFeatures` (those of them that remain after MaximumNumberOfLoops, TrustedOnly,
+ * MaximumLength and MaximumReach), `ProposedThreshold` (inside, outside: the persistence at the
+ * middle of the side's largest gap, and the width of the gap, 0 if there is none; in the unit of
+ * the points).
  *
- * Needles, double triangles, parts that touch or cross are repaired where that changes the volume
- * by no more than a hundredth; a warning says so, and field data `Repaired` (number of triangles
- * changed) and `RepairedPlaces` (their centres) of output 0. A surface that is not closed,
- * consistently oriented and finite, or can't be repaired, ends in an error that names triangles,
- * and empty outputs. Handles and tunnels that are narrower than the sampling error are found on a
- * mesh that TetGen makes of both sides; a warning then says that their `Radius` is an upper
- * bound, or, where TetGen fails, that their number and side are not assured.
+ * Needles, double triangles, and parts that touch or cross are repaired if this changes the volume
+ * by at most 1 %. The repair is reported by a warning and by the field data `Repaired` (number of
+ * triangles changed) and `RepairedPlaces` (their centres) of output 0. A surface that is not
+ * closed, consistently oriented and finite, or that cannot be repaired, causes an error that names
+ * triangles, and the outputs are empty. Handles and tunnels narrower than the sampling error are
+ * found on a TetGen mesh of both sides; a warning then says that their `Radius` is an upper bound,
+ * or, if TetGen fails, that their number and side are not guaranteed.
  *
- * The analysis is cached: changes of thresholds, side and shortening do not repeat it. Time is near
- * linear, about 30 s and 2.5 GB for a million points on two threads; loops and membranes cost
- * little.
+ * The analysis is cached: changes of thresholds, side and shortening do not repeat it. Time is
+ * nearly linear, about 30 s and 2.5 GB for a million points on two threads; loops and membranes
+ * take little additional time.
  */
 #ifndef vtkChokingLoops_h
 #define vtkChokingLoops_h
@@ -158,8 +160,7 @@ public:
   vtkGetMacro(Side, int);
   ///@}
 
-  ///@{
-  /// Report narrowings up to this radius: in percent of the side's reference length, the largest
+  ///@{ Report narrowings up to this radius: in percent of the side's reference length, the largest
   /// radius at which anything on that side is filled, or in the unit of the points. Default 100 %.
   vtkSetMacro(MaximumRadius, double);
   vtkGetMacro(MaximumRadius, double);
@@ -184,38 +185,32 @@ public:
   vtkGetMacro(MinimumPersistenceUnit, int);
   ///@}
 
-  ///@{
-  /// Given (default): MinimumPersistence separates additional loops from noise. LargestGap: the
-  /// largest gap of each side's diagram does, as in the field data `ProposedThreshold`; gaps
-  /// narrower than 1 % of the reference length are ignored, and that length is the threshold if no
-  /// gap is wider.
+  ///@{ Given (default): MinimumPersistence separates additional loops from noise. LargestGap: the
+  /// largest gap of each side's diagram separates them (field data `ProposedThreshold`). Gaps
+  /// narrower than 1 % of the reference length are ignored; if no gap is wider, the threshold is
+  /// that 1 %.
   vtkSetClampMacro(ThresholdMode, int, Given, LargestGap);
   vtkGetMacro(ThresholdMode, int);
   ///@}
 
-  ///@{
-  /// Report at most that many features, those of the largest persistence. 0 (default): all.
+  ///@{ Report at most this many features, those of the largest persistence. 0 (default): all.
   vtkSetClampMacro(MaximumNumberOfLoops, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfLoops, int);
   ///@}
 
-  ///@{
-  /// Drop features of any kind with a loop longer than this, in the unit of the points. 0
-  /// (default): however long.
+  ///@{ Drop features of any kind with a loop longer than this, in the unit of the points. 0
+  /// (default): no limit.
   vtkSetMacro(MaximumLength, double);
   vtkGetMacro(MaximumLength, double);
   ///@}
 
-  ///@{
-  /// Drop features of any kind whose loops pass farther than this from the choke point, in
-  /// radii, the cell array `Reach`: 1 for a round neck, large for a slot. 0 (default):
-  /// however far.
+  ///@{ Drop features of any kind whose loops extend farther than this from the choke point, in
+  /// radii (the cell array `Reach`: 1 for a round neck, large for a slot). 0 (default): no limit.
   vtkSetMacro(MaximumReach, double);
   vtkGetMacro(MaximumReach, double);
   ///@}
 
-  ///@{
-  /// Drop features that may be ones of the sampling, the cell array `Trusted`. Default off.
+  ///@{ Drop features that may be caused by the sampling (cell array `Trusted` is 0). Default off.
   vtkSetMacro(TrustedOnly, bool);
   vtkGetMacro(TrustedOnly, bool);
   vtkBooleanMacro(TrustedOnly, bool);
@@ -227,8 +222,7 @@ public:
     ByLength
   };
 
-  ///@{
-  /// Order of the outputs' features, ascending. Default ByRadius.
+  ///@{ Sort order of the features in the outputs, ascending. Default ByRadius.
   vtkSetClampMacro(LoopOrder, int, ByRadius, ByLength);
   vtkGetMacro(LoopOrder, int);
   ///@}
@@ -240,20 +234,19 @@ public:
   vtkBooleanMacro(AlwaysReportHandles, bool);
   ///@}
 
-  ///@{
-  /// Delaunay (default): the alpha complex of samples of the surface, exact. TetrahedralMesh: the
-  /// thesis' lower-star filtration of MorseFunction on the mesh of input 1, or on one of about
-  /// 200,000 tetrahedra that TetGen makes inside the filter, the surface's triangles split to their
-  /// size. Narrowings within the error of the mesh are not reported, with a warning.
+  ///@{ Delaunay (default): the alpha complex of samples of the surface, exact. TetrahedralMesh: the
+  /// lower-star filtration (thesis, 6.3.1) of MorseFunction on the mesh of input 1, or on one of
+  /// about 200,000 tetrahedra that TetGen creates inside the filter, with the surface's triangles
+  /// split to their size. Narrowings within the error of the mesh are not reported, with a warning.
   vtkSetClampMacro(Filtration, int, Delaunay, TetrahedralMesh);
   vtkGetMacro(Filtration, int);
   ///@}
 
-  ///@{
-  /// With TetrahedralMesh: ClosestPoint (default), the exact distance to the surface; EdgePaths,
+  ///@{ With TetrahedralMesh: ClosestPoint (default), the exact distance to the surface; EdgePaths,
   /// the shortest way along edges of the mesh (Dijkstra); GridDistance, the exact distance at the
   /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1;
-  /// FastMarching, marched on that grid from the surface, sampled trilinearly.
+  /// FastMarching, the distance computed on that grid by fast marching from the surface, sampled
+  /// trilinearly.
   vtkSetClampMacro(MorseFunction, int, ClosestPoint, FastMarching);
   vtkGetMacro(MorseFunction, int);
   ///@}
@@ -265,57 +258,51 @@ public:
   vtkGetMacro(MorseArrayName, std::string);
   ///@}
 
-  ///@{
-  /// Edges of the surface are split until none is longer, in the unit of the points. 0 (default):
-  /// automatic, about 20,000 samples and more where a feature is too small for them.
+  ///@{ Edges of the surface are split until none is longer than this, in the unit of the points. 0
+  /// (default): automatic, about 20,000 samples, and more if a feature is too small for them.
   vtkSetMacro(SampleSpacing, double);
   vtkGetMacro(SampleSpacing, double);
   ///@}
 
-  ///@{
-  /// None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface.
-  /// Geodesic (default): until nothing gets shorter.
+  ///@{ None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface.
+  /// Geodesic (default): until no loop gets shorter.
   vtkSetClampMacro(Shortening, int, None, Geodesic);
   vtkGetMacro(Shortening, int);
   vtkSetClampMacro(ShorteningRounds, int, 1, 1000);
   vtkGetMacro(ShorteningRounds, int);
   ///@}
 
-  ///@{
-  /// Which membrane spans a choke; its boundary is the loop that is shortened. Automatic (default):
-  /// the one that the filtration closed, or another where its loop does not belong to the choke
-  /// point. MinimumCut: of least area through the choke triangle. Greedy, with TetrahedralMesh
-  /// only: the growth of X. Feng's thesis (6.3.2) from the choke triangle down to the surface, each
-  /// step as cheap as possible (MinimumCutMembrane.h). Where a method finds no membrane,
-  /// Automatic's is taken: the cell array `Method` of the membranes.
+  ///@{ Which membrane spans a choke; its boundary is the loop that is shortened. Automatic
+  /// (default): the membrane closed by the filtration, or another one if its loop does not belong
+  /// to the choke point. MinimumCut: the membrane of least area through the choke triangle. Greedy,
+  /// with TetrahedralMesh only: grown from the choke triangle down to the surface in steps of least
+  /// cost (thesis, 6.3.2; MinimumCutMembrane.h). If a method finds no membrane, the automatic one
+  /// is used, and the cell array `Method` of the membranes is 0.
   vtkSetClampMacro(MembraneMethod, int, Automatic, Greedy);
   vtkGetMacro(MembraneMethod, int);
   ///@}
 
-  ///@{
-  /// Go on with a surface that crosses itself, with a warning. Default off.
+  ///@{ Analyse a surface even if it intersects itself, with a warning. Default off.
   vtkSetMacro(AllowSelfIntersections, bool);
   vtkGetMacro(AllowSelfIntersections, bool);
   vtkBooleanMacro(AllowSelfIntersections, bool);
   ///@}
 
-  ///@{
-  /// Close holes of the surface, flat or not, before the search. Default off.
+  ///@{ Close holes of the surface, planar or not, before the search. Default off.
   vtkSetMacro(CapHoles, bool);
   vtkGetMacro(CapHoles, bool);
   vtkBooleanMacro(CapHoles, bool);
   ///@}
 
-  ///@{
-  /// Most memory that an analysis may take, in MiB; 0 (default): what is available. More samples
-  /// than fit end in an error that says so.
+  ///@{ Memory limit of the analysis, in MiB; 0 (default): the available memory. If the samples do
+  /// not fit, an error is reported.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
 
-  /// Seconds that the stages of the analysis took on which the outputs stand: check, sampling,
-  /// filtration, pairing, features; 0 where there is none. They are no part of the outputs, which
-  /// are the same on every machine.
+  /// Time in seconds of the stages of the analysis from which the outputs were computed: check,
+  /// sampling, filtration, pairing, features; 0 if there is none. Times are not part of the
+  /// outputs, which are the same on every machine.
   vtkGetVectorMacro(StageTimes, double, 5);
 
 protected:
@@ -327,7 +314,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  /// All outputs for a surface that is whole on this rank; `mesh` as in input 1, or null.
+  /// All outputs for a surface that is complete on this rank; `mesh` as in input 1, or null.
   bool FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
 
 private:
@@ -340,7 +327,7 @@ private:
   isthmus::FeatureSelection Selection() const;
   int RoundsOfShortening() const;
   std::vector<isthmus::ShownFeature> DrawLoops();
-  /// Field data: how many features are shown, of how many.
+  /// Field data: the numbers of all features and of those shown.
   void AddCounts(std::size_t shown, vtkPolyData* output);
   std::unique_ptr<isthmus::ChokingLoops> AnalyseMesh(
     isthmus::TriangleMesh triangles, vtkUnstructuredGrid* given);

@@ -118,9 +118,10 @@ int vtkHandleFilling::RequestData(
       }
       if (filled.Left > 0)
       {
-        vtkWarningMacro(<< isthmus::TextOf(filled.Left, " of ", filled.Left + filled.Fills.size(),
-                          " handles and tunnels below the size stay as they were: no membrane of "
-                          "one loop closes them without touching another part of the surface."));
+        vtkWarningMacro(
+          << isthmus::TextOf(filled.Left, " of ", filled.Left + filled.Fills.size(),
+               " handles and tunnels below the size were not removed: they have no membrane with a "
+               "single loop that keeps clear of the rest of the surface."));
       }
       FillSurface(filled, whole, surface);
       FillTable(filled.Fills, table);

@@ -1,27 +1,25 @@
 /**
  * @class vtkHandleFilling
- * @brief A surface without its small handles and tunnels (thesis, chapter 6: topological
- * filtering).
+ * @brief Removes small handles and tunnels of a surface (thesis, chapter 6: topological filtering).
  *
- * Tunnels narrower than a size are filled, handles thinner than it are cut, along the membranes
- * that vtkChokingLoops finds there: each lowers the genus by one, and the rest of the surface stays
- * as it is, point for point. The size is compared with the `Radius` of choking loops.
+ * Tunnels narrower than a given size are filled and handles thinner than it are cut, along the
+ * membranes that vtkChokingLoops finds there. Each operation lowers the genus by one and keeps the
+ * points of the rest of the surface. The size is compared with the `Radius` of choking loops.
  *
  * Input: a closed triangulated surface (vtkPolyData).
  *
  * Output 0, the repaired surface (vtkPolyData), facing outward. Cell array:
- * - `Filling`: 0 on the surface given, else the number of the filling, from 1.
+ * - `Filling`: 0 on the input surface, otherwise the number of the filling, from 1.
  *
  * Field data: `Genus` (two values: before and after, all components together) and `LeftOpen`
  * (number of handles and tunnels below the size that could not be filled, with a warning).
  *
- * Output 1, the fillings (vtkTable), a row each, in the order in which they were made: `Filling`,
+ * Output 1, the fillings (vtkTable), one row each, in the order in which they were made: `Filling`,
  * `Kind` (0 handle, 1 tunnel), `KindName`, `Radius` (of the ball that got stuck), `Area` (of the
  * membrane), `Thickness`, `Volume` (Area times Thickness; negative: cut away), in units of the
  * points.
  *
- * Of the input's arrays only the field data are passed on. Algorithm, limits, cost:
- * HandleFilling.h.
+ * Of the input's arrays, only field data are passed on. Algorithm, limits, cost: HandleFilling.h.
  */
 #ifndef vtkHandleFilling_h
 #define vtkHandleFilling_h
@@ -50,21 +48,20 @@ public:
     Both
   };
 
-  ///@{
-  /// Inside: handles are cut; Outside: tunnels are filled; Both (default): whatever is narrower.
+  ///@{ Inside: handles are cut; Outside: tunnels are filled; Both (default): the narrower of the
+  /// two is removed.
   vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
 
-  ///@{
-  /// Thickness of what fills a tunnel, and width of the gap that cuts a handle, in its radii: above
-  /// 0, at most 1; less is taken where the wall beside it is thin. Default 0.25.
+  ///@{ Thickness of the plate that fills a tunnel, and width of the gap that cuts a handle, in
+  /// radii of the tunnel or handle: above 0, at most 1; reduced where the wall beside it is thin.
+  /// Default 0.25.
   vtkSetMacro(Thickness, double);
   vtkGetMacro(Thickness, double);
   ///@}
 
-  ///@{
-  /// As vtkChokingLoops has it: longest edge of the samples; 0 (default): automatic.
+  ///@{ As in vtkChokingLoops: longest edge of the samples; 0 (default): automatic.
   vtkSetMacro(SampleSpacing, double);
   vtkGetMacro(SampleSpacing, double);
   ///@}

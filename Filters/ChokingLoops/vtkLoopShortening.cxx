@@ -38,8 +38,8 @@ namespace
 using isthmus::SimplexId;
 using isthmus::SurfaceAdjacency;
 
-/// Points after `from` on a shortest path of edges to `to`, by breadth first search: neighbours on
-/// the loops given are a few edges apart.
+/// Points after `from` on a shortest path of edges to `to`, by breadth-first search: neighbours on
+/// the input loops are a few edges apart.
 std::vector<SimplexId> PathBetween(const SurfaceAdjacency& s, SimplexId from, SimplexId to)
 {
   std::map<SimplexId, SimplexId> cameFrom{ { to, to } };
@@ -138,7 +138,7 @@ struct Surface
     if (walk.size() < 3)
     {
       throw std::invalid_argument("Loop " + std::to_string(cell - loops->GetNumberOfVerts()) +
-        " is a point or a path there and back: it encloses nothing to shorten.");
+        " is a single point or runs back along itself, so it cannot be shortened: remove it.");
     }
     return walk;
   }

@@ -1,23 +1,23 @@
 /**
  * @class vtkLoopShortening
- * @brief Closed polylines on a surface become geodesic loops of their homotopy class.
+ * @brief Shortens closed polylines on a surface to geodesic loops of their homotopy class.
  *
  * Input 0: closed polylines (vtkPolyData) whose points lie on the surface, such as the loops of
- * vtkChokingLoops; the first point repeated at the end, or not. Input 1: the closed, manifold,
+ * vtkChokingLoops; the first point may be repeated at the end. Input 1: the closed, manifold,
  * consistently oriented triangle surface. Points are moved to the nearest point of the surface and
  * joined along its edges where they are not neighbours, which keeps the class of loops that follow
  * the surface closely.
  *
- * Output: one closed polyline for each, with its cell data, `Length`, `Converged` (1: a geodesic)
- * and `Contractible` (1: it can be contracted to a point, and is returned unchanged).
+ * Output: one closed polyline for each input loop, with its cell data, `Length`, `Converged` (1: a
+ * geodesic) and `Contractible` (1: it can be contracted to a point, and is returned unchanged).
  *
  * Errors (one message, empty output): a surface that CheckedSurface() in SurfacePreparation.h
- * refuses, a loop on two parts of the surface, a loop that is a point or a path there and back,
- * loops and a surface that do not overlap (InputOverlap.h; that loops are small is no reason for a
+ * refuses, a loop on two parts of the surface, a loop that is a single point or runs back along
+ * itself, loops and a surface that do not overlap (InputOverlap.h; small loops do not cause a
  * warning here).
  *
- * Source: S.-Q. Xin, Y. He, C.-W. Fu, IEEE TVCG 18 (2012) 879. Time: the number of edges crossed, a
- * round.
+ * Source: S.-Q. Xin, Y. He, C.-W. Fu, IEEE TVCG 18 (2012) 879. Time per round: proportional to the
+ * number of edges crossed.
  */
 #ifndef vtkLoopShortening_h
 #define vtkLoopShortening_h
@@ -32,9 +32,8 @@ public:
   vtkTypeMacro(vtkLoopShortening, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /// Rounds at most: each finds the shortest path in a strip of triangles and leads the strip on.
-  /// Default 1000, which is until it is a geodesic.
+  ///@{ Maximum number of rounds; each finds the shortest path in a strip of triangles and reroutes
+  /// the strip. Default 1000, which in practice means until the loop is a geodesic.
   vtkSetClampMacro(MaximumRounds, int, 1, 100000);
   vtkGetMacro(MaximumRounds, int);
   ///@}

@@ -39,12 +39,12 @@ namespace
 
 constexpr int SurfacePort = 4;
 
-/// Values of the panel's Automatic Level that use or may use the automatic one.
+/// Values of the panel's Automatic Level with which the automatic level is or may be used.
 constexpr int On = 1;
 constexpr int UnlessGiven = 2;
 
-/// Choking loops of a surface that is whole on this rank, while the others have nothing to do:
-/// nothing is gathered, which all ranks would have to take part in.
+/// Choking loops of a surface that is complete on this rank, while the others have nothing to do.
+/// Nothing is gathered, since all ranks would have to take part in that.
 class LoopsOfWholeSurface : public vtkChokingLoops
 {
 public:
@@ -79,7 +79,7 @@ std::string RangeOf(vtkDataArray* scalars)
   return isthmus::TextOf("the map has values from ", range[0], " to ", range[1]);
 }
 
-/// ParaView's default of a level: the middle of the range.
+/// ParaView's default for a level: the middle of the range.
 bool IsMiddle(double level, vtkDataArray* scalars)
 {
   double range[2];
@@ -89,7 +89,7 @@ bool IsMiddle(double level, vtkDataArray* scalars)
 
 }
 
-/// What a surface is made of. The image itself is another object after each update in ParaView.
+/// The inputs of a surface. The image itself is another object after each update in ParaView.
 struct vtkMapChokingLoops::Key
 {
   vtkDataArray* Scalars = nullptr; // compared only
@@ -226,14 +226,14 @@ int vtkMapChokingLoops::FillOutputPortInformation(int port, vtkInformation* info
 int vtkMapChokingLoops::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // A narrow place can be anywhere, so all of the map is needed whatever part is asked for.
+  // A narrow place can be anywhere, so the whole map is needed whatever part is requested.
   isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }
 
 double vtkMapChokingLoops::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
 {
-  // Once proposed, a level stays so while upstream changes the range.
+  // A level that was proposed once keeps that status when the range changes upstream.
   if (this->PanelMode == UnlessGiven && IsMiddle(this->Level, scalars))
   {
     this->ProposedLevel = this->Level;
@@ -270,8 +270,8 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
   mesh = isthmus::HideDust(std::move(mesh), { 0.0, 0.0, this->LargestComponents }).Surface;
   if (mesh.Triangles.empty())
   {
-    throw std::invalid_argument(
-      isthmus::TextOf("Nothing is inside the Level ", level, ": ", RangeOf(scalars), "."));
+    throw std::invalid_argument(isthmus::TextOf(
+      "Nothing is inside the Level ", level, ": ", RangeOf(scalars), ". Choose another level."));
   }
   isthmus::ToWorld(image, mesh);
   this->Surface = vtkSmartPointer<vtkPolyData>::New();

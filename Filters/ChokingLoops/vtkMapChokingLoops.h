@@ -6,16 +6,16 @@
  * direction. Values that are not numbers count as outside.
  *
  * Outputs 0 to 3 are those of vtkChokingLoops; output 4 is the surface, as vtkMapSurface makes it
- * at the same level: closed half a cell beyond the map where the level leaves it. Radii are in the
- * unit of the map, angstrom. Field data of output 0 has the `Level` used.
+ * at the same level: closed half a cell beyond the map where the level set leaves it. Radii are in
+ * the unit of the map, angstrom. Field data of output 0 has the `Level` used.
  *
- * The level is automatic unless one is given, as in vtkMapSurface: the one that the depositors
- * recommend, else one that separates the molecule from its surroundings. The contour and the
+ * The level is automatic unless one is given, as in vtkMapSurface: the one recommended by the
+ * depositors, or else one that separates the molecule from its surroundings. The contour and the
  * analysis are cached: changes of thresholds, side and shortening do not repeat them.
  *
- * Errors (message and empty outputs): those of vtkChokingLoops; a level that nothing is inside of.
- * Cost: that of vtkMapSurface and vtkChokingLoops. On several MPI ranks the first one does
- * everything.
+ * Errors (message and empty outputs): those of vtkChokingLoops; a level with nothing inside. Cost:
+ * that of vtkMapSurface and vtkChokingLoops. With several MPI ranks, the first one does all the
+ * work.
  *
  * @sa vtkMapSurface vtkChokingLoops vtkMapHandles
  */
@@ -96,15 +96,14 @@ public:
   vtkGetMacro(Level, double);
   ///@}
 
-  /// For panels, where the level always has a value. 1: the automatic level; 2, what a new panel
-  /// has: Level, unless it is the middle of the map's range, which ParaView proposes and which
-  /// counts as none given; 0 and 3: Level, whatever it is. State files of before 1.0 have 0.
+  /// For panels, where the level always has a value. 1: the automatic level. 2, the setting of a
+  /// new panel: Level, unless it is the middle of the map's range, which is ParaView's default and
+  /// therefore counts as not set. 0 and 3: always Level. State files from before 1.0 have 0.
   void SetPanelAutomaticLevel(int mode);
   /// Level as panels and state files set it: AutomaticLevel stays as it is.
   void SetPanelLevel(double level);
 
-  ///@{
-  /// Take the recommended level, or else an estimated one, instead of Level. Default on.
+  ///@{ Use the recommended level, or else an estimated one, instead of Level. Default on.
   void SetAutomaticLevel(bool automatic);
   vtkGetMacro(AutomaticLevel, bool);
   vtkBooleanMacro(AutomaticLevel, bool);
@@ -120,8 +119,7 @@ public:
   vtkBooleanMacro(InsideIsHigher, bool);
   ///@}
 
-  ///@{
-  /// Keep that many components of the surface, those of the largest area; 0 (default): all.
+  ///@{ Keep this many components of the surface, those of the largest area; 0 (default): all.
   vtkSetClampMacro(LargestComponents, int, 0, VTK_INT_MAX);
   vtkGetMacro(LargestComponents, int);
   ///@}

@@ -58,8 +58,8 @@ std::vector<double> Mark(const BettiCurves& curves, double level)
   return marks;
 }
 
-/// The bridges, or the windows, of `handles` as points at the nodes of `image`: the arrays of the
-/// first two outputs. `level` is the level chosen (for `IsThere`).
+/// The bridges, or the windows, of `handles` as points at the nodes of `image`, with the arrays of
+/// the first two outputs. `level` is the chosen level (for `IsThere`).
 void WriteHandles(const std::vector<MapHandle>& handles, bool bridges, const FeatureList& features,
   vtkImageData* image, double level, vtkPolyData* output)
 {
@@ -99,8 +99,8 @@ void WriteHandles(const std::vector<MapHandle>& handles, bool bridges, const Fea
   data->SetActiveScalars("Level");
 }
 
-/// A row for each level: Betti numbers of what persists, and Beta1 once more in the row nearest to
-/// the stable and to the recommended level (NaN: none).
+/// One row per level: Betti numbers of the persistent features, and Beta1 again in the rows nearest
+/// to the stable and to the recommended level (NaN: none).
 void FillLevels(const BettiCurves& curves, double stable, double recommended, vtkTable* table)
 {
   vtkDataSetAttributes* rows = table->GetRowData();
@@ -113,7 +113,7 @@ void FillLevels(const BettiCurves& curves, double stable, double recommended, vt
   AddColumn<vtkDoubleArray>(rows, "RecommendedLevel", Mark(curves, recommended));
 }
 
-/// A row for each interval, in their order.
+/// One row per interval, in their order.
 void FillIntervals(const std::vector<StableInterval>& intervals, vtkTable* table)
 {
   vtkDataSetAttributes* rows = table->GetRowData();
@@ -157,7 +157,7 @@ void AddFact(vtkDataObject* output, const char* name, double value)
 
 }
 
-/// What one run works with.
+/// Data of one run.
 struct vtkMapHandles::Work
 {
   vtkImageData* Image = nullptr;
@@ -195,7 +195,7 @@ int vtkMapHandles::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkMapHandles::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // A bridge can be anywhere, so all of the map is needed whatever part is asked for.
+  // A bridge can be anywhere, so the whole map is needed whatever part is requested.
   isthmus::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
@@ -228,7 +228,8 @@ void vtkMapHandles::FindFeatures(Work& work)
                                 : std::array<double, 2>{ statistics.Minimum, statistics.Mean };
   if (!(wanted.Range[0] < wanted.Range[1]))
   {
-    throw std::invalid_argument("The map has one value everywhere, so it has no levels.");
+    throw std::invalid_argument(
+      "The map has the same value everywhere, so there is no level to choose.");
   }
   isthmus::CubicalParameters parameters;
   parameters.Superlevel = this->InsideIsHigher;
@@ -244,9 +245,9 @@ double vtkMapHandles::ChooseLevel(const Work& work)
   this->StableLevel = work.Intervals.empty() ? NotANumber : work.Intervals.front().Middle();
   if (this->UseStableLevel && work.Intervals.empty())
   {
-    throw std::invalid_argument("Nothing of the map persists in the range of levels, so there is "
-                                "no stable level: lower MinimumPersistence, widen Range, or give a "
-                                "Level.");
+    throw std::invalid_argument(
+      "No feature of the map persists in the range of levels, so there is no stable level: lower "
+      "MinimumPersistence, widen Range, or set a Level.");
   }
   return this->UseStableLevel ? this->StableLevel : this->Level;
 }

@@ -1,38 +1,40 @@
 /**
  * @class   vtkMapHandles
- * @brief   bridges and windows of a map, the levels at which each exists, and a stable level
+ * @brief   Finds bridges and windows of a map, the levels at which each exists, and a stable level.
  *
  * Input: vtkImageData with one number per node, a density map. As the contour level falls, parts of
- * the object meet at *bridges* (1-saddles) and what is open across closes at *windows* (2-saddles).
- * Persistence says over which levels each of them is real, and so which level to choose.
+ * the object meet at *bridges* (1-saddles) and openings through the object close at *windows*
+ * (2-saddles). Persistence shows over which range of levels each of them exists, and so helps to
+ * choose a level.
  *
  * Outputs:
  *  - 0, *Bridges* and 1, *Windows* (vtkPolyData, points): `FeatureId` (of the class, as in
  *    vtkScalarPersistence with the same settings), `Dimension`, `Birth`, `Death`, `Persistence`,
  *    `Level` (the saddle's value), `From`, `To` (levels between which it exists, within the range),
- *    `IsThere` (1: at the level chosen).
- *  - 2, *Levels* (vtkTable), for a line chart: `Level`, `Beta0` ... `Beta2` of what persists, and
- *    `StableLevel`, `RecommendedLevel`: Beta1 at the row of that level, not a number elsewhere, so
- *    that each is drawn as one mark.
+ *    `IsThere` (1: it exists at the chosen level).
+ *  - 2, *Levels* (vtkTable), for a line chart: `Level`, `Beta0` ... `Beta2` of the persistent
+ *    features, and `StableLevel`, `RecommendedLevel`: Beta1 in the row of that level, NaN
+ *    elsewhere, so that each is drawn as a single mark.
  *  - 3, *Stable Intervals* (vtkTable): `From`, `To`, `Middle`, `Length`, `Beta0` ... `Beta2`: the
- *    runs of levels at which nothing that persists appears or disappears, the longest first. Its
- *    first Middle is the stable level.
- *  - 4, *Contour* (vtkPolyData) at the level chosen, ready for Choking Loops.
+ *    intervals of levels in which no persistent feature appears or disappears, the longest first.
+ *    The first Middle is the stable level.
+ *  - 4, *Contour* (vtkPolyData) at the chosen level, ready for Choking Loops.
  *  - 5, *Loops* and 6, *Choke Points* of it (with Loops on), by vtkChokingLoops with its default
  *    settings.
  *
- * Field data of all: `StableLevel`, `ChosenLevel`, and `RecommendedLevel` where one is given.
+ * Field data of all outputs: `StableLevel`, `ChosenLevel`, and `RecommendedLevel` if one is given.
  *
- * **Range.** Density below the noise is no persistence, so bars are clipped to Range; without one
- * it extends from the mean of the map (the surroundings of the molecule) to its maximum.
+ * **Range.** Density within the noise should not count as persistence, so bars are clipped to
+ * Range; by default this extends from the mean of the map (the surroundings of the molecule) to its
+ * maximum.
  *
- * **Report saddles, not bars.** Equal narrowings of a symmetric map come in groups of saddles at
- * nearly one level, but the elder rule hands them to different dimensions: one of n joins the last
- * component, the others close tunnels.
+ * **Report saddles, not bars.** Equivalent narrowings of a symmetric map form groups of saddles at
+ * nearly the same level, but the elder rule assigns them to different dimensions: one of n joins
+ * the last component, the others close tunnels.
  *
- * **Errors** (one message, empty outputs): a value that is not a number; an invalid range
- * or persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour,
- * and with Loops that of vtkChokingLoops. On several MPI ranks the first one does everything.
+ * **Errors** (one message, empty outputs): a value that is not a number; an invalid range or
+ * persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and
+ * with Loops that of vtkChokingLoops. With several MPI ranks, the first one does all the work.
  *
  * Method: MapHandles.h, CubicalPersistence.h.
  */
@@ -90,11 +92,10 @@ public:
   vtkGetVector2Macro(Range, double);
   ///@}
 
-  ///@{
-  /// Take the stable level (default) or Level for contour and loops. The stable level is proposed
-  /// from the topology of the map over all levels; it is not the automatic level of vtkMapSurface
-  /// and vtkMapChokingLoops, which is recommended by the depositors or separates values. Setting
-  /// Level does not switch UseStableLevel off.
+  ///@{ Use the stable level (default) or Level for contour and loops. The stable level is derived
+  /// from the topology of the map over all levels; it differs from the automatic level of
+  /// vtkMapSurface and vtkMapChokingLoops, which is recommended by the depositors or separates the
+  /// values of molecule and surroundings. Setting Level does not switch UseStableLevel off.
   vtkSetMacro(UseStableLevel, bool);
   vtkGetMacro(UseStableLevel, bool);
   vtkBooleanMacro(UseStableLevel, bool);
@@ -117,8 +118,7 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  ///@{
-  /// Run the choking loops of the contour. Default off: it takes seconds to minutes.
+  ///@{ Find the choking loops of the contour. Default off, since it takes seconds to minutes.
   vtkSetMacro(Loops, bool);
   vtkGetMacro(Loops, bool);
   vtkBooleanMacro(Loops, bool);

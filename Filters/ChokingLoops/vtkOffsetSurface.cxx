@@ -26,8 +26,8 @@ vtkStandardNewMacro(vtkOffsetSurface);
 namespace
 {
 
-/// vtkFlyingEdges3D makes floats, which know neither 1e40 nor thousandths far from the origin: it
-/// works in node units, and here they become places.
+/// vtkFlyingEdges3D produces floats, which cannot represent 1e40 or small differences far from the
+/// origin: it works in node units, which are converted to coordinates here.
 vtkSmartPointer<vtkPoints> InWorld(vtkPoints* nodes, const isthmus::DistanceGrid& grid)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();

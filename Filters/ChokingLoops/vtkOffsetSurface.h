@@ -1,15 +1,16 @@
 /**
  * @class vtkOffsetSurface
- * @brief The points at a given distance from a surface: what is left for a ball to roll in.
+ * @brief Computes the points at a given distance from a surface: the boundary of the region
+ * accessible to the centre of a ball.
  *
- * Shows what "choked at d" means (thesis, Fig. 6.4): at the `Radius` of a choking loop the offset
- * surface pinches off there. The distance to the triangles is sampled on a regular grid, exactly
- * where it matters, and contoured (flying edges), so that the result is right to about the square
- * of the grid spacing over the distance.
+ * Shows what "choked at d" means (thesis, Fig. 6.4): at a distance equal to the `Radius` of a
+ * choking loop, the offset surface pinches off there. The distance to the triangles is sampled on a
+ * regular grid, exactly near the offset, and contoured (flying edges). The error is about the
+ * square of the grid spacing divided by the distance.
  *
  * Input: triangles (vtkPolyData), closed unless both sides are requested. Output: the surface at
- * `Distance` on the requested side, with normals that face away from the input and the cell spacing
- * as field data `GridSpacing`. Formulas, errors and cost: OffsetSurface.h.
+ * `Distance` on the requested side, with normals that point away from the input and the grid
+ * spacing as field data `GridSpacing`. Formulas, errors and cost: OffsetSurface.h.
  */
 #ifndef vtkOffsetSurface_h
 #define vtkOffsetSurface_h
@@ -37,14 +38,12 @@ public:
     Both
   };
 
-  ///@{
-  /// Inside, Outside (of a closed surface, whichever way it faces) or Both (default).
+  ///@{ Inside, Outside (of a closed surface, whichever way it is oriented) or Both (default).
   vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
 
-  ///@{
-  /// Grid cells along the longest side of the offset's box. Default 128.
+  ///@{ Grid cells along the longest side of the offset's bounding box. Default 128.
   vtkSetClampMacro(Resolution, int, 8, 1024);
   vtkGetMacro(Resolution, int);
   ///@}

@@ -83,4 +83,4 @@ with tempfile.TemporaryDirectory() as folder:
     broken = folder / "broken.dcd"
     broken.write_bytes(b"no trajectory")
     said = sentence_of(str(broken), str(shared_data("molecules/1ubq.pdb")))
-    assert "can't read" in said, said
+    assert "cannot read" in said, said

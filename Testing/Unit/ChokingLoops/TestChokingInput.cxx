@@ -194,7 +194,8 @@ TEST(ChokingInput, CrossingItself)
       f->AllowSelfIntersectionsOn();
       f->SetSampleSpacing(0.1);
     });
-  EXPECT_NE(run.Messages().find("Self-intersections were not looked for"), std::string::npos);
+  EXPECT_NE(
+    run.Messages().find("The surface was not checked for self-intersections"), std::string::npos);
   EXPECT_GE(run.Surface(0)->GetNumberOfCells(), 1);
 }
 
