@@ -160,7 +160,8 @@ public:
   vtkGetMacro(Side, int);
   ///@}
 
-  ///@{ Report narrowings up to this radius: in percent of the side's reference length, the largest
+  ///@{
+  /// Report narrowings up to this radius: in percent of the side's reference length, the largest
   /// radius at which anything on that side is filled, or in the unit of the points. Default 100 %.
   vtkSetMacro(MaximumRadius, double);
   vtkGetMacro(MaximumRadius, double);
@@ -185,7 +186,8 @@ public:
   vtkGetMacro(MinimumPersistenceUnit, int);
   ///@}
 
-  ///@{ Given (default): MinimumPersistence separates additional loops from noise. LargestGap: the
+  ///@{
+  /// Given (default): MinimumPersistence separates additional loops from noise. LargestGap: the
   /// largest gap of each side's diagram separates them (field data `ProposedThreshold`). Gaps
   /// narrower than 1 % of the reference length are ignored; if no gap is wider, the threshold is
   /// that 1 %.
@@ -193,24 +195,28 @@ public:
   vtkGetMacro(ThresholdMode, int);
   ///@}
 
-  ///@{ Report at most this many features, those of the largest persistence. 0 (default): all.
+  ///@{
+  /// Report at most this many features, those of the largest persistence. 0 (default): all.
   vtkSetClampMacro(MaximumNumberOfLoops, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfLoops, int);
   ///@}
 
-  ///@{ Drop features of any kind with a loop longer than this, in the unit of the points. 0
+  ///@{
+  /// Drop features of any kind with a loop longer than this, in the unit of the points. 0
   /// (default): no limit.
   vtkSetMacro(MaximumLength, double);
   vtkGetMacro(MaximumLength, double);
   ///@}
 
-  ///@{ Drop features of any kind whose loops extend farther than this from the choke point, in
-  /// radii (the cell array `Reach`: 1 for a round neck, large for a slot). 0 (default): no limit.
+  ///@{
+  /// Drop features of any kind whose loops extend farther than this from the choke point, in radii
+  /// (the cell array `Reach`: 1 for a round neck, large for a slot). 0 (default): no limit.
   vtkSetMacro(MaximumReach, double);
   vtkGetMacro(MaximumReach, double);
   ///@}
 
-  ///@{ Drop features that may be caused by the sampling (cell array `Trusted` is 0). Default off.
+  ///@{
+  /// Drop features that may be caused by the sampling (cell array `Trusted` is 0). Default off.
   vtkSetMacro(TrustedOnly, bool);
   vtkGetMacro(TrustedOnly, bool);
   vtkBooleanMacro(TrustedOnly, bool);
@@ -222,7 +228,8 @@ public:
     ByLength
   };
 
-  ///@{ Sort order of the features in the outputs, ascending. Default ByRadius.
+  ///@{
+  /// Sort order of the features in the outputs, ascending. Default ByRadius.
   vtkSetClampMacro(LoopOrder, int, ByRadius, ByLength);
   vtkGetMacro(LoopOrder, int);
   ///@}
@@ -234,7 +241,8 @@ public:
   vtkBooleanMacro(AlwaysReportHandles, bool);
   ///@}
 
-  ///@{ Delaunay (default): the alpha complex of samples of the surface, exact. TetrahedralMesh: the
+  ///@{
+  /// Delaunay (default): the alpha complex of samples of the surface, exact. TetrahedralMesh: the
   /// lower-star filtration (thesis, 6.3.1) of MorseFunction on the mesh of input 1, or on one of
   /// about 200,000 tetrahedra that TetGen creates inside the filter, with the surface's triangles
   /// split to their size. Narrowings within the error of the mesh are not reported, with a warning.
@@ -242,7 +250,8 @@ public:
   vtkGetMacro(Filtration, int);
   ///@}
 
-  ///@{ With TetrahedralMesh: ClosestPoint (default), the exact distance to the surface; EdgePaths,
+  ///@{
+  /// With TetrahedralMesh: ClosestPoint (default), the exact distance to the surface; EdgePaths,
   /// the shortest way along edges of the mesh (Dijkstra); GridDistance, the exact distance at the
   /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1;
   /// FastMarching, the distance computed on that grid by fast marching from the surface, sampled
@@ -258,13 +267,15 @@ public:
   vtkGetMacro(MorseArrayName, std::string);
   ///@}
 
-  ///@{ Edges of the surface are split until none is longer than this, in the unit of the points. 0
+  ///@{
+  /// Edges of the surface are split until none is longer than this, in the unit of the points. 0
   /// (default): automatic, about 20,000 samples, and more if a feature is too small for them.
   vtkSetMacro(SampleSpacing, double);
   vtkGetMacro(SampleSpacing, double);
   ///@}
 
-  ///@{ None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface.
+  ///@{
+  /// None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface.
   /// Geodesic (default): until no loop gets shorter.
   vtkSetClampMacro(Shortening, int, None, Geodesic);
   vtkGetMacro(Shortening, int);
@@ -272,30 +283,34 @@ public:
   vtkGetMacro(ShorteningRounds, int);
   ///@}
 
-  ///@{ Which membrane spans a choke; its boundary is the loop that is shortened. Automatic
-  /// (default): the membrane closed by the filtration, or another one if its loop does not belong
-  /// to the choke point. MinimumCut: the membrane of least area through the choke triangle. Greedy,
-  /// with TetrahedralMesh only: grown from the choke triangle down to the surface in steps of least
-  /// cost (thesis, 6.3.2; MinimumCutMembrane.h). If a method finds no membrane, the automatic one
-  /// is used, and the cell array `Method` of the membranes is 0.
+  ///@{
+  /// Which membrane spans a choke; its boundary is the loop that is shortened. Automatic (default):
+  /// the membrane closed by the filtration, or another one if its loop does not belong to the choke
+  /// point. MinimumCut: the membrane of least area through the choke triangle. Greedy, with
+  /// TetrahedralMesh only: grown from the choke triangle down to the surface in steps of least cost
+  /// (thesis, 6.3.2; MinimumCutMembrane.h). If a method finds no membrane, the automatic one is
+  /// used, and the cell array `Method` of the membranes is 0.
   vtkSetClampMacro(MembraneMethod, int, Automatic, Greedy);
   vtkGetMacro(MembraneMethod, int);
   ///@}
 
-  ///@{ Analyse a surface even if it intersects itself, with a warning. Default off.
+  ///@{
+  /// Analyse a surface even if it intersects itself, with a warning. Default off.
   vtkSetMacro(AllowSelfIntersections, bool);
   vtkGetMacro(AllowSelfIntersections, bool);
   vtkBooleanMacro(AllowSelfIntersections, bool);
   ///@}
 
-  ///@{ Close holes of the surface, planar or not, before the search. Default off.
+  ///@{
+  /// Close holes of the surface, planar or not, before the search. Default off.
   vtkSetMacro(CapHoles, bool);
   vtkGetMacro(CapHoles, bool);
   vtkBooleanMacro(CapHoles, bool);
   ///@}
 
-  ///@{ Memory limit of the analysis, in MiB; 0 (default): the available memory. If the samples do
-  /// not fit, an error is reported.
+  ///@{
+  /// Memory limit of the analysis, in MiB; 0 (default): the available memory. If the samples do not
+  /// fit, an error is reported.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}

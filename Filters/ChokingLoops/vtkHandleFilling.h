@@ -48,20 +48,23 @@ public:
     Both
   };
 
-  ///@{ Inside: handles are cut; Outside: tunnels are filled; Both (default): the narrower of the
-  /// two is removed.
+  ///@{
+  /// Inside: handles are cut; Outside: tunnels are filled; Both (default): the narrower of the two
+  /// is removed.
   vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
 
-  ///@{ Thickness of the plate that fills a tunnel, and width of the gap that cuts a handle, in
-  /// radii of the tunnel or handle: above 0, at most 1; reduced where the wall beside it is thin.
-  /// Default 0.25.
+  ///@{
+  /// Thickness of the plate that fills a tunnel, and width of the gap that cuts a handle, in radii
+  /// of the tunnel or handle: above 0, at most 1; reduced where the wall beside it is thin. Default
+  /// 0.25.
   vtkSetMacro(Thickness, double);
   vtkGetMacro(Thickness, double);
   ///@}
 
-  ///@{ As in vtkChokingLoops: longest edge of the samples; 0 (default): automatic.
+  ///@{
+  /// As in vtkChokingLoops: longest edge of the samples; 0 (default): automatic.
   vtkSetMacro(SampleSpacing, double);
   vtkGetMacro(SampleSpacing, double);
   ///@}

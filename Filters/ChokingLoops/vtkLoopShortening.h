@@ -32,7 +32,8 @@ public:
   vtkTypeMacro(vtkLoopShortening, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{ Maximum number of rounds; each finds the shortest path in a strip of triangles and reroutes
+  ///@{
+  /// Maximum number of rounds; each finds the shortest path in a strip of triangles and reroutes
   /// the strip. Default 1000, which in practice means until the loop is a geodesic.
   vtkSetClampMacro(MaximumRounds, int, 1, 100000);
   vtkGetMacro(MaximumRounds, int);

@@ -103,7 +103,8 @@ public:
   /// Level as panels and state files set it: AutomaticLevel stays as it is.
   void SetPanelLevel(double level);
 
-  ///@{ Use the recommended level, or else an estimated one, instead of Level. Default on.
+  ///@{
+  /// Use the recommended level, or else an estimated one, instead of Level. Default on.
   void SetAutomaticLevel(bool automatic);
   vtkGetMacro(AutomaticLevel, bool);
   vtkBooleanMacro(AutomaticLevel, bool);
@@ -119,7 +120,8 @@ public:
   vtkBooleanMacro(InsideIsHigher, bool);
   ///@}
 
-  ///@{ Keep this many components of the surface, those of the largest area; 0 (default): all.
+  ///@{
+  /// Keep this many components of the surface, those of the largest area; 0 (default): all.
   vtkSetClampMacro(LargestComponents, int, 0, VTK_INT_MAX);
   vtkGetMacro(LargestComponents, int);
   ///@}

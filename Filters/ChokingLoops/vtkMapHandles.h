@@ -92,7 +92,8 @@ public:
   vtkGetVector2Macro(Range, double);
   ///@}
 
-  ///@{ Use the stable level (default) or Level for contour and loops. The stable level is derived
+  ///@{
+  /// Use the stable level (default) or Level for contour and loops. The stable level is derived
   /// from the topology of the map over all levels; it differs from the automatic level of
   /// vtkMapSurface and vtkMapChokingLoops, which is recommended by the depositors or separates the
   /// values of molecule and surroundings. Setting Level does not switch UseStableLevel off.
@@ -118,7 +119,8 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  ///@{ Find the choking loops of the contour. Default off, since it takes seconds to minutes.
+  ///@{
+  /// Find the choking loops of the contour. Default off, since it takes seconds to minutes.
   vtkSetMacro(Loops, bool);
   vtkGetMacro(Loops, bool);
   vtkBooleanMacro(Loops, bool);

@@ -38,12 +38,14 @@ public:
     Both
   };
 
-  ///@{ Inside, Outside (of a closed surface, whichever way it is oriented) or Both (default).
+  ///@{
+  /// Inside, Outside (of a closed surface, whichever way it is oriented) or Both (default).
   vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
 
-  ///@{ Grid cells along the longest side of the offset's bounding box. Default 128.
+  ///@{
+  /// Grid cells along the longest side of the offset's bounding box. Default 128.
   vtkSetClampMacro(Resolution, int, 8, 1024);
   vtkGetMacro(Resolution, int);
   ///@}

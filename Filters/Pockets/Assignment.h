@@ -13,15 +13,16 @@ namespace isthmus
 {
 
 /**
- * For each row of `costs` its column, or -1: each column once, the sum of costs the least, where a
- * row without a column costs `alone`. So no pair costs more than that. HUGE_VAL: can't be a pair.
+ * Returns for each row of `costs` its column, or -1 if it has none. Each column is used at most
+ * once, and the total cost is minimal, where a row without a column costs `alone`, so no pair costs
+ * more than that. HUGE_VAL marks pairs that are not allowed.
  *
  * Shortest augmenting paths with potentials (J. Munkres, J. SIAM 5 (1957) 32; R. Jonker and A.
  * Volgenant, Computing 38 (1987) 325). O(rows^2 (rows + columns)). @pre rows of `columns` numbers,
  * none negative or NaN.
  *
- * Why not Boost.Graph: maximum_weighted_matching is for general graphs; on 20 random rows it took
- * 70 times the CPU time and, with weights of doubles, missed the optimum (Boost 1.74).
+ * Boost.Graph is not used: its maximum_weighted_matching is for general graphs, took 70 times the
+ * CPU time on 20 random rows and, with double weights, missed the optimum (Boost 1.74).
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> AssignAtLeastCost(
   const std::vector<std::vector<double>>& costs, std::size_t columns, double alone);

@@ -22,14 +22,14 @@ namespace isthmus
 namespace
 {
 
-/// A residue near a site: its first atom, by which it is named, and how many.
+/// A residue near a site: its first atom, which provides its name, and the number of its atoms.
 struct NearResidue
 {
   std::size_t First;
   int Atoms = 0;
 };
 
-/// Residues by what makes them one.
+/// Residues by their identity.
 using NearResidues = std::map<std::tuple<std::string, int, std::string, std::string>, NearResidue>;
 
 std::string ListOf(const NearResidues& residues, const MoleculeAtoms& atoms)

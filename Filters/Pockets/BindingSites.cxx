@@ -25,7 +25,7 @@ void Check(bool good, const char* what, double value, const char* range)
   if (!good)
   {
     throw std::invalid_argument(
-      std::string(what) + " is " + FormatNumber(value) + ", but should be " + range + ".");
+      std::string(what) + " is " + FormatNumber(value) + ", but must be " + range + ".");
   }
 }
 

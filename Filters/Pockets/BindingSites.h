@@ -1,19 +1,19 @@
 /**
  * @file BindingSites.h
- * @brief Patches of a surface where a quantity is large, ranked: likely binding sites.
+ * @brief Finds and ranks patches of a surface where a quantity is large: likely binding sites.
  *
- * **Patches.** Points of the same kind whose amplitude is above a threshold and that edges connect.
- * The threshold is a value, or the quantile q of the surface's area: the value that a fraction 1 -
- * q of the area exceeds (points without a kind count with amplitude 0). Patches of the same kind
- * with points not farther apart than MergeDistance (straight through space) become one.
+ * **Patches.** Points of the same kind that are connected by edges and whose amplitude is above a
+ * threshold. The threshold is a value, or the quantile q of the surface's area: the value exceeded
+ * on a fraction 1 - q of the area (points without a kind count with amplitude 0). Patches of the
+ * same kind with points no farther apart than MergeDistance (straight through space) are merged.
  *
  * **Measures**, with A_i the area of point i (a third of its triangles):
  * - Score = sum of A_i x amplitude_i, the integral over the patch;
  * - Area = sum of A_i; Centre and MeanPotential: means weighted by A_i;
- * - MeanDepth: likewise, of the distance of a point to the convex hull of the surface,
- *   depth(x) = min over unit vectors n of (max over surface points p of n.p) - n.x, taken over 1000
- *   directions: HullDepth.h says by how much that is too large (about 0.2 angstrom for proteins).
- *   The hull needs no probe radius and no grid; a cavity's depth is its distance to the outside.
+ * - MeanDepth: the mean distance of a point to the convex hull of the surface, depth(x) = min over
+ *   unit vectors n of (max over surface points p of n.p) - n.x, over 1000 directions: HullDepth.h
+ *   states by how much this is too large (about 0.2 angstrom for proteins). The hull needs no probe
+ *   radius and no grid; a cavity's depth is its distance to the outside.
  *
  * A patch lines a pocket, so its Centre, the mean of points on the wall, lies within the pocket.
  */
@@ -42,8 +42,8 @@ struct BindingSiteOptions
 {
   bool UseQuantile = true;
   double Quantile = 0.93;     ///< in [0, 1)
-  double Threshold = 0.0;     ///< of the amplitude, without UseQuantile
-  double MergeDistance = 1.0; ///< length; 0: patches stay as they are
+  double Threshold = 0.0;     ///< of the amplitude, if UseQuantile is off
+  double MergeDistance = 1.0; ///< length; 0: patches are not merged
   double MinimumArea = 5.0;   ///< length^2; smaller patches are dropped
   SiteRanking Ranking = SiteRanking::Score;
 };
@@ -51,8 +51,8 @@ struct BindingSiteOptions
 /// One value for each point of the surface.
 struct SiteFields
 {
-  std::vector<double> Amplitude;   ///< not negative; NaN: no part of any patch
-  std::vector<unsigned char> Kind; ///< 0: no part of any patch
+  std::vector<double> Amplitude;   ///< not negative; NaN: not part of any patch
+  std::vector<unsigned char> Kind; ///< 0: not part of any patch
   std::vector<double> Potential;   ///< for the mean only; may be empty (mean NaN)
 };
 
@@ -71,17 +71,17 @@ struct BindingSite
 struct BindingSiteResult
 {
   std::vector<BindingSite> Sites; ///< the first is the best; ties in the order of lowest point ids
-  std::vector<int> Labels;        ///< for each point: 0, or 1 + the place in Sites
-  double Threshold = 0.0;         ///< what was used
+  std::vector<int> Labels;        ///< for each point: 0, or 1 + index in Sites
+  double Threshold = 0.0;         ///< the threshold used
 };
 
 /**
  * Finds and ranks the patches.
  *
  * Throws std::invalid_argument for a quantile outside [0, 1), and a threshold, distance or area
- * that is negative or not finite; Cancelled. Bitwise the same on any number of threads. Time: O(n
- * log n) for n points, plus 1000 n for the hull, in parallel (50 ms for 50 000 points), plus the
- * pairs of selected points within MergeDistance. Memory: 60 bytes a point.
+ * that is negative or not finite; Cancelled. Results are bitwise the same on any number of threads.
+ * Time: O(n log n) for n points, plus 1000 n for the hull, in parallel (50 ms for 50 000 points),
+ * plus the number of pairs of selected points within MergeDistance. Memory: 60 bytes per point.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT BindingSiteResult FindBindingSites(const SurfaceView& mesh,
   const SiteFields& fields, const BindingSiteOptions& options,

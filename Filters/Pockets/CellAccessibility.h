@@ -12,12 +12,14 @@ namespace isthmus
 {
 
 /**
- * *Clearance*: the radius of the largest ball that touches no atom, centred at the orthogonal
- * sphere's centre of a tetrahedron, or of a triangle (where its latest coface is, if attached):
- * sqrt(a + R^2) - r for the value a and the largest of the simplex' atoms, R = r + probe.
+ * *Clearance*: the radius of the largest ball that touches no atom, centred at the centre of the
+ * orthogonal sphere of a tetrahedron or triangle (for an attached triangle, that of its latest
+ * coface). It is sqrt(a + R^2) - r for the value a of the simplex and the radius r of its largest
+ * atom, with R = r + probe.
  *
- * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all
- * paths through triangles of the least clearance met (the dual, over H2, of where voids are born).
+ * *Access*: the radius of the largest ball that gets there from outside: the maximum over all paths
+ * through triangles of the least clearance on the path (the dual, over H2, of where voids are
+ * born).
  */
 struct CellAccessibility
 {
@@ -25,13 +27,13 @@ struct CellAccessibility
   HandleVector<TriangleId, double> TriangleClearance;
   HandleVector<TetrahedronId, double> Access;
   HandleVector<TetrahedronId, TriangleId>
-    TowardsOutside; ///< the triangle that the widest path takes
+    TowardsOutside; ///< the triangle through which the widest path leaves
 };
 
-/// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
-/// algorithm, 1 us a tetrahedron. Of paths that are equally wide, as symmetric molecules have them,
-/// the one whose first triangle to enter the filtration enters last is the widest, so that paths
-/// agree with the pairs of the filtration; then the lower id.
+/// `probe` is the length by which the radii of `f` have been enlarged. O(n log n): one pass of
+/// Dijkstra's algorithm, 1 us per tetrahedron. Symmetric molecules have equally wide paths. Of
+/// these, the path whose earliest triangle enters the filtration last is chosen, so that paths
+/// agree with the pairs of the filtration; then the lower id decides.
 VTKISTHMUSFILTERSPOCKETS_EXPORT CellAccessibility FindAccess(
   const RegularFiltration& f, const FacesByCell& faces, double probe);
 

@@ -70,7 +70,7 @@ void TakeLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell
   }
 }
 
-/// What of each hull simplex lies outside of all tetrahedra, as a fraction.
+/// The fraction of the ball of each hull simplex that lies outside all tetrahedra.
 struct OuterShare
 {
   std::vector<double> OfVertex;
@@ -128,7 +128,7 @@ private:
   }
 };
 
-/// Adds what the balls fill, and show, outside of all tetrahedra.
+/// Adds the volume and surface of the balls outside all tetrahedra.
 void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
 {
   const CellFiltration& c = f.Complex;

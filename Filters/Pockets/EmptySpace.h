@@ -1,18 +1,19 @@
 /**
  * @file EmptySpace.h
- * @brief Empty volume of each tetrahedron between balls, and the surface of the balls that faces
- * it.
+ * @brief Empty volume of each tetrahedron between balls, and the surface of the balls facing it.
  *
- * With K the dual complex of the balls' union (the simplices of value 0 and less), the union is the
- * alternating sum over K of what the balls of a simplex share: balls - lenses + threes - fours
- * (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415). Each term is shared among the tetrahedra
- * around its simplex by their angles there. A tetrahedron of K is full; another one keeps
+ * With K the dual complex of the balls' union (the simplices of value 0 and less), the volume of
+ * the union is the alternating sum over K of the intersections of the balls of a simplex: single
+ * balls - intersections of two (lenses) + of three - of four (H. Edelsbrunner, Discrete Comput.
+ * Geom. 13 (1995) 415). Each term is divided among the tetrahedra around its simplex in proportion
+ * to their angles there. A tetrahedron of K is full; the empty volume of any other one is
  *
- *   volume - sum of sectors + sum of slices of lenses - sum of halves of threes,
+ *   volume - sum of sectors + sum of slices of lenses - sum of halves of intersections of three,
  *
- * and likewise for the area, by atom. A single figure may be negative. Sums over the tetrahedra of
- * a void are exact; where a region ends at a mouth, balls are cut as their sectors are and not by
- * the mouth's triangles, so that the parts of any division of space add up to the whole.
+ * and similarly for the area of each atom. The value of a single tetrahedron may be negative. Sums
+ * over the tetrahedra of a void are exact; where a region ends at a mouth, balls are divided by
+ * sectors and not by the mouth's triangles, so that the parts of any division of space add up to
+ * the whole.
  */
 #ifndef isthmus_EmptySpace_h
 #define isthmus_EmptySpace_h
@@ -26,14 +27,15 @@ namespace isthmus
 
 struct EmptyCell
 {
-  double Volume = 0.0;          ///< not inside of any ball
-  std::array<double, 4> Area{}; ///< of the balls' surface, by the tetrahedron's corners
+  double Volume = 0.0;          ///< outside all balls
+  std::array<double, 4> Area{}; ///< area of the balls' surface, by the tetrahedron's corners
 };
 
 /// The triangle opposite to each corner of each tetrahedron.
 using FacesByCell = HandleVector<TetrahedronId, std::array<TriangleId, 4>>;
 
-/// Of tetrahedron `cell`, which must not belong to K (its value is above 0). About 3 us.
+/// The empty space of tetrahedron `cell`, which must not belong to K (its value is above 0). About
+/// 3 us.
 VTKISTHMUSFILTERSPOCKETS_EXPORT EmptyCell EmptySpaceOf(
   const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
 
@@ -47,8 +49,8 @@ struct UnionMeasure
 };
 
 /**
- * Of the balls of `f`; `empty` holds EmptySpaceOf each tetrahedron (zeros for those of K). Needs at
- * least one tetrahedron.
+ * The union of the balls of `f`; `empty` holds EmptySpaceOf() each tetrahedron (zeros for those of
+ * K). Needs at least one tetrahedron.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(
   const RegularFiltration& f, const HandleVector<TetrahedronId, EmptyCell>& empty);

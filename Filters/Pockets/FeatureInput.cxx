@@ -40,7 +40,7 @@ double ValueOf(vtkDataArray* array, vtkIdType i)
   return array ? array->GetComponent(i, 0) : Unknown;
 }
 
-/// What a list separated by commas holds, sorted.
+/// The items of a list separated by commas, sorted.
 std::vector<std::string> NamesIn(const std::string& list)
 {
   std::vector<std::string> names;
@@ -79,7 +79,7 @@ std::vector<InputFeature> RowsOf(vtkTable* table)
         {
           throw std::invalid_argument(TextOf("Row ", row, " of the table has the ",
             coordinate->GetName(), " ", coordinate->GetComponent(row, 0),
-            ", which is not finite: a feature without a place cannot be followed. Take it out."));
+            ", which is not finite: a feature without a position cannot be tracked. Remove it."));
         }
       }
       features.push_back({ { { ValueOf(at[0], row), ValueOf(at[1], row), ValueOf(at[2], row) },
@@ -91,14 +91,14 @@ std::vector<InputFeature> RowsOf(vtkTable* table)
   }
   if (table->GetNumberOfRows() > 0)
   {
-    throw std::invalid_argument("The table has no columns CenterX, CenterY, CenterZ (nor "
-                                "BottleneckX, ...): take the Ranking of Molecular Pockets, the "
-                                "Pores of Pore Profile, or points.");
+    throw std::invalid_argument(
+      "The table has no columns CenterX, CenterY, CenterZ (nor BottleneckX, ...): use the Ranking "
+      "of Molecular Pockets, the Pores of Pore Profile, or points.");
   }
   return features;
 }
 
-/// The arrays that say which feature a cell or point belongs to.
+/// The arrays that assign cells or points to features.
 struct Owner
 {
   vtkDataSetAttributes* Data = nullptr;
@@ -167,14 +167,14 @@ struct FeatureSum
     }
   }
 
-  /// The plain mean where nothing has a weight.
+  /// The unweighted mean if all weights are 0.
   Point3 Place() const
   {
     return this->Weight > 0.0 ? (1.0 / this->Weight) * this->Sum
                               : (1.0 / this->Count) * this->PlainSum;
   }
 
-  /// Empty room with so many atoms around it.
+  /// Empty volume weighted by the number of atoms around it.
   void AddRoom(double volume, double atoms)
   {
     const double share = volume * BurialWeight(atoms);
@@ -198,7 +198,7 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
     if (!std::isfinite(key.first) || !std::isfinite(key.second) ||
       (isOfCells && input->GetCellSize(i) == 0))
     {
-      continue; // belongs to nothing, or is nowhere
+      continue; // belongs to no feature, or has no position
     }
     FeatureSum& group = groups[key];
     Point3 place;
@@ -259,7 +259,7 @@ std::vector<InputFeature> PointsOf(vtkPointSet* input)
   return features;
 }
 
-/// Gives each feature the residues that the lining table has under its number.
+/// Assigns to each feature the residues listed under its number in the lining table.
 void AddLining(vtkTable* lining, std::vector<InputFeature>& features)
 {
   vtkDataArray* owner = NumbersOf(lining->GetRowData(), "PocketId");
@@ -305,7 +305,7 @@ std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining)
   const bool areBottlenecks = owner.IsPore && owner.Part;
   if (!owner.Whole || areBottlenecks)
   {
-    vtkNew<vtkPolyData> all; // each point counts, also those that no cell uses
+    vtkNew<vtkPolyData> all; // all points count, including those that no cell uses
     all->SetPoints(points->GetPoints());
     RequirePlaces(all, "the features");
     return PointsOf(points);

@@ -1,7 +1,7 @@
 /**
  * @file FeatureInput.h
- * @brief The features of one time step in VTK's data: rows of a table, points, or what an id
- * groups.
+ * @brief The features of one time step in VTK data: rows of a table, points, or groups with the
+ * same id.
  */
 #ifndef isthmus_FeatureInput_h
 #define isthmus_FeatureInput_h
@@ -17,7 +17,8 @@ class vtkTable;
 namespace isthmus
 {
 
-/// A feature, what is carried along (Radius, Volume, Score; NaN: not known), and its number there.
+/// A feature, the values carried along (Radius, Volume, Score; NaN: not known), and its number in
+/// the input.
 struct InputFeature
 {
   TrackedFeature Feature;
@@ -26,18 +27,18 @@ struct InputFeature
 };
 
 /**
- * Of a table: a feature for each row, at CenterX, CenterY, CenterZ or BottleneckX, ...
+ * From a table: one feature per row, at CenterX, CenterY, CenterZ or BottleneckX, ...
  *
- * Of points: a feature for each PocketId (each of its mouths, where there is a MouthId), PoreId
- * (each of its bottlenecks, where there is a Rank) or FeatureId, an array of the cells or points;
- * each point, where there is none of them. A pocket's tetrahedra are weighed as in its score, a
- * pore is where it is narrowest, any other feature where its points are in the mean. The residues
- * of a point are those that its array `Residues` names, separated by commas.
+ * From points: one feature per value of the cell or point array PocketId (per mouth, if there is a
+ * MouthId), PoreId (per bottleneck, if there is a Rank) or FeatureId; without any of these arrays,
+ * one feature per point. The position of a pocket is the mean of its tetrahedra with the weights of
+ * its score, that of a pore is its narrowest place, and that of any other feature is the mean of
+ * its points. The residues of a point are those named in its array `Residues`, separated by commas.
  *
- * `lining`, or null: the residues by PocketId or PoreId, for rows, pockets and pores; those of a
- * single mouth or bottleneck they are not.
+ * `lining`, or null: the residues by PocketId or PoreId, for rows, pockets and pores. It does not
+ * apply to single mouths or bottlenecks.
  *
- * Throws std::invalid_argument for a table without places.
+ * Throws std::invalid_argument for a table without positions.
  */
 std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining);
 

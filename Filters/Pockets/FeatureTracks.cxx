@@ -14,20 +14,20 @@ namespace isthmus
 namespace
 {
 
-/// Two features whose distance, radii and residues together cost more are not one.
+/// Two features with a higher total cost of distance, radii and residues are not the same.
 constexpr double Alone = 2.0;
 
-/// With this share of common residues they are recognised wherever they are.
+/// With this share of common residues they are the same wherever they are.
 constexpr double Alike = 1.0 / 3.0;
 
-/// So many of its last features a track is recognised by: what merges or splits for a time step is
-/// then itself again.
+/// Number of last features by which a track is recognised, so that it survives a merge or split of
+/// a single time step.
 constexpr std::size_t Remembered = 4;
 
-/// A feature by its place in its frame.
+/// A feature by its index in its frame.
 using FeaturePlace = Handle<struct PlaceInFrame, std::size_t>;
 
-/// Where a track has been.
+/// An occurrence of a track.
 struct Sighting
 {
   std::size_t Frame;
@@ -37,7 +37,7 @@ struct Sighting
 struct OpenTrack
 {
   int Number;
-  int Whole;                       ///< the track that it has split off; -1: none
+  int Whole;                       ///< the track from which it has split off; -1: none
   std::vector<Sighting> Sightings; ///< the last ones
 
   bool WasSeenBefore(std::size_t frame) const { return this->Sightings.back().Frame + 1 == frame; }
@@ -65,7 +65,7 @@ double Likeness(const TrackedFeature& a, const TrackedFeature& b)
                       : 0.0;
 }
 
-/// HUGE_VAL where the two can't be one.
+/// HUGE_VAL if the two cannot be the same.
 double Cost(const TrackedFeature& a, const TrackedFeature& b, double furthest)
 {
   const Point3 d = b.Place - a.Place;
@@ -86,7 +86,7 @@ double Cost(const TrackedFeature& a, const TrackedFeature& b, double furthest)
   return isKnown ? cost + 1.0 - likeness : cost;
 }
 
-/// Works off the frames one after the other.
+/// Processes the frames one after the other.
 class Tracker
 {
 public:
@@ -145,7 +145,7 @@ private:
     this->Open.erase(std::remove_if(this->Open.begin(), this->Open.end(), isOld), this->Open.end());
   }
 
-  /// Of each open track with each feature: the least over the track's sightings.
+  /// The cost of each open track with each feature: the minimum over the track's sightings.
   std::vector<std::vector<double>> Costs(std::size_t frame) const
   {
     std::vector<std::vector<double>> costs;
@@ -165,14 +165,15 @@ private:
     return costs;
   }
 
-  /// `other` has split off from `track`, or has been missing while that has not.
+  /// `other` has split off from `track`, or was missing while `track` was not.
   bool GoesBefore(const OpenTrack& track, const OpenTrack& other, std::size_t frame) const
   {
     return other.Whole == track.Number ||
       (track.WasSeenBefore(frame) && !other.WasSeenBefore(frame));
   }
 
-  /// A track that goes before another one takes its place in what is like it, rather than to end.
+  /// A track that takes precedence over another one takes over a similar feature of it rather than
+  /// end.
   void OthersGiveWay(std::size_t frame, std::vector<int>& columnOf) const
   {
     for (std::size_t i = 0; i < this->Open.size(); ++i)
@@ -189,8 +190,8 @@ private:
     }
   }
 
-  /// Tracks that have just gone, and line what another one has now, have merged with it. They stay
-  /// open: they may come back after a gap.
+  /// Tracks that have just ended and whose residues now line another track have merged with it.
+  /// They stay open, since they may reappear after a gap.
   void NameMerged(std::size_t frame)
   {
     const auto& trackOf = this->Result.TrackOf[frame];
@@ -208,7 +209,7 @@ private:
     }
   }
 
-  /// Features without a track begin one.
+  /// Features without a track start a new one.
   void Begin(std::size_t frame, const std::vector<OpenTrack>& before)
   {
     const TrackFrame& features = this->Frames[frame];
@@ -246,12 +247,12 @@ FeatureTracks TrackFeatures(const std::vector<TrackFrame>& frames, const TrackOp
   if (!(options.MaximumDistance > 0.0) || std::isinf(options.MaximumDistance))
   {
     throw std::invalid_argument("MaximumDistance is " + FormatNumber(options.MaximumDistance) +
-      ", but it is a length: give a positive number.");
+      ", but it must be a positive length.");
   }
   if (options.MaximumGap < 0)
   {
     throw std::invalid_argument("MaximumGap is " + std::to_string(options.MaximumGap) +
-      ", but it is a number of time steps: give 0 or more.");
+      ", but it must be a number of time steps, 0 or more.");
   }
   Tracker tracker(frames, options);
   for (std::size_t i = 0; i < frames.size(); ++i)

@@ -15,7 +15,7 @@
 namespace isthmus
 {
 
-/// What a feature is recognised by.
+/// The properties by which a feature is recognised.
 struct TrackedFeature
 {
   Point3 Place{ 0.0, 0.0, 0.0 };
@@ -27,13 +27,14 @@ using TrackFrame = std::vector<TrackedFeature>;
 
 struct TrackOptions
 {
-  double MaximumDistance = 4.0; ///< that a feature moves from one time step to the next
-  int MaximumGap = 25;          ///< time steps that a track may miss
+  double MaximumDistance =
+    4.0;               ///< largest distance that a feature moves from one time step to the next
+  int MaximumGap = 25; ///< number of time steps that a track may miss
 };
 
 enum class TrackEventKind
 {
-  Merge, ///< Track ended and went on in Other
+  Merge, ///< Track ended and continued in Other
   Split  ///< Track began as a part of Other
 };
 
@@ -48,26 +49,28 @@ struct TrackEvent
 struct FeatureTracks
 {
   std::vector<std::vector<int>> TrackOf; ///< for each feature of each frame, from 0
-  int NumberOfTracks = 0;                ///< numbered in the order in which they begin
+  int NumberOfTracks = 0;                ///< tracks are numbered in the order in which they begin
   std::vector<TrackEvent> Events;
 };
 
 /**
- * Matches the features of each frame with the tracks so far, all at once (Assignment.h).
+ * Matches the features of each frame with the existing tracks by one optimal assignment
+ * (Assignment.h).
  *
  * Cost of a pair: distance over MaximumDistance (at most 1), plus the difference of radii over
- * their mean, plus one minus the share of common residues (Jaccard); the least over the track's
- * last four features counts, so that a pocket is recognised after a time step in which it was one
- * with another. A pair is possible within MaximumDistance and, where residues are known, with one
- * in common; or at any distance with a third of them in common: the centre of a pocket that gains a
- * room moves far. Pairs that cost more than 2 are none. A track that would end goes before one that
- * has split off from it, or that has been missing, in what is a third like it.
+ * their mean, plus one minus the share of common residues (Jaccard); the cost is the minimum over
+ * the track's last four features, so that a pocket is recognised after a time step in which it was
+ * merged with another one. A pair is possible within MaximumDistance if, where residues are known,
+ * they have at least one in common; or at any distance if they have a third of them in common,
+ * since the centre of a pocket that gains a chamber moves far. Pairs that cost more than 2 are
+ * excluded. A track that would otherwise end takes precedence over one that has split off from it,
+ * or that was missing, for features that share at least a third of its residues.
  *
- * A track that ends while half of its residues line another track's next feature has merged with
- * it; one that begins so has split off. A pocket that has merged, and comes back within MaximumGap,
- * has its own track again. Frames must be superposed.
+ * If half of the residues of a track that ends line the next feature of another track, the first
+ * has merged with the second; a track that begins in the same way has split off. A pocket that has
+ * merged and reappears within MaximumGap continues its own track. Frames must be superposed.
  *
- * O(frames x n^3) for n features that could be mixed up. Throws std::invalid_argument for options
+ * O(frames x n^3) for n features that compete for tracks. Throws std::invalid_argument for options
  * out of range; Cancelled.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT FeatureTracks TrackFeatures(const std::vector<TrackFrame>& frames,

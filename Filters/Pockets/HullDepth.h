@@ -15,11 +15,12 @@ namespace isthmus
 {
 
 /**
- * The convex hull as an intersection of 1000 half spaces n.x <= max over the surface of n.p, with n
- * evenly spread over the sphere (a Fibonacci lattice; no direction is farther than 0.07 from one of
- * them). It holds the hull, so depths are never too small. They are too large by at most 0.07 times
- * the distance from the nearest place of the hull to the next of its corners, and on a hull that is
- * round (radius R) by 0.0025 R. Points that no triangle uses don't count.
+ * The convex hull, approximated by an intersection of 1000 half spaces n.x <= max over the surface
+ * of n.p, with n evenly spread over the sphere (a Fibonacci lattice; no direction is farther than
+ * 0.07 from one of them). The intersection contains the hull, so depths are never too small. They
+ * are too large by at most 0.07 times the distance from the nearest point of the hull to the
+ * nearest of its corners, and on a round hull (radius R) by 0.0025 R. Points that no triangle uses
+ * are ignored.
  */
 class HullDepth
 {

@@ -23,7 +23,7 @@ const NamedAtom& AtomAt(const MoleculeAtoms& atoms, vtkIdType point)
   return atoms.Named[static_cast<std::size_t>(point)];
 }
 
-/// For each point the points that the lines of `input` lead to from it.
+/// For each point, the points connected to it by lines of `input`.
 std::vector<std::vector<vtkIdType>> BondedTo(vtkPointSet* input)
 {
   std::vector<std::vector<vtkIdType>> bonded;
@@ -50,7 +50,7 @@ std::string LabelOf(const NamedAtom& atom)
     (atom.Chain.empty() ? "" : " ") + atom.Chain;
 }
 
-/// That of a residue's atoms which bears its name: CA, else the first; none without names.
+/// The atom of a residue that carries its label: CA, otherwise the first; none without names.
 vtkIdType LabelledPoint(const MoleculeAtoms& atoms, const std::vector<vtkIdType>& residue)
 {
   if (!atoms.HasNames || residue.empty())

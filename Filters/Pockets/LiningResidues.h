@@ -1,6 +1,6 @@
 /**
  * @file LiningResidues.h
- * @brief The residues that line a pocket or a pore, as rows of a table and as atoms to show.
+ * @brief The residues that line a pocket or a pore, as rows of a table and as atoms to display.
  */
 #ifndef isthmus_LiningResidues_h
 #define isthmus_LiningResidues_h
@@ -23,14 +23,15 @@ class vtkTable;
 namespace isthmus
 {
 
-/// A residue with those of its atoms that line something. Without residue names, an atom each.
+/// A residue with those of its atoms that line a feature. Without residue names, each atom counts
+/// as a residue.
 struct LiningResidue
 {
   std::vector<vtkIdType> Points; ///< of the input
-  double Area = 0.0;             ///< of their surface that faces it
+  double Area = 0.0;             ///< area of their surface that faces the feature
 };
 
-/// In the order of the file.
+/// The residues in the order of the file.
 std::vector<LiningResidue> LiningResiduesOf(
   const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms);
 
@@ -57,7 +58,7 @@ private:
 };
 
 /// Whole residues as points with the input's arrays, and the input's bonds among them. The array
-/// `ResidueLabel` has the residue's name at one of its atoms ("ASP 52 A"), and nothing at the
+/// `ResidueLabel` has the residue's name at one of its atoms ("ASP 52 A") and is empty at the
 /// others.
 class ResidueAtoms
 {

@@ -31,7 +31,7 @@ namespace
 using PocketNumber = Handle<struct PocketKind, std::int32_t>;
 using PocketByCell = HandleVector<TetrahedronId, PocketNumber>;
 
-/// Empty room around a pocket that one of `Path`s has reached.
+/// Empty space around a pocket that one of the paths has reached.
 struct Path
 {
   double Width;
@@ -83,9 +83,9 @@ PocketByCell PocketCores(
 }
 
 /**
- * Gives the crevices to the pockets: empty tetrahedra too narrow for the inner ball that the probe
- * reaches from a pocket belong to the one with the widest path. So the room of a void is all of it.
- * O(n log n).
+ * Assigns crevices to pockets: empty tetrahedra that are too narrow for the inner ball but that the
+ * probe reaches from a pocket belong to the pocket with the widest path. A void therefore contains
+ * all of its space. O(n log n).
  */
 PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
   const CellAccessibility& access, double outer, const PocketByCell& cores)
@@ -124,7 +124,8 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
   return labels;
 }
 
-/// Area of a triangle that is not covered by the discs which its corners' balls are in its plane.
+/// Area of a triangle that is not covered by the discs in which its corners' balls intersect its
+/// plane.
 double OpenArea(const RegularFiltration& f, TriangleId triangle)
 {
   const CellFiltration& c = f.Complex;
@@ -233,7 +234,7 @@ void CheckLength(const char* name, double value)
   if (!(value > 0.0 && value <= 1000.0))
   {
     throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
-      ", but it is a length: give a positive number of angstrom, at most 1000.");
+      ", but it must be a length in angstrom, above 0 and at most 1000.");
   }
 }
 
@@ -251,16 +252,16 @@ void CheckOptions(const PocketOptions& options)
   {
     throw std::invalid_argument("OuterRadius is " + FormatNumber(options.OuterRadius) +
       ", but it must be larger than InnerRadius, " + FormatNumber(options.InnerRadius) +
-      ": a pocket is where the inner ball has room and the outer one does not come.");
+      ": a pocket has room for the inner ball and is not reached by the outer one.");
   }
   if (!(options.MinimumVolume >= 0.0) || std::isinf(options.MinimumVolume))
   {
     throw std::invalid_argument("MinimumVolume is " + FormatNumber(options.MinimumVolume) +
-      ", but it must be a finite number and not negative.");
+      ", but it must be finite and not negative.");
   }
 }
 
-/// The atoms by their place in space, which no order of a file changes.
+/// The atoms sorted by position, which does not depend on their order in the file.
 std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
 {
   std::vector<std::size_t> order(atoms.size());
@@ -284,7 +285,7 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
     if (atoms[i].Radius < 0.0)
     {
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
-        FormatNumber(atoms[i].Radius) + ", but a radius is not negative.");
+        FormatNumber(atoms[i].Radius) + ", but a radius must not be negative.");
     }
     centres.push_back(atoms[i].Centre);
     radii.push_back(atoms[i].Radius + options.ProbeRadius);
@@ -312,7 +313,7 @@ HandleVector<TetrahedronId, EmptyCell> EmptyCells(
   return empty;
 }
 
-/// What all pockets are made from.
+/// The data from which all pockets are computed.
 struct Space
 {
   RegularFiltration Filtration;
@@ -323,7 +324,7 @@ struct Space
 };
 
 /// Whether a tetrahedron has less than 1e-4 of the volume that its edges could enclose. Whether
-/// there are any at a flat side of the hull depends on the last bits of the atoms' places.
+/// such tetrahedra exist at a flat side of the hull depends on the last bits of the coordinates.
 bool IsFlat(const CellFiltration& c, const std::array<SimplexId, 4>& t)
 {
   constexpr double flat = 1e-4;
@@ -379,7 +380,7 @@ void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pock
     });
 }
 
-/// `isSites`: surface that the rest of a pocket takes away (EmptySpace.h) counts as none.
+/// `isSites`: negative contributions of the rest of a pocket (EmptySpace.h) are ignored.
 void FillLining(const Space& space, bool isSites, std::vector<Pocket>& pockets)
 {
   std::vector<std::map<std::int64_t, double>> areas(pockets.size());
@@ -406,7 +407,7 @@ void FillLining(const Space& space, bool isSites, std::vector<Pocket>& pockets)
   }
 }
 
-/// Atoms by their place in space.
+/// Atoms sorted by position.
 std::vector<SiteAtom> Sorted(std::vector<SiteAtom> atoms)
 {
   std::stable_sort(atoms.begin(), atoms.end(),
@@ -414,7 +415,7 @@ std::vector<SiteAtom> Sorted(std::vector<SiteAtom> atoms)
   return atoms;
 }
 
-/// Fills in SiteProbability, and returns the places; flat tetrahedra are none.
+/// Fills in SiteProbability and returns the places; flat tetrahedra are skipped.
 std::vector<SitePlace> FillSiteProbabilities(
   const PocketOptions& options, std::vector<Pocket>& pockets)
 {
@@ -498,7 +499,7 @@ std::vector<std::size_t> LikelyPlaces(
   return likely;
 }
 
-/// The pocket that most of these tetrahedra are part of, if any of them is.
+/// The pocket to which most of these tetrahedra belong, if any.
 PocketNumber ParentOf(const std::vector<CellPlace>& places, const PocketByCell& pockets)
 {
   std::map<PocketNumber, std::size_t> counts;
@@ -579,7 +580,7 @@ std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions
   return sites;
 }
 
-/// Gives back the numbers that the caller's atoms have.
+/// Restores the atom numbers of the caller.
 void Renumber(Pocket& pocket, const std::vector<std::size_t>& order)
 {
   const auto number = [&](std::int64_t& atom)

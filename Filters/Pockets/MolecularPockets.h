@@ -4,13 +4,13 @@
  *
  * **Pocket**: tetrahedra of the regular triangulation with space for a ball of InnerRadius that a
  * ball of OuterRadius does not reach from outside, connected through triangles that let the smaller
- * one pass, and the crevices around them: empty tetrahedra that the probe reaches from there, each
- * given to the pocket with the widest path to it. Where no triangle lets the inner ball out it is a
- * void.
+ * ball pass. A pocket includes the crevices around it: empty tetrahedra that the probe reaches from
+ * there, each assigned to the pocket with the widest path to it. If the inner ball cannot leave
+ * through any triangle, the pocket is a void.
  *
- * **Volume, Area**: what the probe's centre can reach of it, and the part of the accessible surface
- * that faces it, exact sums (EmptySpace.h). **Mouths**: triangles that the smaller ball passes on
- * its way out, grouped by shared edges.
+ * **Volume, Area**: the part of it that the probe's centre can reach, and the part of the
+ * accessible surface that faces it, as exact sums (EmptySpace.h). **Mouths**: triangles through
+ * which the smaller ball can leave, grouped by shared edges.
  *
  * **Score, rank, centre**: PocketScore.h.
  */
@@ -26,12 +26,12 @@ namespace isthmus
 {
 
 /**
- * Throws std::invalid_argument for options that are no positive lengths, an OuterRadius not above
- * InnerRadius, and atoms that are not finite; Cancelled. Fewer than four atoms, or all in one
+ * Throws std::invalid_argument for options that are not positive lengths, an OuterRadius not above
+ * InnerRadius, and atoms that are not finite; Cancelled. Fewer than four atoms, or atoms in one
  * plane, have no pockets.
  *
- * The result does not depend on the order of the atoms (save numbers of atoms in it), nor on the
- * number of threads, bit by bit. O(n log n): 60 us and 2 KB an atom.
+ * The result is bitwise independent of the order of the atoms (except for atom numbers in it) and
+ * of the number of threads. O(n log n): 60 us and 2 KB per atom.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT PocketResult FindPockets(const std::vector<Ball>& atoms,
   const PocketOptions& options, const ProgressCallback& progress = {});

@@ -20,86 +20,88 @@ struct SiteAtom;
 /// Lengths in angstrom.
 struct PocketOptions
 {
-  double ProbeRadius = 1.4; ///< of water: volumes and areas are those that its centre can reach
-  double InnerRadius = 1.7; ///< of a ball that fits into a pocket: a united carbon atom
-  double OuterRadius = 3.1; ///< of a ball that does not
+  double ProbeRadius =
+    1.4; ///< of water: volumes and areas are of the region that its centre can reach
+  double InnerRadius = 1.7; ///< of a ball that fits into a pocket: a united-atom carbon
+  double OuterRadius = 3.1; ///< of a ball that does not fit into a pocket
   double BurialRadius = 10.0;
   double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are dropped
-  /// The heavy atoms with what they offer to ligands (SiteDescriptors.h): pockets are then divided
-  /// into sites of a ligand's size, ranked by their probability. Null: whole pockets, ranked by
-  /// Score.
+  /// The heavy atoms with their properties for binding (SiteDescriptors.h): pockets are then
+  /// divided into sites of the size of a ligand, ranked by their probability. Null: whole pockets,
+  /// ranked by Score.
   const std::vector<SiteAtom>* SiteAtoms = nullptr;
   bool KeepDescriptors = false; ///< SitePlace::Descriptors
-  /// Called with the seconds that the triangulation is going to take (RegularFiltration.h).
+  /// Called with the predicted time of the triangulation in seconds (RegularFiltration.h).
   std::function<void(double)> Predicted;
 };
 
-/// A way out of a pocket.
+/// An opening through which a ball can leave a pocket.
 struct PocketMouth
 {
   double Radius = 0.0;                                ///< of the largest ball that passes
-  double Area = 0.0;                                  ///< open to the probe's centre
+  double Area = 0.0;                                  ///< area accessible to the probe's centre
   std::vector<std::array<std::int64_t, 3>> Triangles; ///< of atoms
-  std::vector<double> Clearance;                      ///< one for each
+  std::vector<double> Clearance;                      ///< one for each triangle
 };
 
 /// A tetrahedron of a pocket.
 struct PocketCell
 {
   std::array<std::int64_t, 4> Atoms;
-  Point3 Centre; ///< of the ball that is orthogonal to the four atoms enlarged by the probe
-  double Clearance = 0.0;  ///< radius of the ball there that touches no atom
+  Point3 Centre; ///< of the sphere that is orthogonal to the four atoms enlarged by the probe
+  double Clearance = 0.0;  ///< radius of the largest ball there that touches no atom
   double Access = 0.0;     ///< radius of the largest ball that gets there from outside
-  double Volume = 0.0;     ///< empty; only sums over voids count (EmptySpace.h)
+  double Volume = 0.0;     ///< empty volume; only sums over voids are meaningful (EmptySpace.h)
   std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
   double Size = 0.0;       ///< volume of the tetrahedron
-  bool IsFlat = false;     ///< its centre may lie anywhere: at a flat side of the hull, far outside
-  double SiteProbability = 0.0; ///< that a ligand's atom is near its centre
+  bool IsFlat = false; ///< its centre may lie anywhere, at a flat side of the hull even far outside
+  double SiteProbability = 0.0; ///< probability that a ligand's atom is near its centre
 };
 
 struct LiningAtom
 {
   std::int64_t Atom;
-  double Area; ///< of its surface that faces the pocket
+  double Area; ///< area of its surface that faces the pocket
 };
 
-/// A pocket, or one of the sites that it is divided into.
+/// A pocket, or one of the sites into which it is divided.
 struct Pocket
 {
   double Score = 0.0;
   double Probability = std::numeric_limits<double>::quiet_NaN(); ///< of a site: SiteModel.h
   double Density = std::numeric_limits<double>::quiet_NaN();     ///< of a site: PocketSites.h
-  std::int64_t Parent = 0; ///< of a site: its pocket, from 1 by their best sites' ranks; 0: none
-  std::int64_t Group = 0;  ///< of a site: the same for its copies (SiteCopies.h)
-  int Chain = -1;          ///< of a site: that it lies at
-  double Volume = 0.0;     ///< of a site: PocketScore.h
-  double Area = 0.0;       ///< of a site: the sum over its lining
-  double Radius = 0.0;     ///< the largest clearance
-  double Access = 0.0;     ///< the largest access radius
+  std::int64_t Parent =
+    0; ///< of a site: its pocket, numbered from 1 by the rank of the best site in it; 0: none
+  std::int64_t Group = 0;         ///< of a site: number shared with its copies (SiteCopies.h)
+  int Chain = -1;                 ///< of a site: the chain at which it lies
+  double Volume = 0.0;            ///< of a site: PocketScore.h
+  double Area = 0.0;              ///< of a site: the sum over its lining
+  double Radius = 0.0;            ///< the largest clearance
+  double Access = 0.0;            ///< the largest access radius
   Point3 Centre{ 0.0, 0.0, 0.0 }; ///< of a site: the mode of its density
   std::vector<PocketCell> Cells;
-  std::vector<PocketMouth> Mouths; ///< the widest first; none: a void
+  std::vector<PocketMouth> Mouths; ///< the widest first; a void has none
   std::vector<LiningAtom> Lining;  ///< in the order of the atoms
 };
 
-/// A place that the site model has judged.
+/// A place evaluated by the site model.
 struct SitePlace
 {
   Point3 Centre{ 0.0, 0.0, 0.0 };
-  double Probability = 0.0;       ///< that a ligand's atom is within 3 angstrom
-  std::vector<float> Descriptors; ///< that it was computed from, if kept
+  double Probability = 0.0;       ///< probability that a ligand's atom is within 3 angstrom
+  std::vector<float> Descriptors; ///< from which it was computed, if kept
 };
 
 struct PocketResult
 {
   std::vector<Pocket> Pockets;       ///< or sites; the best first
-  std::vector<SitePlace> SitePlaces; ///< all of them, where there are sites
-  double UnionVolume = 0.0;          ///< of all atoms enlarged by the probe
+  std::vector<SitePlace> SitePlaces; ///< all places, if there are sites
+  double UnionVolume = 0.0;          ///< volume of all atoms enlarged by the probe
   double UnionArea = 0.0;            ///< accessible surface of all atoms
-  double PocketVolume = 0.0;         ///< of all pockets, also those dropped as too small
-  double RestVolume = 0.0;           ///< empty volume of the convex hull outside of all pockets
-  double HullVolume = 0.0;           ///< of the tetrahedra in all
-  double FullVolume = 0.0;           ///< of the hull, inside of the enlarged atoms
+  double PocketVolume = 0.0; ///< volume of all pockets, including those dropped as too small
+  double RestVolume = 0.0;   ///< empty volume of the convex hull outside of all pockets
+  double HullVolume = 0.0;   ///< total volume of the tetrahedra
+  double FullVolume = 0.0;   ///< volume of the hull inside the enlarged atoms
 };
 
 }

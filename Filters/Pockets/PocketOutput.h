@@ -17,7 +17,7 @@ class vtkUnstructuredGrid;
 namespace isthmus
 {
 
-/// What the outputs are made from: pockets by rank, and means of the surface (or none).
+/// The data for the outputs: pockets by rank, and means of the surface (or none).
 struct PocketReport
 {
   const std::vector<Pocket>& Pockets;
@@ -36,8 +36,8 @@ void FillLiningResidues(const PocketReport& report, vtkTable* output);
 void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& places,
   vtkPolyData* surface, vtkPolyData* output);
 
-/// All atoms of the residues that line pocket number `shown` (0: any), once for each of their
-/// pockets, with the bonds of the input between them.
+/// All atoms of the residues that line pocket number `shown` (0: any pocket), once for each of
+/// their pockets, with the bonds of the input between them.
 void FillLiningAtoms(
   const PocketReport& report, vtkPointSet* input, int shown, vtkPolyData* output);
 

@@ -1,14 +1,14 @@
 /**
  * @file PocketSites.h
- * @brief Sites of the size of a ligand in pockets: modes of the density of likely places.
+ * @brief Ligand-sized sites in pockets: modes of the density of likely places.
  *
- * Pockets are as large as the surface makes them; a groove may hold several sites, and a site may
- * spread over pockets that a narrow place separates. **Density** at a place: the sum over the
- * pockets' tetrahedra within 6 angstrom of probability x (1 - (d/6)^2)^2. A **site** is a mode of
- * it, which mean shift (K. Fukunaga and L. Hostetler, IEEE Trans. Inf. Theory 21 (1975) 32) reaches
- * from the densest tetrahedron that is left; those within 8 angstrom of the mode are then taken
- * away. It ends at a hundredth of the largest density. A tetrahedron belongs to the nearest mode
- * within 8 angstrom.
+ * The size of pockets is given by the surface: a groove may contain several sites, and a site may
+ * extend over pockets that are separated by a narrow place. **Density** at a place: the sum over
+ * the pockets' tetrahedra within 6 angstrom of probability x (1 - (d/6)^2)^2. A **site** is a mode
+ * of the density, found by mean shift (K. Fukunaga and L. Hostetler, IEEE Trans. Inf. Theory 21
+ * (1975) 32) from the densest remaining tetrahedron; tetrahedra within 8 angstrom of the mode are
+ * then removed. The search ends at a hundredth of the largest density. A tetrahedron belongs to the
+ * nearest mode within 8 angstrom.
  */
 #ifndef isthmus_PocketSites_h
 #define isthmus_PocketSites_h
@@ -29,14 +29,15 @@ struct PocketSite
 };
 
 constexpr double SiteInnerRadius =
-  1.5; ///< angstrom: of the tetrahedra that the model is for, smaller
+  1.5; ///< angstrom: inner radius of the tetrahedra for which the model is used; smaller
 constexpr double SiteOuterRadius =
-  4.5; ///< and larger than a pocket's, so that shallow places are among them
-constexpr double DensityReach = 6.0;  ///< angstrom, of the density's kernel
-constexpr double SiteSpacing = 8.0;   ///< angstrom around a site in which no other begins
-constexpr double LeastDensity = 0.01; ///< of the largest
+  4.5; ///< outer radius; larger than a pocket's, so that shallow places are included
+constexpr double DensityReach = 6.0; ///< angstrom, of the density's kernel
+constexpr double SiteSpacing =
+  8.0; ///< angstrom around a site within which no other site is started
+constexpr double LeastDensity = 0.01; ///< fraction of the largest density
 
-/// The densest first. A place belongs to one site or none. O(places x places near).
+/// Sites by descending density. A place belongs to at most one site. O(places x places nearby).
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSite> FindSites(
   const std::vector<Point3>& places, const std::vector<double>& probabilities);
 

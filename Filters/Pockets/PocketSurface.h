@@ -15,7 +15,7 @@
 namespace isthmus
 {
 
-/// Means over the surface that lines a pocket, by area; NaN where there is none.
+/// Area-weighted means over the surface that lines a pocket; NaN if there is none.
 struct PocketSurfaceMeans
 {
   double Potential;
@@ -23,7 +23,7 @@ struct PocketSurfaceMeans
   double Area;
 };
 
-/// One value for each point of a surface; NaN: does not count. Potential may be empty.
+/// One value for each point of a surface; NaN values are ignored. Potential may be empty.
 struct PocketSurfaceFields
 {
   std::vector<double> Polarized;
@@ -31,8 +31,8 @@ struct PocketSurfaceFields
 };
 
 /**
- * The surface within `reach` of a pocket's alpha balls (centres and clearances of its cells) lines
- * it. One entry for each pocket. O(n log n + cells x points near).
+ * Surface within `reach` of a pocket's alpha balls (centres and clearances of its cells) counts as
+ * lining the pocket. One entry for each pocket. O(n log n + cells x points nearby).
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(
   const SurfaceView& surface, const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets,
@@ -42,12 +42,12 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSurfaceMeans> MeasurePocketSur
 VTKISTHMUSFILTERSPOCKETS_EXPORT PocketSurfaceMeans MeasureWholeSurface(
   const SurfaceView& surface, const PocketSurfaceFields& fields);
 
-/// For each point of the surface the mean probability of the places within 5 angstrom, weight
-/// (1 - d/5)^2; 0 where there are none.
+/// For each point of the surface, the mean probability of the places within 5 angstrom, with the
+/// weight (1 - d/5)^2; 0 if there are none.
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<double> SiteProbabilities(
   const SurfaceView& surface, const std::vector<SitePlace>& places);
 
-/// For each point of the surface 0, or 1 + the place of the first pocket that it lines.
+/// For each point of the surface 0, or 1 + the index of the first pocket that it lines.
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> LabelPocketSurfaces(
   const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach = 0.5);
 

@@ -13,9 +13,10 @@
  *     Phi > 0   1 negatively charged protein   2 negatively charged small ligand
  *     Phi < 0   3 positively charged protein   4 positively charged small ligand
  *
- * The combined map Phi kappa_2 is the one of Fig. 5.9. The thesis does not say which class a saddle
- * has, where kappa_1 > 0 and kappa_2 < 0: here the one with the larger amplitude, the ligand's
- * where both are alike. Units: potential kT/e, curvature 1/angstrom, products kT/(e angstrom).
+ * The combined map Phi kappa_2 is the one of Fig. 5.9. The thesis does not say to which class a
+ * saddle (kappa_1 > 0 and kappa_2 < 0) belongs: here it has the class with the larger amplitude, or
+ * the ligand class if both are equal. Units: potential kT/e, curvature 1/angstrom, products kT/(e
+ * angstrom).
  */
 #ifndef isthmus_PolarizedCurvature_h
 #define isthmus_PolarizedCurvature_h
@@ -46,7 +47,7 @@ constexpr unsigned char NumberOfSiteClasses = 5;
 /// For example "site for a negatively charged small ligand".
 VTKISTHMUSFILTERSPOCKETS_EXPORT const char* SiteClassName(SiteClass site);
 
-/// What a point of a surface has, see above.
+/// The quantities at a point of a surface, see above.
 struct PolarizedPoint
 {
   double PositiveKappa1;
@@ -54,7 +55,7 @@ struct PolarizedPoint
   double NegativeKappa1;
   double NegativeKappa2;
   double Combined; ///< Phi kappa_2
-  SiteClass Site;  ///< None where no amplitude is above `least`, and for NaN
+  SiteClass Site;  ///< None if no amplitude is above `least`, and for NaN
 };
 
 inline PolarizedPoint Polarize(double potential, double kappa1, double kappa2, double least)
@@ -78,15 +79,16 @@ inline PolarizedPoint Polarize(double potential, double kappa1, double kappa2, d
   return point;
 }
 
-/// World to grid: node indices = Matrix (x, y, z, 1), rows of four.
+/// Transformation from world to grid: node indices = Matrix (x, y, z, 1), with rows of four
+/// numbers.
 using GridTransform = std::array<double, 12>;
 
 /**
- * `grid` interpolated at `count` points (x y z each): trilinear between nodes (thesis 5.18
- * to 5.20), NaN outside the grid and where one of the nodes around is not finite. A point within
- * 1e-9 node distances outside counts as on the border. T is float or double.
+ * `grid` interpolated at `count` points (x y z each): trilinear between nodes (thesis 5.18 to
+ * 5.20), NaN outside the grid and where one of the surrounding nodes is not finite. A point at most
+ * 1e-9 grid spacings outside counts as being on the border. T is float or double.
  *
- * In parallel, 10 ns a point and thread; bitwise the same on any number of threads. Throws
+ * Runs in parallel, 10 ns per point and thread; bitwise the same on any number of threads. Throws
  * Cancelled.
  */
 template <typename T>

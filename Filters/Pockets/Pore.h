@@ -18,12 +18,13 @@ namespace isthmus
 struct PoreOptions
 {
   double EndRadius = 5.0;        ///< a pore ends where it is wider than this
-  double Spacing = 0.25;         ///< of the planes
-  double MinimumRadius = 1.0;    ///< of pores that are found by themselves
-  double MinimumSpan = 20.0;     ///< distance of their ends
-  std::size_t MaximumPores = 20; ///< of those, the ones with the longest spans
-  double MaximumOffset = 10.0;   ///< between two points: distance of the way from the straight line
-  /// Called with the seconds that the triangulation is going to take (RegularFiltration.h).
+  double Spacing = 0.25;         ///< distance between the planes
+  double MinimumRadius = 1.0;    ///< of automatically found pores
+  double MinimumSpan = 20.0;     ///< distance between their ends
+  std::size_t MaximumPores = 20; ///< maximum number of these; those with the longest spans are kept
+  double MaximumOffset =
+    10.0; ///< between two points: largest distance of the path from the straight line
+  /// Called with the predicted time of the triangulation in seconds (RegularFiltration.h).
   std::function<void(double)> Predicted;
 };
 
@@ -40,7 +41,7 @@ struct Pore
 {
   std::vector<PoreSample> Samples;
   std::vector<std::size_t> Bottlenecks; ///< samples that are local minima, the narrowest first
-  double Span = 0.0;                    ///< distance of the first sample from the last
+  double Span = 0.0;                    ///< distance between the first and the last sample
 };
 
 }

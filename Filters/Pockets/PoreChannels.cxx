@@ -268,10 +268,10 @@ Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
   }
   if (!start.Exists() || from[goal] == unmet)
   {
-    throw std::runtime_error("There is no way between the two points that stays within "
-                             "MaximumOffset, " +
+    throw std::runtime_error(
+      "There is no path between the two points that stays within MaximumOffset, " +
       FormatNumber(options.MaximumOffset) +
-      " angstrom, of the straight line: choose points in the pore, or a larger offset.");
+      " angstrom, of the straight line: choose points in the pore, or a larger MaximumOffset.");
   }
   Channel channel;
   for (TetrahedronId cell = goal; cell.Exists(); cell = from[cell])

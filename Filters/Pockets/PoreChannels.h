@@ -1,6 +1,6 @@
 /**
  * @file PoreChannels.h
- * @brief Channels that run through a molecule, and the widest paths between places.
+ * @brief Channels through a molecule, and the widest paths between points.
  */
 #ifndef isthmus_PoreChannels_h
 #define isthmus_PoreChannels_h
@@ -12,33 +12,35 @@
 namespace isthmus
 {
 
-/// A path through the tetrahedra: centres of orthogonal spheres, from one end to the other.
+/// A path through the tetrahedra, as the centres of orthogonal spheres from one end to the other.
 struct Channel
 {
   std::vector<Point3> Path;
-  double Radius = 0.0;       ///< at the triangle where it closes
-  double Span = 0.0;         ///< distance of the ends
+  double Radius = 0.0;       ///< radius at the triangle where it closes
+  double Span = 0.0;         ///< distance between the ends
   bool IsWide = false;       ///< wider than EndRadius everywhere
-  std::size_t Narrowest = 0; ///< the centre of that triangle, or of the narrowest place
-  std::size_t From = 0;      ///< where planes begin: there, or at the first of two given points
+  std::size_t Narrowest = 0; ///< index of the centre of that triangle, or of the narrowest place
+  std::size_t From =
+    0; ///< index at which the planes begin: the same, or the first of two given points
 };
 
 /**
- * Channels from one side to another: as balls around the atoms grow, a channel is a loop around it,
- * which one triangle fills at last (an H1 death). Kept are those that close at MinimumRadius or
- * wider, after having lasted 0.3 angstrom at least (else the loop is a ring of atoms), whose
- * widest paths out on both sides are as wide, have no tetrahedron in common and end MinimumSpan
- * apart. A path ends where a ball of EndRadius gets from outside; a channel that is wider than that
- * itself, where it leaves the convex hull. The longest span comes first. `f` gets ordered. O(n log
- * n), and the reduction of FiltrationPairs.
+ * Channels from one side of the molecule to another. As balls around the atoms grow, a channel
+ * corresponds to a loop around it, which is finally filled by one triangle (an H1 death). A channel
+ * is kept if it closes at MinimumRadius or wider, if the loop has existed for at least 0.3 angstrom
+ * (otherwise it is a ring of atoms), and if the widest paths out on both sides are as wide, have no
+ * tetrahedron in common and end at least MinimumSpan apart. A path ends where a ball of EndRadius
+ * can come from outside, or, for a channel that is wider than that, where it leaves the convex
+ * hull. The channel with the longest span comes first. Sorts `f`. O(n log n), plus the reduction of
+ * FiltrationPairs.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f,
   const CellAccessibility& access, double probe, const PoreOptions& options,
   const ProgressCallback& progress = {});
 
 /**
- * The path from `first` to `last` with the least integral of 1 / clearance^2 among those no farther
- * than MaximumOffset from the straight line. Throws std::runtime_error where there is none.
+ * The path from `first` to `last` with the least integral of 1 / clearance^2 among paths no farther
+ * than MaximumOffset from the straight line. Throws std::runtime_error if there is none.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT Channel PathBetween(const RegularFiltration& f,
   const FacesByCell& faces, const CellAccessibility& access, const Point3& first,

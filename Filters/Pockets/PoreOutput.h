@@ -26,17 +26,18 @@ void FillPoreSamples(const PoreReport& report, vtkTable* output);
 void FillPoreTable(const PoreReport& report, vtkTable* output);
 void FillBottlenecks(const PoreReport& report, vtkPolyData* output);
 
-/// Of each pore the residues with an atom that touches one of its balls, nearly: within 0.5
-/// angstrom.
+/// For each pore, the residues with an atom that is within 0.5 angstrom of touching one of its
+/// balls.
 std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report);
 void FillPoreLining(const PoreReport& report,
   const std::vector<std::vector<LiningResidue>>& residues, vtkTable* output);
 
-/// Those residues whole, once for each of their pores, with the bonds of the input between them.
+/// All atoms of those residues, once for each of their pores, with the bonds of the input between
+/// them.
 void FillPoreLiningAtoms(const PoreReport& report,
   const std::vector<std::vector<LiningResidue>>& residues, vtkPointSet* input, vtkPolyData* output);
 
-/// Tubes around the lines, as wide as their Radius.
+/// Tubes around the lines with the radius of the array Radius.
 void FillTubes(vtkPolyData* lines, vtkPolyData* output);
 
 }

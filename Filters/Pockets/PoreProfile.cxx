@@ -17,7 +17,7 @@ namespace isthmus
 namespace
 {
 
-/// Planes across a pore, and the places of the path in them, where known.
+/// Planes across a pore, and the points of the path in them, where known.
 struct Course
 {
   std::vector<Plane> Planes;
@@ -27,8 +27,8 @@ struct Course
   double End = 0.0;         ///< radius beyond which the pore ends
 };
 
-/// Running means with a Gaussian of the given width; towards the ends it gets narrower, so that
-/// they stay.
+/// Running means with a Gaussian of the given width, which gets narrower towards the ends so that
+/// the ends do not move.
 std::vector<Point3> Smooth(const std::vector<Point3>& points, double width)
 {
   const auto n = static_cast<std::int64_t>(points.size());
@@ -51,8 +51,7 @@ std::vector<Point3> Smooth(const std::vector<Point3>& points, double width)
   return smooth;
 }
 
-/// `path` at equal distances. Throws std::invalid_argument where that takes more planes than
-/// anybody waits for.
+/// `path` at equal distances. Throws std::invalid_argument if that needs too many planes.
 std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
 {
   constexpr double mostPlanes = 1e5;
@@ -64,8 +63,8 @@ std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
   if (!(whole / spacing <= mostPlanes))
   {
     throw std::invalid_argument("A pore here is " + FormatNumber(whole) +
-      " angstrom long, which takes more than 100000 planes at this Spacing: raise it, or check the "
-      "unit of the atoms' coordinates.");
+      " angstrom long, which needs more than 100000 planes at this Spacing: raise Spacing, or "
+      "check the unit of the atoms' coordinates.");
   }
   std::vector<Point3> points{ path.front() };
   double rest = spacing;
@@ -83,8 +82,8 @@ std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
   return points;
 }
 
-/// The same from the `start`-th point both ways: a plane through the narrowest place has its
-/// radius, one somewhere near it hasn't.
+/// The same, both ways from the `start`-th point, so that one plane passes exactly through the
+/// narrowest place.
 std::vector<Point3> ResampleFrom(const std::vector<Point3>& path, std::size_t start, double spacing)
 {
   const auto at = path.begin() + static_cast<std::ptrdiff_t>(start);
@@ -121,8 +120,8 @@ Point3 Project(const Plane& plane, const Point3& p)
   return p - Dot(p - plane.Origin, plane.Normal) * plane.Normal;
 }
 
-/// The balls in the planes after (`step` 1) or before (-1) the one `from`, whose ball is known, as
-/// far as the pore goes.
+/// The balls in the planes after (`step` 1) or before (-1) plane `from`, whose ball is known, up to
+/// the end of the pore.
 std::vector<PlaneBall> MarchAlong(const AtomField& atoms, const Course& course, std::size_t from,
   std::int64_t step, PlaneBall ball, const ProgressCallback& progress)
 {
@@ -142,7 +141,7 @@ std::vector<PlaneBall> MarchAlong(const AtomField& atoms, const Course& course, 
     ball = LargestBallInPlane(atoms, plane, starts, ball.Radius, course.Enough);
     if (ball.Radius < course.Least)
     {
-      // The path is wider than that everywhere: this is a dead end beside it.
+      // The path is wider than this everywhere, so this is a dead end beside it.
       const PlaneBall other =
         LargestBallInPlane(atoms, plane, { starts.back() }, course.Least, course.Enough);
       ball = other.Radius > ball.Radius ? other : ball;
@@ -152,7 +151,7 @@ std::vector<PlaneBall> MarchAlong(const AtomField& atoms, const Course& course, 
   return balls;
 }
 
-/// Atoms are weighed as water sees them.
+/// Weights of atoms as seen by a water probe.
 constexpr double Probe = 1.4;
 
 void CheckLength(const char* name, double value)
@@ -160,7 +159,7 @@ void CheckLength(const char* name, double value)
   if (!(value > 0.0 && value <= 1e4))
   {
     throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
-      ", but it is a length: give a positive number of angstrom, at most 10000.");
+      ", but it must be a length in angstrom, above 0 and at most 10000.");
   }
 }
 
@@ -173,12 +172,12 @@ void CheckOptions(const PoreOptions& options)
   if (options.Spacing < 0.001)
   {
     throw std::invalid_argument("Spacing is " + FormatNumber(options.Spacing) +
-      ", but planes nearer than 0.001 angstrom give no more detail: choose a larger one.");
+      ", but planes closer than 0.001 angstrom give no more detail: choose a larger Spacing.");
   }
   if (!(options.MinimumSpan >= 0.0 && options.MinimumSpan <= 1e6))
   {
     throw std::invalid_argument("MinimumSpan is " + FormatNumber(options.MinimumSpan) +
-      ", but it must be a length and not negative.");
+      ", but it must be a length, 0 or more.");
   }
 }
 
@@ -186,7 +185,7 @@ void CheckPoint(const char* name, const Point3& p)
 {
   if (!std::isfinite(p[0] + p[1] + p[2]))
   {
-    throw std::invalid_argument(std::string(name) + " has a coordinate that is no finite number.");
+    throw std::invalid_argument(std::string(name) + " has a coordinate that is not finite.");
   }
 }
 
@@ -253,7 +252,7 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   balls.insert(balls.end(), after.begin(), after.end());
   if (course.End > course.Enough)
   {
-    // What lies beyond the last narrow places on both sides is outside.
+    // Everything beyond the last narrow places on both sides is outside.
     const auto isNarrow = [&](const PlaneBall& ball) { return ball.Radius < course.Enough; };
     balls.erase(std::find_if(balls.rbegin(), balls.rend(), isNarrow).base(), balls.end());
     balls.erase(balls.begin(), std::find_if(balls.begin(), balls.end(), isNarrow));
@@ -277,9 +276,11 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
 Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& options,
   const ProgressCallback& progress)
 {
-  // A path turns from atom to atom: the pore's course is that over three times their size.
+  // A path bends around each atom; averaging over three times the atom size gives the course of the
+  // pore.
   constexpr double smoothing = 3.0; // angstrom
-  // A wide channel is sampled as coarsely as it is wide, and known up to three times its radius.
+  // A wide channel is sampled in proportion to its width, and computed up to three times its
+  // radius.
   const double spacing = options.Spacing * (channel.IsWide ? 4.0 : 1.0);
   Course course =
     CourseAlong(ResampleFrom(channel.Path, channel.From, spacing), smoothing / spacing);
@@ -289,7 +290,7 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
   const auto& planes = course.Planes;
   if (planes.empty())
   {
-    throw std::runtime_error("The two ends of the pore are the same: give points farther apart.");
+    throw std::runtime_error("The two ends of the pore are the same: choose points farther apart.");
   }
   const Point3& narrow = channel.Path[channel.Narrowest];
   std::size_t from = 0;
@@ -345,14 +346,14 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
   CheckPoint("Point2", last);
   if (Length(first - last) <= options.Spacing)
   {
-    throw std::invalid_argument("Point1 and Point2 are the same, or nearer than Spacing: give the "
-                                "two ends of the pore.");
+    throw std::invalid_argument("Point1 and Point2 are the same, or closer than Spacing: set them "
+                                "to the two ends of the pore.");
   }
   const RegularFiltration f = Enlarged(atoms, options, Between(progress, 0.0, 0.4));
   if (f.Complex.Tetrahedra.empty())
   {
-    throw std::runtime_error("The atoms lie in one plane, or are fewer than four: nothing runs "
-                             "between them.");
+    throw std::runtime_error("There are fewer than four atoms, or all lie in one plane, so there "
+                             "is no pore between them.");
   }
   const auto faces = FacesOfCells(f.Complex);
   const CellAccessibility access = FindAccess(f, faces, Probe);
@@ -379,7 +380,7 @@ Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3
   const double length = Length(direction);
   if (!(length > 0.0))
   {
-    throw std::invalid_argument("Direction has no length: give the way along the pore.");
+    throw std::invalid_argument("Direction has length 0: set it to the direction along the pore.");
   }
   if (atoms.empty())
   {
@@ -398,7 +399,7 @@ Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3
   if (before + after > 10000000)
   {
     throw std::invalid_argument("Spacing is " + FormatNumber(options.Spacing) +
-      ", too small for atoms this far apart: give a larger one.");
+      ", too small for atoms this far apart: choose a larger Spacing.");
   }
   Course course;
   course.Enough = options.EndRadius;

@@ -2,10 +2,11 @@
  * @file PoreProfile.h
  * @brief The radius along a pore: the largest ball between the atoms in each of many planes.
  *
- * As HOLE defines it (O. S. Smart et al., J. Mol. Graph. 14 (1996) 354), but with exact local
- * maxima in place of a random search, and with planes across the pore's own course where no
- * direction is given. Planes are processed from the start outwards, each from the ball of the one
- * before, so that the course stays in one pore; it ends where the ball is larger than EndRadius.
+ * As defined by HOLE (O. S. Smart et al., J. Mol. Graph. 14 (1996) 354), but with exact local
+ * maxima instead of a random search, and with planes perpendicular to the course of the pore if no
+ * direction is given. Planes are processed from the start outwards, each beginning with the ball of
+ * the previous one, so that the path stays in one pore; it ends where the ball is larger than
+ * EndRadius.
  */
 #ifndef isthmus_PoreProfile_h
 #define isthmus_PoreProfile_h
@@ -18,7 +19,7 @@
 namespace isthmus
 {
 
-/// All channels that run through the molecule, the longest first (PoreChannels.h says which).
+/// All channels through the molecule, the longest first (see PoreChannels.h for the criteria).
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Pore> FindPores(const std::vector<Ball>& atoms,
   const PoreOptions& options, const ProgressCallback& progress = {});
 
@@ -28,11 +29,11 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreBetween(const std::vector<Ball>& atoms,
   const ProgressCallback& progress = {});
 
 /**
- * The pore through `point` in planes across `direction`, both ways from there. Throws
- * std::invalid_argument for a direction without length.
+ * The pore through `point` in planes perpendicular to `direction`, followed both ways from there.
+ * Throws std::invalid_argument if the direction has length 0.
  *
- * All three throw std::invalid_argument for options and atoms out of range, std::runtime_error
- * where there is no path; Cancelled. About 1 ms a plane.
+ * All three throw std::invalid_argument for options and atoms out of range, std::runtime_error if
+ * there is no path; Cancelled. About 1 ms per plane.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point,
   const Point3& direction, const PoreOptions& options, const ProgressCallback& progress = {});

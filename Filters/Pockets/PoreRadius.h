@@ -1,6 +1,7 @@
 /**
  * @file PoreRadius.h
- * @brief The radius of a pore: the largest ball between atoms with its centre in a plane across it.
+ * @brief The radius of a pore: the largest ball between atoms with its centre in a plane across the
+ * pore.
  */
 #ifndef isthmus_PoreRadius_h
 #define isthmus_PoreRadius_h
@@ -20,8 +21,8 @@ class AtomField
 public:
   VTKISTHMUSFILTERSPOCKETS_EXPORT explicit AtomField(const std::vector<Ball>& atoms);
 
-  /// Distance of `place` from the nearest atom's surface, and that atom. The nearer the guess is to
-  /// that distance, the less it takes.
+  /// Distance of `place` from the nearest atom's surface, and that atom. The search is faster the
+  /// closer the guess is to that distance.
   struct Clearance
   {
     double Radius;
@@ -32,7 +33,7 @@ public:
   /// The atoms whose surface is within `reach` of `place`.
   VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
 
-  /// Their numbers, unordered.
+  /// The numbers of these atoms, unordered.
   VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<std::int64_t> Touching(
     const Point3& place, double reach) const;
 
@@ -58,24 +59,24 @@ struct PlaneBall
 struct Climb
 {
   double Reach;           ///< from the start
-  double Enough;          ///< radius at which to stop
+  double Enough;          ///< radius at which the climb stops
   double Tolerance;       ///< length of the last step
-  double Clearance = 0.0; ///< about that of the start, where known: saves time
+  double Clearance = 0.0; ///< approximate clearance at the start, if known; saves time
 };
 
 /**
  * Climbs from `start` to a local maximum, within the plane, of the distance from the nearest atom's
  * surface.
  *
- * The distance is the least of smooth functions. Each step maximises their linear models in a
- * square whose size follows the success of the step, so that the last steps converge quadratically
- * to where three atoms touch the ball. About 30 steps of 2 us.
+ * The distance is the least of smooth functions. Each step maximises the minimum of their linear
+ * models in a square whose size is adapted to the success of the step. The last steps converge
+ * quadratically to a point where three atoms touch the ball. About 30 steps of 2 us.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall ClimbInPlane(
   const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);
 
-/// The best of climbs from `starts` and from places around the first within a ball of radius
-/// `width`.
+/// The best result of climbs from `starts` and from places around the first one within a ball of
+/// radius `width`.
 VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall LargestBallInPlane(const AtomField& atoms,
   const Plane& plane, const std::vector<Point3>& starts, double width, double enough);
 

@@ -1,11 +1,12 @@
 /**
  * @file SiteModel.h
- * @brief The frozen model of binding sites: how likely a place in a pocket is next to a ligand.
+ * @brief The frozen model of binding sites: the probability that a place in a pocket is next to a
+ * ligand.
  *
  * Gradient-boosted regression trees (J. H. Friedman, Ann. Stat. 29 (2001) 1189) on the descriptors
- * of SiteDescriptors.h, trained by Examples/train_site_model.py on public complexes, each family of
- * proteins with the same weight; SiteModelTable.cxx holds what that wrote. The guide's page
- * *Site model* lists the complexes and says how good it is on families that it has not seen.
+ * of SiteDescriptors.h, trained by Examples/train_site_model.py on public complexes, with the same
+ * weight for each family of proteins; the script writes SiteModelTable.cxx. The guide's page *Site
+ * model* lists the complexes and reports the performance on unseen families.
  */
 #ifndef isthmus_SiteModel_h
 #define isthmus_SiteModel_h
@@ -18,8 +19,8 @@
 namespace isthmus
 {
 
-/// A node of a tree: goes to Low where the descriptor is at most Threshold, else to High. Negative:
-/// leaf -1 - Low of the table's leaves.
+/// A node of a tree: continues with Low if the descriptor is at most Threshold, otherwise with
+/// High. A negative number stands for leaf -1 - Low of the table.
 struct SiteModelNode
 {
   std::uint8_t Descriptor;
@@ -27,23 +28,24 @@ struct SiteModelNode
   std::int16_t Low, High;
 };
 
-/// Frozen by the training.
+/// The result of the training.
 struct SiteModelTable
 {
-  const SiteModelNode* Nodes; ///< of all trees; children are counted from their tree's first node
-  const int* FirstNodes;      ///< of each tree
+  const SiteModelNode*
+    Nodes; ///< nodes of all trees; children are numbered from the first node of their tree
+  const int* FirstNodes; ///< of each tree
   const int* FirstLeaves;
   const float* Leaves; ///< log odds
   std::size_t Trees;
-  double LogOdds;           ///< to which those of the leaves are added
-  const double* Propensity; ///< of backbone and side chain of the twenty amino acids
+  double LogOdds;           ///< constant to which the log odds of the leaves are added
+  const double* Propensity; ///< for backbone and side chain of the twenty amino acids
   double Calibration[3];    ///< constant, factor of ln(density), factor of ln(share)
 };
 
 VTKISTHMUSFILTERSPOCKETS_EXPORT const SiteModelTable& FrozenSiteModel();
 
-/// How much more often atoms of residue number `residue` (SiteAtom) line ligands than other places
-/// in pockets: natural logarithm of the ratio, of the training's complexes.
+/// Enrichment of atoms of residue number `residue` (SiteAtom) around ligands compared with other
+/// places in pockets: natural logarithm of the ratio in the training set.
 VTKISTHMUSFILTERSPOCKETS_EXPORT double SitePropensity(int residue);
 
 /// Probability that a place with these descriptors lies within 3 angstrom of a ligand's atom.

@@ -1,6 +1,7 @@
 /**
  * @file TrackedData.h
- * @brief Features of VTK's data, time step by time step, and their tracks as VTK's data.
+ * @brief Collects features from VTK data, time step by time step, and writes their tracks as VTK
+ * data.
  */
 #ifndef isthmus_TrackedData_h
 #define isthmus_TrackedData_h
@@ -17,13 +18,13 @@ class vtkTable;
 namespace isthmus
 {
 
-/// Features of all time steps so far, and what is carried along: Radius, Volume, Score.
+/// Features of all time steps so far, with the values carried along: Radius, Volume, Score.
 struct TrackedData
 {
   std::vector<double> Times; ///< empty: no time steps
   std::vector<TrackFrame> Frames;
   std::vector<std::vector<std::array<double, 3>>> Values;
-  std::vector<std::vector<std::int64_t>> Numbers; ///< of the features, in the input
+  std::vector<std::vector<std::int64_t>> Numbers; ///< numbers of the features in the input
 
   /// One feature of one frame.
   struct Place

@@ -131,7 +131,7 @@ vtkDataArray* vtkBindingSites::Scalar(int index, vtkPolyData* surface, const cha
   {
     throw std::invalid_argument("The array " +
       std::string(array->GetName() ? array->GetName() : "without a name") +
-      " is not one number for each point: choose another.");
+      " does not have one number for each point: choose another.");
   }
   if (!array && remedy)
   {
@@ -144,8 +144,8 @@ vtkDataArray* vtkBindingSites::Scalar(int index, vtkPolyData* surface, const cha
 
 isthmus::SiteFields vtkBindingSites::Fields(vtkPolyData* surface)
 {
-  const char* remedy = "run Polarized Curvature, which wants the potential, on it first, or choose "
-                       "another array.";
+  const char* remedy =
+    "run Polarized Curvature (which needs the potential) on it first, or choose another array.";
   vtkDataArray* values = this->Scalar(0, surface, remedy);
   vtkDataArray* classes = this->Classes == AllPoints ? nullptr : this->Scalar(1, surface, remedy);
   vtkDataArray* potential = this->Scalar(2, surface, nullptr);
@@ -193,7 +193,7 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
     vtkWarningMacro(<< isthmus::TextOf("No patch of at least ", this->MinimumArea,
                       " (unit of length squared) has values above the threshold of ",
                       result.Threshold,
-                      ". Is the array constant, or zero where the classes asked for are? Lower "
+                      ". Is the array constant, or zero at the points of the chosen classes? Lower "
                       "the threshold or the quantile."));
   }
   return result;
@@ -239,9 +239,8 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
   }
   if (pockets.empty())
   {
-    vtkWarningMacro(
-      << "The molecule has no pocket, so there are no sites: turn Use Pockets off for "
-         "the patches of the surface that stand out.");
+    vtkWarningMacro(<< "The molecule has no pockets, so there are no sites: switch Use Pockets off "
+                       "to find patches of the surface instead.");
   }
   return result;
 }

@@ -1,42 +1,45 @@
 /**
  * @class   vtkBindingSites
- * @brief   likely binding sites: connected patches of large polarized curvature, ranked
+ * @brief   Finds and ranks likely binding sites: connected patches of large polarized curvature.
  *
- * Input: the surface that vtkPolarizedCurvature makes, or any vtkPolyData with a point array to
- * rank by (input array 0: `PolarizedCurvature`), with classes (input array 1: `SiteClass`) unless
- * Classes is AllPoints, and, for the means, a potential (input array 2: `Potential`; optional).
+ * Input: the output of vtkPolarizedCurvature, or any vtkPolyData with a point array for ranking
+ * (input array 0: `PolarizedCurvature`), with classes (input array 1: `SiteClass`) unless Classes
+ * is AllPoints, and optionally with a potential for the means (input array 2: `Potential`).
  *
  * **With atoms** on input 1 (points with `Radius`), sites are the pockets of
  * vtkMolecularPockets (its defaults), ranked by their score x the square root of the mean
- * |amplitude| of the surface that lines them. `SiteClass` is then 2 where that surface's mean
- * potential is positive (a site for a negatively charged ligand), 4 where it is negative, 0 without
- * a potential; `Area` and `Points` are those of the surface; `MeanDepth` and the centre are the
- * pocket's. This finds ligands far better: see Filters/Pockets/README.md. What follows is about
- * patches, without atoms.
+ * |amplitude| of the surface that lines them. `SiteClass` is then 2 if the mean potential of that
+ * surface is positive (a site for a negatively charged ligand), 4 if it is negative, and 0 without
+ * a potential; `Area` and `Points` are those of the surface; `MeanDepth` and the centre are those
+ * of the pocket. This finds ligands far better: see Filters/Pockets/README.md. The following
+ * describes patches, without atoms.
  *
- * Points above the threshold that edges connect and that have the same class form patches; patches
- * of the same class closer than MergeDistance become one; each has a rank, 1 is the best.
+ * Points above the threshold that have the same class and are connected by edges form patches;
+ * patches of the same class closer than MergeDistance are merged. Each patch has a rank; 1 is the
+ * best.
  *
  * - **Output 0**, the surface with the point array `BindingSite` (int): 0, or the rank.
- * - **Output 1**, a table with a row for each site: `Rank`, `Score` (integral of the amplitude over
+ * - **Output 1**, a table with one row per site: `Rank`, `Score` (integral of the amplitude over
  *   the patch: kT/e angstrom for the polarized curvature), `SiteClass` and, in words, `Class`; with
- *   atoms `Residues` (those with atoms within 4 angstrom of the site, most atoms first: "A HIS 57
- *   (5)" is chain, name, number, atoms) and, of pockets, `Volume` (angstrom^3); `Area`
- *   (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential`
- *   (kT/e; NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points),
- *   `Points`. Its field array `Threshold` is the amplitude that was used, `Notes` says what the
- *   sites are and which atoms were dropped. BindingSites.h has definitions.
+ *   atoms `Residues` (residues with atoms within 4 angstrom of the site, those with the most atoms
+ *   first: "A HIS 57 (5)" gives chain, name, number and number of atoms) and, for pockets, `Volume`
+ *   (angstrom^3); `Area` (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface),
+ *   `MeanPotential` (kT/e; NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the
+ *   patch's points), `Points`. The field array `Threshold` is the amplitude used; `Notes` says
+ *   whether sites are pockets or patches and which atoms were dropped. The definitions are in
+ *   BindingSites.h.
  *
- * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which says
+ * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which reports
  * how well they predict.
  *
- * **Errors** (message, empty outputs): atoms elsewhere than the surface (InputOverlap.h); no such
- * arrays; a quantile, threshold, distance or area out
- * of range. No point above the threshold (a constant array, say) and a molecule without pockets are
- * a warning and no site. An empty surface is neither.
+ * **Errors** (message, empty outputs): atoms in a different place than the surface
+ * (InputOverlap.h); missing arrays; a quantile, threshold, distance or area out of range. If no
+ * point is above the threshold (e.g. for a constant array), or if the molecule has no pockets,
+ * there is a warning and no site. An empty surface causes neither.
  *
- * **Cost.** 1 us a point and thread for the hull, in parallel; bitwise the same on any number of
- * threads. On several MPI ranks, each works on its own piece: gather the surface first.
+ * **Cost.** 1 us per point and thread for the hull, in parallel; bitwise the same on any number of
+ * threads. With several MPI ranks, each rank processes only its own piece, so gather the surface
+ * first.
  */
 #ifndef vtkBindingSites_h
 #define vtkBindingSites_h
@@ -71,7 +74,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether sites are pockets where there are atoms. Default: on. Off: patches.
+  /// Whether sites are pockets if there are atoms. Default: on. Off: sites are patches.
   vtkSetMacro(UsePockets, bool);
   vtkGetMacro(UsePockets, bool);
   vtkBooleanMacro(UsePockets, bool);
@@ -86,8 +89,8 @@ public:
   };
 
   ///@{
-  /// Which points make sites: of SiteClass 2 and 4 (Ligands, default), 1 and 3 (Proteins), 1 to 4
-  /// (AllClasses), or all as one class, without SiteClass (AllPoints).
+  /// Which points may belong to sites: those of SiteClass 2 and 4 (Ligands, default), 1 and 3
+  /// (Proteins), 1 to 4 (AllClasses), or all points as one class, without SiteClass (AllPoints).
   vtkSetClampMacro(Classes, int, Ligands, AllPoints);
   vtkGetMacro(Classes, int);
   ///@}
@@ -100,7 +103,7 @@ public:
   };
 
   ///@{
-  /// What of the array counts: |v| (default), max(v, 0), or max(-v, 0).
+  /// Amplitude of a value v of the array: |v| (default), max(v, 0), or max(-v, 0).
   vtkSetClampMacro(Amplitude, int, AbsoluteValue, NegativePart);
   vtkGetMacro(Amplitude, int);
   ///@}
@@ -119,20 +122,21 @@ public:
   ///@}
 
   ///@{
-  /// Threshold of the amplitude in the array's unit, without UseQuantile. Default: 1 kT/(e
+  /// Threshold of the amplitude in the array's unit, if UseQuantile is off. Default: 1 kT/(e
   /// angstrom).
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
 
   ///@{
-  /// Distance within which patches of one class are merged, angstrom. Default: 1; 0: none are.
+  /// Distance within which patches of one class are merged, in angstrom. Default: 1; 0: none are
+  /// merged.
   vtkSetMacro(MergeDistance, double);
   vtkGetMacro(MergeDistance, double);
   ///@}
 
   ///@{
-  /// Area below which patches are dropped, angstrom^2. Default: 5.
+  /// Area below which patches are dropped, in angstrom^2. Default: 5.
   vtkSetMacro(MinimumArea, double);
   vtkGetMacro(MinimumArea, double);
   ///@}
@@ -146,7 +150,8 @@ public:
   };
 
   ///@{
-  /// What ranks the sites, the largest first: Score (default), Area, MeanDepth, or |MeanPotential|.
+  /// Quantity by which sites are ranked, the largest first: Score (default), Area, MeanDepth, or
+  /// |MeanPotential|.
   vtkSetClampMacro(RankBy, int, ByScore, ByMeanPotential);
   vtkGetMacro(RankBy, int);
   ///@}

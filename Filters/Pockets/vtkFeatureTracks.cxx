@@ -75,7 +75,7 @@ int vtkFeatureTracks::RequestInformation(
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    // The output is that of all times.
+    // The output covers all times.
     outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_STEPS());
     outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_RANGE());
   }
@@ -116,7 +116,7 @@ int vtkFeatureTracks::RequestData(
       const auto& frames = this->Data->Frames;
       const bool none =
         std::all_of(frames.begin(), frames.end(), [](const auto& frame) { return frame.empty(); });
-      if (!none || isthmus::OnFirstRank()) // the frames without features are told once
+      if (!none || isthmus::OnFirstRank()) // frames without features are reported once
       {
         this->Finish(outputVector);
       }
@@ -135,7 +135,8 @@ void vtkFeatureTracks::Finish(vtkInformationVector* outputs)
 {
   if (this->MinimumLength < 0)
   {
-    throw std::invalid_argument("MinimumLength is negative, but it is a number of features.");
+    throw std::invalid_argument(
+      "MinimumLength is negative, but it must be a number of features, 0 or more.");
   }
   const Collected& data = *this->Data;
   const auto tracks =

@@ -1,27 +1,29 @@
 /**
  * @class   vtkFeatureTracks
- * @brief   pockets, pores or choke points followed through time
+ * @brief   Tracks pockets, pores or choke points through time.
  *
- * Input 0: features at each time step, of a pipeline with time (a molecule with several models,
- * say): a table with CenterX, CenterY, CenterZ (the Ranking of vtkMolecularPockets) or BottleneckX,
- * ... (the Pores of vtkPoreProfile), points (bottlenecks, choke points), or what an array PocketId,
- * PoreId or FeatureId groups (the pockets, mouths or alpha balls of vtkMolecularPockets, the lines
- * of vtkPoreProfile, the loops of vtkChokingLoops); FeatureInput.h has the rules. Where there are a
- * column or array `Radius`, `Volume`, `Score`, they are carried along. Input 1 (optional): the
- * lining residues of the same filter, which make the matching reliable where features are crowded.
+ * Input 0: features at each time step, from a pipeline with time (e.g. a molecule with several
+ * models): a table with CenterX, CenterY, CenterZ (the Ranking of vtkMolecularPockets) or
+ * BottleneckX, ... (the Pores of vtkPoreProfile), points (bottlenecks, choke points), or cells or
+ * points grouped by an array PocketId, PoreId or FeatureId (the pockets, mouths or alpha balls of
+ * vtkMolecularPockets, the lines of vtkPoreProfile, the loops of vtkChokingLoops); the rules are in
+ * FeatureInput.h. The columns or arrays `Radius`, `Volume` and `Score` are carried along if they
+ * exist. Input 1 (optional): the lining residues of the same filter, which make the matching
+ * reliable where features are crowded.
  *
  * The filter requests all time steps, one after the other. FeatureTracks.h has the definitions.
  *
- * - **Output 0**, vtkTable: a row for each feature and time: `Track` (from 1), `Time`, `FeatureId`
- *   (its row or point there, from 1, or the id that groups it), `X`, `Y`, `Z`, `Radius`, `Volume`,
- *   `Score` (NaN where not known).
- * - **Output 1**, vtkTable for charts: a row for each time, `Time` and a column `Track N` with
- *   Radius, Volume or Score (Charted), NaN where it is missing; the longest tracks come first.
- * - **Output 2**, vtkPolyData: a polyline for each track, point arrays `Track`, `Time`, `Radius`.
+ * - **Output 0**, vtkTable: one row per feature and time: `Track` (from 1), `Time`, `FeatureId`
+ *   (row or point in the input, from 1, or the id of the group), `X`, `Y`, `Z`, `Radius`, `Volume`,
+ *   `Score` (NaN if not known).
+ * - **Output 1**, vtkTable for charts: one row per time, with `Time` and a column `Track N` with
+ *   Radius, Volume or Score (Charted), NaN where the track is missing; the longest tracks come
+ *   first.
+ * - **Output 2**, vtkPolyData: one polyline per track, point arrays `Track`, `Time`, `Radius`.
  * - **Output 3**, vtkTable: `Event` ("merge" or "split"), `Time`, `Track`, `Other`.
  *
- * **Errors** (message, empty outputs): an input without places, options out of range. Without time
- * steps, each feature is a track.
+ * **Errors** (message, empty outputs): an input without positions, options out of range. Without
+ * time steps, each feature is a track.
  */
 #ifndef vtkFeatureTracks_h
 #define vtkFeatureTracks_h
@@ -29,7 +31,7 @@
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
-#include <memory> // for what is collected
+#include <memory> // for the collected features
 
 class vtkAlgorithmOutput;
 class vtkPolyData;
@@ -45,13 +47,13 @@ public:
   void SetLiningConnection(vtkAlgorithmOutput* table) { this->SetInputConnection(1, table); }
 
   ///@{
-  /// How far a feature moves at most from one time step to the next. Default: 4 angstrom.
+  /// Largest distance that a feature moves from one time step to the next. Default: 4 angstrom.
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
   ///@{
-  /// How many time steps a track may miss. Default: 25.
+  /// Number of time steps that a track may miss. Default: 25.
   vtkSetMacro(MaximumGap, int);
   vtkGetMacro(MaximumGap, int);
   ///@}
@@ -64,7 +66,7 @@ public:
   };
 
   ///@{
-  /// What output 1 has of each track. Default: Radius.
+  /// Quantity of each track in output 1. Default: Radius.
   vtkSetClampMacro(Charted, int, Radius, Score);
   vtkGetMacro(Charted, int);
   ///@}

@@ -46,7 +46,7 @@ void AddNumber(const char* name, double value, vtkDataObject* to)
   to->GetFieldData()->AddArray(array);
 }
 
-/// The heavy atoms with what they offer to ligands; empty without names and elements.
+/// The heavy atoms with their properties for binding; empty without names and elements.
 std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
 {
   std::vector<isthmus::SiteAtom> found;
@@ -104,7 +104,7 @@ std::vector<isthmus::SiteName> NamesOf(
   return names;
 }
 
-/// The numbers of a surface's point array; empty where it is missing and may be.
+/// The numbers of a surface's point array; empty if it is missing and not required.
 std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, bool required)
 {
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
@@ -113,7 +113,8 @@ std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, boo
     if (required)
     {
       throw std::invalid_argument("The surface has no point array " + name +
-        " with a number for each point: make it with vtkPolarizedCurvature, or choose an array.");
+        " with one number per point: create it with vtkPolarizedCurvature, or choose another "
+        "array.");
     }
     return {};
   }
@@ -237,7 +238,7 @@ void vtkMolecularPockets::Compute(
     options.SiteAtoms = &siteAtoms;
     options.KeepDescriptors = this->KeepDescriptors;
   }
-  // The pockets of any volume are kept, so that the threshold of whole pockets is instant.
+  // Pockets of any volume are kept, so that changing the threshold of whole pockets is instant.
   const double least = options.MinimumVolume;
   options.MinimumVolume = least >= 0.0 && std::isfinite(least) ? 0.0 : least;
   const Cache::Key key{ input, input->GetMTime(), isthmus::InputArrayName(this, 0),
@@ -268,7 +269,7 @@ void vtkMolecularPockets::Compute(
   }
   std::vector<isthmus::PocketSurfaceMeans> means;
   const bool hasSurface = surface && surface->GetNumberOfPoints() > 0;
-  // A surface with sites on it need not have polarized curvature.
+  // A surface on which sites are shown need not have polarized curvature.
   if (hasSurface && this->UsePolarizedCurvature &&
     (!options.SiteAtoms || surface->GetPointData()->HasArray(this->PolarizedArray.c_str())))
   {

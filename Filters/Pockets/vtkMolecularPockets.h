@@ -1,54 +1,58 @@
 /**
  * @class   vtkMolecularPockets
- * @brief   pockets and voids of a molecule, ranked, with their mouths and the residues that line
- * them
+ * @brief   Finds and ranks pockets and voids of a molecule, with their mouths and the residues that
+ * line them.
  *
- * Input 0: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
- * them. Where it gives names, water, ions and ligands are dropped, and so are hydrogens; modified
- * residues and what else is linked into a chain stay (PolymerAtoms.h). The field array `Notes` of
- * outputs 0 and 1 says what was dropped. Points without names are all taken.
+ * Input 0: atoms, i.e. points with the array `Radius` (input array 0), as created by
+ * vtkMacromoleculeReader. If the atoms have names, water, ions, ligands and hydrogens are dropped;
+ * modified residues and other residues linked into a chain are kept (PolymerAtoms.h). The field
+ * array `Notes` of outputs 0 and 1 lists what was dropped. If the points have no names, all of them
+ * are used.
  *
  * Input 1 (optional): a surface with the point arrays `PolarizedCurvature` (PolarizedArray) and,
- * for the mean, `Potential` (PotentialArray; optional), as vtkPolarizedCurvature makes it: then
- * each score is multiplied by the square root of the pocket's mean |polarized curvature| over the
- * surface's.
+ * for the mean, `Potential` (PotentialArray; optional), as created by vtkPolarizedCurvature: then
+ * each score is multiplied by the square root of the pocket's mean |polarized curvature| divided by
+ * that of the whole surface.
  *
  * A pocket is space for a ball of InnerRadius that a ball of OuterRadius does not reach from
- * outside; MolecularPockets.h has the definitions. The best pocket has the PocketId (and Rank) 1.
+ * outside; the definitions are in MolecularPockets.h. The best pocket has the PocketId (and Rank)
+ * 1.
  *
  * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms.
  *   Cell arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom),
- *   `AccessRadius` (of the largest that gets there from outside), `Burial` (atoms within
- *   BurialRadius), `EmptyVolume` (only sums mean anything; of a site, at least 0),
- * `SiteProbability` (that a ligand's atom is within 3 angstrom of the ball's centre; 0 without
- * sites). Point array `AtomId`: the input's point.
- * - **Output 1**, vtkTable: a row for each pocket: `Rank`, `Probability` (that the centre is within
- *   4 angstrom of a ligand; NaN without sites), `Score` (angstrom^3 x (atoms/100)^2),
- *   `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to
- *   the probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius`
- *   (of the largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest),
- *   `LiningAtoms`, `Cells`, `Parent` (of a site; 0: in no pocket), `CopyOf` (rank of the first site
- * at this place of a copy of the chain, SiteCopies.h, its own if that is it; 0 without sites),
- * `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the absolute value); NaN where not
- * known. Field data: `AccessibleArea`, `AccessibleVolume` of the whole molecule.
+ *   `AccessRadius` (of the largest ball that gets there from outside), `Burial` (atoms within
+ *   BurialRadius), `EmptyVolume` (only sums are meaningful; at least 0 in a site),
+ *   `SiteProbability` (probability that a ligand's atom is within 3 angstrom of the ball's centre;
+ *   0 without sites). Point array `AtomId`: the point of the input.
+ * - **Output 1**, vtkTable: one row per pocket: `Rank`, `Probability` (that the centre is within 4
+ *   angstrom of a ligand; NaN without sites), `Score` (angstrom^3 x (atoms/100)^2), `CenterX`,
+ *   `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to the probe's
+ *   centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius` (of the
+ *   largest ball), `PolarShare`, `ApolarShare` (fractions of Area on N and O, and on other atoms),
+ *   `LiningAtoms`, `Cells`, `Parent` (of a site; 0: in no pocket), `CopyOf` (rank of the first of
+ *   the sites at this place in copies of the chain, or the site's own rank if it is the first; 0
+ *   without sites; SiteCopies.h), `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the
+ *   absolute value); NaN if not known. Field data: `AccessibleArea`, `AccessibleVolume` of the
+ *   whole molecule.
  * - **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
  * - **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
  *   `Burial`.
  * - **Output 4**, vtkTable: lining residues: `PocketId`, `Chain`, `ResidueId`, `InsertionCode`,
  *   `ResidueName`, `Atoms` (names), `AtomIds` (points of the input), `NumberOfAtoms`, `Area`.
- * - **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays,
- *   `ResidueLabel` (at one atom of each) and `PocketId`; all of them, or those of ShownPocket.
+ * - **Output 5**, vtkPolyData: all atoms of those residues, with their bonds, the input's point
+ *   arrays, `ResidueLabel` (at one atom of each residue) and `PocketId`; for all pockets, or for
+ *   ShownPocket only.
  * - **Output 6**, vtkPolyData: input 1 with `SiteProbability` (SiteProbabilities in
- * PocketSurface.h) and `PocketId` (0: none); without input 1, the centres of the tetrahedra that
- * were judged, points with `SiteProbability`.
+ *   PocketSurface.h) and `PocketId` (0: none); without input 1, the centres of the tetrahedra
+ *   evaluated by the site model, as points with `SiteProbability`.
  *
- * **Errors** (message, empty outputs): no radii and no elements, radii or places out of range,
- * options that are no lengths or contradict each other, a surface without polarized curvature or
- * elsewhere than the atoms (InputOverlap.h). No atoms, fewer than four, or all in one plane: no
- * pockets. Coinciding atoms: the larger counts.
+ * **Errors** (message, empty outputs): neither radii nor elements, radii or positions out of range,
+ * options that are not lengths or contradict each other, a surface without polarized curvature or
+ * in a different place than the atoms (InputOverlap.h). Fewer than four atoms, or atoms in one
+ * plane, have no pockets. Of coinciding atoms, the larger one is used.
  *
- * **Cost.** 1AON (58,674 atoms): see README.md. Bitwise the same on any number of threads and for
- * any order of the atoms. On several MPI ranks, gather the atoms first.
+ * **Cost.** See README.md, for example for 1AON (58,674 atoms). Results are bitwise the same on any
+ * number of threads and for any order of the atoms. With several MPI ranks, gather the atoms first.
  */
 #ifndef vtkMolecularPockets_h
 #define vtkMolecularPockets_h
@@ -78,8 +82,8 @@ public:
   ///@}
 
   ///@{
-  /// Radius of the probe whose centre volumes and areas are accessible to. Default: 1.4 angstrom,
-  /// water.
+  /// Radius of the probe that defines the accessible volume and area: those that its centre can
+  /// reach. Default: 1.4 angstrom, water.
   vtkSetMacro(ProbeRadius, double);
   vtkGetMacro(ProbeRadius, double);
   ///@}
@@ -91,13 +95,13 @@ public:
   ///@}
 
   ///@{
-  /// Radius of the ball that does not get in. Default: 3.1 angstrom.
+  /// Radius of the ball that does not get into a pocket from outside. Default: 3.1 angstrom.
   vtkSetMacro(OuterRadius, double);
   vtkGetMacro(OuterRadius, double);
   ///@}
 
   ///@{
-  /// How far around a place atoms bury it. Default: 10 angstrom.
+  /// Radius within which atoms are counted for the burial of a place. Default: 10 angstrom.
   vtkSetMacro(BurialRadius, double);
   vtkGetMacro(BurialRadius, double);
   ///@}
@@ -110,22 +114,22 @@ public:
 
   ///@{
   /// Whether pockets are divided into sites of the size of a ligand, ranked by their probability
-  /// (where the atoms have names and elements). Off: whole pockets, ranked by Score. Default: on.
+  /// (if the atoms have names and elements). Off: whole pockets, ranked by Score. Default: on.
   vtkSetMacro(FindSites, bool);
   vtkGetMacro(FindSites, bool);
   vtkBooleanMacro(FindSites, bool);
   ///@}
 
   ///@{
-  /// Whether output 6, without input 1, has the point array `SiteDescriptors`, what each place's
-  /// probability is computed from. Default: off.
+  /// Whether output 6, without input 1, has the point array `SiteDescriptors`, from which the
+  /// probability of each place is computed. Default: off.
   vtkSetMacro(KeepDescriptors, bool);
   vtkGetMacro(KeepDescriptors, bool);
   vtkBooleanMacro(KeepDescriptors, bool);
   ///@}
 
   ///@{
-  /// Whether a surface, where there is one, contributes to the score. Default: on.
+  /// Whether a surface on input 1 contributes to the score. Default: on.
   vtkSetMacro(UsePolarizedCurvature, bool);
   vtkGetMacro(UsePolarizedCurvature, bool);
   vtkBooleanMacro(UsePolarizedCurvature, bool);
@@ -141,7 +145,8 @@ public:
   ///@}
 
   ///@{
-  /// What counts as part of the molecule beside its chains. Default: nothing.
+  /// Residues and atoms that count as part of the molecule in addition to its chains. Default:
+  /// none.
   vtkSetMacro(KeepHydrogens, bool);
   vtkGetMacro(KeepHydrogens, bool);
   vtkBooleanMacro(KeepHydrogens, bool);
@@ -160,13 +165,13 @@ public:
   ///@}
 
   ///@{
-  /// Names of further residues to keep, between blanks or commas. Default: none.
+  /// Names of further residues to keep, separated by spaces or commas. Default: none.
   vtkSetMacro(KeepResidues, std::string);
   vtkGetMacro(KeepResidues, std::string);
   ///@}
 
   ///@{
-  /// The pocket whose residues output 5 shows; 0 (default): those of all.
+  /// The pocket whose residues output 5 contains; 0 (default): all pockets.
   vtkSetMacro(ShownPocket, int);
   vtkGetMacro(ShownPocket, int);
   ///@}
@@ -193,7 +198,7 @@ private:
 
   void Compute(vtkPointSet* atoms, vtkPolyData* surface, vtkInformationVector* outputs);
 
-  /// The pockets of the last run, whatever their volume, and what they were made of.
+  /// The pockets of the last run, whatever their volume, and their inputs.
   struct Cache;
   std::unique_ptr<Cache> Kept;
 

@@ -31,7 +31,8 @@ vtkStandardNewMacro(vtkPolarizedCurvature);
 namespace
 {
 
-/// A plain double (or, with vtkFloatArray, float) copy, or `array` itself where it is one.
+/// `array` itself if it is a plain double array (or a vtkFloatArray), otherwise a copy of this
+/// type.
 template <typename Array>
 vtkSmartPointer<Array> Plain(vtkDataArray* array)
 {
@@ -79,7 +80,7 @@ void CheckScalar(vtkDataArray* array, vtkDataSet* data, const char* what)
     array->GetNumberOfTuples() != data->GetNumberOfPoints())
   {
     throw std::invalid_argument("The array for the " + std::string(what) +
-      " is not one number for each point: choose another.");
+      " does not have one number for each point: choose another.");
   }
 }
 
@@ -136,7 +137,7 @@ vtkDataArray* vtkPolarizedCurvature::Scalar(
 int vtkPolarizedCurvature::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Any part of the image may be needed, wherever the surface's piece lies.
+  // Any part of the image may be needed, since the surface's piece may lie anywhere.
   if (vtkInformation* image = inputVector[1]->GetInformationObject(0))
   {
     isthmus::RequestWholeExtent(image);
@@ -186,7 +187,7 @@ void vtkPolarizedCurvature::Sample(
   if (!scalars)
   {
     throw std::invalid_argument("The image has neither a point array " + this->ImageArrayName +
-      " nor scalars: give one of the image's point arrays as ImageArrayName.");
+      " nor scalars: set ImageArrayName to one of the image's point arrays.");
   }
   CheckScalar(scalars, image, "potential");
   const vtkIdType count = surface->GetNumberOfPoints();
@@ -203,13 +204,13 @@ void vtkPolarizedCurvature::Sample(
   if (off == count)
   {
     throw std::invalid_argument(
-      "The potential misses the surface: none of its points lies in the "
-      "image. Are both of the same molecule, in the same unit of length?");
+      "The potential does not overlap the surface: none of the surface's points lies in the image. "
+      "Are both of the same molecule, in the same unit of length?");
   }
   if (off > 0)
   {
     vtkWarningMacro(<< isthmus::TextOf(off, " of ", count,
-                      " points of the surface lie off the grid of the potential (or at values "
+                      " points of the surface lie outside the grid of the potential (or at values "
                       "that are not finite): PotentialValid is 0 there and the products are NaN."));
   }
 }

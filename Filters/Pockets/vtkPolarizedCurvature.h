@@ -1,18 +1,19 @@
 /**
  * @class   vtkPolarizedCurvature
- * @brief   products of curvature and electrostatic potential on a surface, and binding-site classes
+ * @brief   Computes products of curvature and electrostatic potential on a surface, and
+ * binding-site classes.
  *
  * Input 0: a vtkPolyData with the point arrays `MaximumCurvature` and `MinimumCurvature` (input
- * arrays 0 and 1), as vtkSurfaceCurvature and vtkHessianCurvature make them. The potential comes
+ * arrays 0 and 1), as created by vtkSurfaceCurvature and vtkHessianCurvature. The potential comes
  * from input 1, a vtkImageData (its point array ImageArrayName), interpolated trilinearly at the
  * points in world coordinates; without that input, from a point array of the surface (input array
  * 2: `Potential`).
  *
  * **Output**: the surface with its arrays and, on points, double:
- * - `Potential` (kT/e, or the unit that the image has): NaN at points off the grid;
+ * - `Potential` (kT/e, or the unit of the image): NaN at points off the grid;
  * - `PositivePotentialKappa1`, `PositivePotentialKappa2`, `NegativePotentialKappa1`,
- *   `NegativePotentialKappa2`: max(Phi, 0) or min(Phi, 0) times kappa_1 or kappa_2
- *   (kT/(e angstrom)), NaN where the potential is;
+ *   `NegativePotentialKappa2`: max(Phi, 0) or min(Phi, 0) times kappa_1 or kappa_2 (kT/(e
+ *   angstrom)), NaN where the potential is NaN;
  * - `PolarizedCurvature` = Phi kappa_2;
  * - `SiteClass` (unsigned char): names in the field array `SiteClassNames`; a saddle has the class
  *   of its larger amplitude:
@@ -21,21 +22,22 @@
  *   - 2: site for a negatively charged small ligand (Phi > 0, kappa_2 < 0);
  *   - 3: site for a positively charged protein (Phi < 0, kappa_1 > 0);
  *   - 4: site for a positively charged small ligand (Phi < 0, kappa_2 < 0);
- * - `PotentialValid` (unsigned char): 0 where the point lies off the grid or a value around it is
- *   not finite, else 1.
+ * - `PotentialValid` (unsigned char): 0 if the point lies off the grid or a value around it is not
+ *   finite, otherwise 1.
  *
- * Where the curvature filters marked a point as not valid, curvatures and so products are 0.
- * Source: X. Feng's thesis, section 5.2.5, Table 5.7; PolarizedCurvature.h has the formulas.
+ * At points that the curvature filters marked as not valid, the curvatures and therefore the
+ * products are 0. Source: X. Feng's thesis, section 5.2.5, Table 5.7; PolarizedCurvature.h has the
+ * formulas.
  *
- * **Errors** (message, empty output): no such arrays, no potential, a potential that misses the
- * whole surface. One that misses some points gives a warning with their number, and the comparison
- * of all filters (InputOverlap.h) another where it misses most of it, or is of another unit of
- * length. An empty surface is not an error.
+ * **Errors** (message, empty output): missing arrays, no potential, a potential whose grid does not
+ * overlap the surface. If some points are off the grid, a warning gives their number. As in all
+ * filters (InputOverlap.h), there is another warning if most of the surface is off the grid or the
+ * unit of length seems to differ. An empty surface is not an error.
  *
- * **Ranks.** Each MPI rank works on its piece of the surface and asks for the whole potential.
+ * **Ranks.** Each MPI rank processes its piece of the surface and requests the whole potential.
  *
- * **Cost.** 30 ns a point and thread, in parallel, bitwise the same on any number of threads; 57
- * bytes a point.
+ * **Cost.** 30 ns per point and thread, in parallel, bitwise the same on any number of threads; 57
+ * bytes per point.
  */
 #ifndef vtkPolarizedCurvature_h
 #define vtkPolarizedCurvature_h
@@ -64,8 +66,8 @@ public:
   ///@}
 
   ///@{
-  /// Point array of the image that is the potential. Default: `Potential`. If the image has none of
-  /// that name, its active scalars are taken.
+  /// Point array of the image that contains the potential. Default: `Potential`. If the image has
+  /// no array of that name, its active scalars are used.
   vtkSetMacro(ImageArrayName, std::string);
   vtkGetMacro(ImageArrayName, std::string);
   ///@}

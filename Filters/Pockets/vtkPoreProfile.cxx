@@ -47,7 +47,7 @@ double LongestEdge(vtkPolyData* surface)
   return std::sqrt(longest);
 }
 
-/// Which pores are asked for.
+/// The requested pores.
 struct Ways
 {
   int Mode;
@@ -159,7 +159,8 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
 {
   if (this->MaximumPores < 0)
   {
-    throw std::invalid_argument("MaximumPores is negative, but it is a number of pores.");
+    throw std::invalid_argument(
+      "MaximumPores is negative, but it must be a number of pores, 0 or more.");
   }
   isthmus::PolymerOptions keep;
   keep.Hydrogens = this->KeepHydrogens;
@@ -184,7 +185,7 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
     {
       options.MinimumRadius = longest;
       atoms.Notes.push_back("The surface's points are up to " + isthmus::FormatNumber(longest) +
-        " apart: channels narrower than that were not looked for.");
+        " apart: channels narrower than that are not found.");
     }
   }
   const Ways ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };

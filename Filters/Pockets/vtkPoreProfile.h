@@ -1,39 +1,42 @@
 /**
  * @class   vtkPoreProfile
- * @brief   the radius along pores and channels of a molecule, and what lines them
+ * @brief   Measures the radius along pores and channels of a molecule, and lists the residues that
+ * line them.
  *
- * Input: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
- * them. Where it gives names, water, ions and ligands are dropped (the field array `Notes` says
- * what); hydrogens stay, unlike in vtkMolecularPockets.
+ * Input: atoms, i.e. points with the array `Radius` (input array 0), as created by
+ * vtkMacromoleculeReader. If the atoms have names, water, ions and ligands are dropped (the field
+ * array `Notes` lists them); hydrogens are kept, unlike in vtkMolecularPockets.
  *
- * Or a closed surface (polygons without a radius), of a map say, as vtkMapSurface makes it: its
- * points are taken as atoms of radius 0, so that radii are too large by some h^2 / 6r at edges of
- * h. Channels narrower than its longest edge cannot be distinguished from the gaps between points
- * and are left out.
+ * Alternatively, a closed surface (polygons without a radius), for example that of a map from
+ * vtkMapSurface: its points are used as atoms of radius 0, so radii are too large by about h^2 / 6r
+ * for edges of length h. Channels narrower than the longest edge cannot be distinguished from the
+ * gaps between points and are omitted.
  *
- * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to
- * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.
- * PoreProfile.h and PoreChannels.h have the definitions.
+ * Mode Automatic finds the channels through the molecule; TwoPoints follows the pore from Point1 to
+ * Point2; PointAndDirection uses planes perpendicular to Direction, both ways from Point, as HOLE
+ * does. The definitions are in PoreProfile.h and PoreChannels.h.
  *
- * - **Output 0**, vtkPolyData: a polyline for each pore, through the centres of the largest balls.
+ * - **Output 0**, vtkPolyData: one polyline per pore, through the centres of the largest balls.
  *   Point arrays `Radius`, `ArcLength` (angstrom), `NearestAtom` (point of the input),
- *   `NearestResidue`, `WidthClass` (0: narrower than water, radius below 1.15; 1: room for one
- *   water; 2: for two, from 2.30, HOLE's colours), `PoreId`; cell array `PoreId`. 1 is the longest.
+ *   `NearestResidue`, `WidthClass` (0: too narrow for water, radius below 1.15; 1: room for one
+ *   water molecule; 2: room for two, from 2.30; these are the classes of HOLE), `PoreId`; cell
+ *   array `PoreId`. The longest pore has the number 1.
  * - **Output 1**, vtkTable: the same samples as rows, with X, Y, Z, for a chart.
- * - **Output 2**, vtkTable: a row for each pore: `PoreId`, `Radius` (the least), `Length`, `Span`,
+ * - **Output 2**, vtkTable: one row per pore: `PoreId`, `Radius` (the smallest), `Length`, `Span`,
  *   `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
  * - **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`,
  *   `Rank` (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`, `Residues`
- *   (those that touch the ball there, within 0.5 angstrom).
+ *   (residues within 0.5 angstrom of touching the ball there).
  * - **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
- * - **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
- * - **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point
- *   arrays and `PoreId`.
+ * - **Output 5**, vtkPolyData: tubes with the radii of the pores, with `Radius`, `WidthClass`,
+ *   `PoreId`.
+ * - **Output 6**, vtkPolyData: all atoms of the lining residues, with their bonds, the input's
+ *   point arrays and `PoreId`.
  *
- * **Errors** (message, empty outputs): no radii, radii, points or options out of range, no way
- * between the points. No pore that runs through is none.
+ * **Errors** (message, empty outputs): missing radii; radii, points or options out of range; no
+ * path between the points. A molecule without channels is not an error.
  *
- * **Cost.** About 1 ms a plane. Bitwise the same on any number of threads.
+ * **Cost.** About 1 ms per plane. Results are bitwise the same on any number of threads.
  */
 #ifndef vtkPoreProfile_h
 #define vtkPoreProfile_h
@@ -61,13 +64,13 @@ public:
   };
 
   ///@{
-  /// Which pores. Default: Automatic.
+  /// Which pores to find. Default: Automatic.
   vtkSetClampMacro(Mode, int, Automatic, PointAndDirection);
   vtkGetMacro(Mode, int);
   ///@}
 
   ///@{
-  /// The ends of the pore, angstrom, for TwoPoints. Default: the origin.
+  /// The ends of the pore in angstrom, for TwoPoints. Default: the origin.
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
   vtkSetVector3Macro(Point2, double);
@@ -75,8 +78,8 @@ public:
   ///@}
 
   ///@{
-  /// A place in the pore (angstrom) and the way along it, for PointAndDirection. Default: origin,
-  /// z.
+  /// A point in the pore (angstrom) and the direction along it, for PointAndDirection. Default:
+  /// origin, z.
   vtkSetVector3Macro(Point, double);
   vtkGetVector3Macro(Point, double);
   vtkSetVector3Macro(Direction, double);
@@ -90,37 +93,38 @@ public:
   ///@}
 
   ///@{
-  /// Distance of the planes. Default: 0.25 angstrom.
+  /// Distance between the planes. Default: 0.25 angstrom.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Least radius of channels, for Automatic. Default: 1 angstrom.
+  /// Smallest radius of channels, for Automatic. Default: 1 angstrom.
   vtkSetMacro(MinimumRadius, double);
   vtkGetMacro(MinimumRadius, double);
   ///@}
 
   ///@{
-  /// Least distance of a channel's ends, for Automatic. Default: 20 angstrom.
+  /// Smallest distance between the ends of a channel, for Automatic. Default: 20 angstrom.
   vtkSetMacro(MinimumSpan, double);
   vtkGetMacro(MinimumSpan, double);
   ///@}
 
   ///@{
-  /// How many channels at most, for Automatic. Default: 20.
+  /// Maximum number of channels, for Automatic. Default: 20.
   vtkSetMacro(MaximumPores, int);
   vtkGetMacro(MaximumPores, int);
   ///@}
 
   ///@{
-  /// How far the way may be from the straight line, for TwoPoints. Default: 10 angstrom.
+  /// Largest distance of the path from the straight line, for TwoPoints. Default: 10 angstrom.
   vtkSetMacro(MaximumOffset, double);
   vtkGetMacro(MaximumOffset, double);
   ///@}
 
   ///@{
-  /// What counts as part of the molecule beside its chains. Default: hydrogens.
+  /// Residues and atoms that count as part of the molecule in addition to its chains. Default:
+  /// hydrogens.
   vtkSetMacro(KeepHydrogens, bool);
   vtkGetMacro(KeepHydrogens, bool);
   vtkBooleanMacro(KeepHydrogens, bool);

@@ -94,7 +94,8 @@ TEST(PolarizedCurvature, WhatIsMissingIsASentence)
     far->SetOrigin(origin[0] + 5.1 - box[0], origin[1] - 8.0 - box[2], origin[2] - 8.0 - box[4]);
     Trial beside(sphere, far);
     EXPECT_EQ(beside.Update()->GetNumberOfPoints(), 0);
-    EXPECT_NE(beside.Error().find("misses the surface"), std::string::npos) << beside.Error();
+    EXPECT_NE(beside.Error().find("does not overlap the surface"), std::string::npos)
+      << beside.Error();
   }
   {
     vtkNew<vtkImageData> bare;
