@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// @name How many cells of a kind a map has; the second argument names the kind only
+/// @name Number of cells of a kind in a map; the second argument only selects the kind
 ///@{
 template <typename Id>
 std::size_t CountOf(const CompactCombinatorialMap<Id>& map, VertexHandle<Id>)
@@ -49,8 +49,8 @@ std::size_t CountOf(const CompactCombinatorialMap<Id>& map, CellHandle<Id>)
 ///@}
 
 /**
- * One value for each `Cell` (Map::Vertex, Map::Edge, ...), in one array. Only a handle of that kind
- * finds it. The map must outlive it. Access is O(1).
+ * An array with one value for each `Cell` (Map::Vertex, Map::Edge, ...), which only handles of that
+ * kind can index. The map must outlive it. Access is O(1).
  */
 template <typename Map, typename Cell, typename Value>
 class Attribute

@@ -95,7 +95,7 @@ CellType::LocalDarts CellType::NumberEdges() const
   {
     if (face.size() < 3 || std::set<int>(face.begin(), face.end()).size() != face.size())
     {
-      this->Refuse("has a face with fewer than three vertices or with one vertex twice");
+      this->Refuse("has a face with fewer than three vertices or with a repeated vertex");
     }
     ForEachSide(face,
       [&](int a, int b)
@@ -236,7 +236,7 @@ int CellType::DartsReachedFromFirst() const
 void CellType::Refuse(const std::string& reason) const
 {
   throw std::invalid_argument("The cell type '" + this->TypeName + "' " + reason +
-    ". Give its faces counter-clockwise seen from outside, each edge in two of them.");
+    ". List its faces counter-clockwise seen from outside, with each edge in two faces.");
 }
 
 std::size_t CellType::MemoryBytes() const

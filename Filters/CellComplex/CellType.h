@@ -1,6 +1,7 @@
 /**
  * @file CellType.h
- * @brief A kind of volume cell, defined by its oriented faces alone; darts and their maps follow.
+ * @brief A kind of volume cell, defined by its oriented faces alone, from which darts and their
+ * maps are derived.
  *
  * Source: X. Feng, "Geometric and topological modeling techniques for large and complex shapes",
  * 3.3.2.1 and Tables 3.1, 3.2, 3.4.
@@ -24,9 +25,9 @@ namespace isthmus
 using FaceList = std::vector<std::vector<int>>;
 
 /**
- * The same faces, turned where needed so that any two that share an edge run along it in opposite
- * directions; the first face keeps its direction. Faces that can't be so turned are returned as
- * they are, for CellType to refuse.
+ * The same faces, reversed where needed so that any two that share an edge run along it in opposite
+ * directions; the first face keeps its direction. If this is not possible, the faces are returned
+ * unchanged, and CellType will reject them.
  */
 VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT FaceList ConsistentlyOriented(FaceList faces);
 
@@ -37,33 +38,33 @@ VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT FaceList ConsistentlyOriented(FaceList faces
  * darts 2e+1 = (a, b) and 2e+2 = (b, a). beta1 leads to the next dart of a face, beta2 to the other
  * dart of the edge. The first dart of a face is the edge with which its vertex list begins.
  *
- * Memory: about 20 bytes a dart and 300 a type; a mesh has few types, but one of general polyhedra
- * has up to one for each cell.
+ * Memory: about 20 bytes per dart and 300 per type. A mesh has few types, except that a mesh of
+ * general polyhedra has up to one per cell.
  */
 class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT CellType
 {
 public:
-  /// A number of a local vertex, face or dart.
+  /// The number of a local vertex, face or dart.
   using Local = std::uint16_t;
 
-  /// What is known of one dart.
+  /// The data of one dart.
   struct Dart
   {
     Local Next = 0;     ///< beta1
     Local Previous = 0; ///< inverse of beta1
-    Local Start = 0;    ///< vertex it starts at
-    Local Face = 0;     ///< face it runs around
-    Local Position = 0; ///< its place in that face, 0 for the first dart
+    Local Start = 0;    ///< vertex at which it starts
+    Local Face = 0;     ///< face around which it runs
+    Local Position = 0; ///< its position in that face, 0 for the first dart
   };
 
-  /// @throws std::invalid_argument with a message unless the faces are a sphere: each edge in two
-  /// faces that run along it in opposite directions, one fan of faces at each vertex, in one piece,
-  /// V - E + F = 2; and for more than 65,534 darts.
+  /// @throws std::invalid_argument with a message unless the faces form a sphere (each edge in two
+  /// faces that run along it in opposite directions, one fan of faces at each vertex, a single
+  /// piece, and V - E + F = 2), and for more than 65,534 darts.
   CellType(std::string name, int numberOfVertices, FaceList faces);
 
-  /// @name The built-in types, numbered as VTK numbers them, but for Prism.
-  /// Prism is the thesis': triangle (0, 1, 2) towards (3, 4, 5), so VTK_WEDGE read by VTK's own
-  /// documentation is its vertices in the order (0, 2, 1, 3, 5, 4).
+  /// @name The built-in types, with VTK's vertex numbering except for Prism. Prism is defined as in
+  /// the thesis, with triangle (0, 1, 2) facing (3, 4, 5), so a VTK_WEDGE, as documented by VTK,
+  /// has its vertices in the order (0, 2, 1, 3, 5, 4).
   ///@{
   static const CellType& Tetrahedron();
   static const CellType& Pyramid();
@@ -111,7 +112,7 @@ public:
   /// Bytes of this type's tables.
   std::size_t MemoryBytes() const;
 
-  /// The same type seen in a mirror: every face's direction reversed.
+  /// The mirror image of the type: the direction of every face is reversed.
   CellType Mirrored() const;
 
   friend bool operator==(const CellType& a, const CellType& b)
@@ -143,11 +144,11 @@ private:
 /// `NumberOfCells` consecutive cells of one type.
 struct CellRun
 {
-  std::size_t Type = 0; ///< place in the list of types
+  std::size_t Type = 0; ///< index in the list of types
   std::int64_t NumberOfCells = 0;
 };
 
-/// Runs of cells, numbered in their order, and the vertices of all cells one after the other.
+/// Runs of cells, numbered in this order, and the vertices of all cells one after the other.
 struct CellList
 {
   std::int64_t NumberOfVertices = 0;

@@ -1,7 +1,6 @@
 /**
  * @file CombinatorialHandles.h
- * @brief Typed ids of the cells of a combinatorial map, so that a vertex is not mistaken for an
- * edge.
+ * @brief Typed ids of the cells of a combinatorial map, so that a vertex cannot be used as an edge.
  */
 #ifndef isthmus_CombinatorialHandles_h
 #define isthmus_CombinatorialHandles_h
@@ -32,7 +31,7 @@ using HalfFaceHandle = Handle<struct HalfFaceKind, Id>;
 template <typename Id>
 using BoundaryFaceHandle = Handle<struct BoundaryFaceKind, Id>;
 /// (vertex, edge, face, cell): cell number and local dart (from 1), packed; local dart 0 means the
-/// outside, with the boundary face's number in place of the cell's.
+/// outside, with the number of the boundary face instead of a cell.
 template <typename Id>
 using DartHandle = Handle<struct DartKind, Id>;
 

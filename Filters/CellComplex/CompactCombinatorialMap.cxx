@@ -137,7 +137,7 @@ void CompactCombinatorialMap<Id>::CopyVertices(
   {
     throw MeshError(MeshError::Reason::Inconsistent,
       "The cells need " + std::to_string(this->Cv2V.size()) + " vertex numbers, but " +
-        std::to_string(cellVertices.size()) + " were given: the list does not fit their types.");
+        std::to_string(cellVertices.size()) + " were given: the list does not match their types.");
   }
   CellVertexCheck check(static_cast<std::int64_t>(numberOfVertices));
   ParallelFor(0, static_cast<std::int64_t>(this->CellCount), CellsPerPiece,

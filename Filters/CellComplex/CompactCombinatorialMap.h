@@ -1,19 +1,19 @@
 /**
  * @file CompactCombinatorialMap.h
- * @brief All incidence of a volume mesh in constant time and little memory.
+ * @brief All incidence relations of a volume mesh in constant time and little memory.
  *
- * A dart is a vertex, an edge, a face and a cell that meet: (v, e, f, c). beta_i leads to the dart
- * that differs in the vertex and the i-cell. beta1 and beta2 stay in a cell and follow from its
- * type; beta3 is stored for the first dart of each half face only, since
- * beta3 = beta1 o beta3 o beta1. Source: X. Feng, "Geometric and topological modeling techniques
- * for large and complex shapes", chapter 3, with the corrections named where they apply.
+ * A dart is a tuple (v, e, f, c) of an incident vertex, edge, face and cell. beta_i leads to the
+ * dart that differs in the vertex and the i-cell. beta1 and beta2 stay within a cell and follow
+ * from its type; beta3 is stored for the first dart of each half face only, since beta3 = beta1 o
+ * beta3 o beta1. Source: X. Feng, "Geometric and topological modeling techniques for large and
+ * complex shapes", chapter 3; corrections are noted where they apply.
  *
  * Tables (names of the thesis; n0 vertices, n3 cells, n_b boundary faces; one id each): Cv2V the
  * vertices of each cell, H2D beta3 of the first dart of each half face (the number of the boundary
- * face where there is no other cell), V2D a dart of each vertex, on a boundary face where there is
- * one, B2D the dart of each boundary face. For tetrahedra 4 (4 n3 + 4 n3 + n0 + n_b) bytes. Edges()
- * and Faces() add E2D, V2E and F2D, V2F on first use; Stars() lists the cells around each vertex
- * for those who sweep over all of them (the thesis walks each star instead).
+ * face if there is no other cell), V2D a dart of each vertex, on a boundary face if there is one,
+ * B2D the dart of each boundary face. For tetrahedra this takes 4 (4 n3 + 4 n3 + n0 + n_b) bytes.
+ * Edges() and Faces() add E2D, V2E and F2D, V2F on first use; Stars() lists the cells around each
+ * vertex, for algorithms that visit all stars (the thesis walks each star instead).
  */
 #ifndef isthmus_CompactCombinatorialMap_h
 #define isthmus_CompactCombinatorialMap_h
@@ -47,15 +47,16 @@ class StarTable;
  * (see FitsIn). An id of a dart holds the cell's number and, in the low DartBits() bits, the local
  * dart: 4 bits for tetrahedra, 5 for the other built-in types, so 2^28 tetrahedra fit in 32 bits.
  *
- * Cells and vertices keep the numbers of the input. Cells may come in any order of types; each run
- * of cells of one type costs 72 bytes, and a mesh of more than one run one integer a cell.
+ * Cells and vertices keep the numbers of the input. Cells may be in any order of types; each run of
+ * cells of one type costs 72 bytes, and a mesh with more than one run needs one more integer per
+ * cell.
  *
- * Two cells may touch in a vertex or an edge alone (a pinched mesh): their stars and fans are then
- * complete, not only one umbrella.
+ * Two cells may touch only in a vertex or an edge (a pinched mesh). Stars and fans are complete in
+ * this case and not limited to one umbrella.
  *
  * The constructor works in parallel, in O(n3), with at most 2.5 times the tables' memory; its
- * result does not depend on the number of threads. Queries allocate nothing and may be made from
- * any number of threads. Their cost depends on the valence only, never on the size of the mesh.
+ * result does not depend on the number of threads. Queries allocate no memory and may be made from
+ * any number of threads. Their cost depends only on the valence, not on the size of the mesh.
  */
 template <typename Id = std::uint32_t>
 class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT CompactCombinatorialMap : public DartMap<Id>
@@ -65,9 +66,9 @@ public:
   using typename DartMap<Id>::Cell;
   using typename DartMap<Id>::Dart;
 
-  /// @throws MeshError, naming the first cells, for a vertex number out of range, a vertex twice in
-  /// a cell, a face with three cells, two cells that see their common face in the same direction,
-  /// and more cells or vertices than `Id` can number; Cancelled.
+  /// @throws MeshError, naming the first cells, for a vertex number out of range, a repeated vertex
+  /// in a cell, a face with three cells, two cells that see their common face in the same
+  /// direction, and more cells or vertices than `Id` can number; Cancelled.
   explicit CompactCombinatorialMap(CellList mesh, const ProgressCallback& progress = {});
   ~CompactCombinatorialMap();
 
@@ -82,7 +83,7 @@ public:
   const CellEdgeTable<Id>& CellEdges() const;
   ///@}
 
-  /// Bytes of each table in use: Cv2V, H2D, V2D, B2D, then what runs, types, edges and faces add.
+  /// Bytes of each table in use: Cv2V, H2D, V2D, B2D, then those of runs, types, edges and faces.
   std::vector<TableMemory> MemoryReport() const;
   /// The thesis' estimate for tetrahedra with coordinates (Table 3.8): 4 (8.7 n3 + n_b) bytes.
   static double EstimatedBytes(double numberOfTetrahedra, double numberOfBoundaryFaces)

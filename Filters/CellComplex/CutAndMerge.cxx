@@ -77,9 +77,9 @@ EditedCells CutOut(const CompactCombinatorialMap<Id>& map, const std::vector<uns
   using Cell = typename CompactCombinatorialMap<Id>::Cell;
   if (keep.size() != map.NumberOfCells())
   {
-    throw std::invalid_argument("A cut-out needs to know of each of the " +
-      std::to_string(map.NumberOfCells()) + " cells whether it is kept, but " +
-      std::to_string(keep.size()) + " answers were given.");
+    throw std::invalid_argument("Cutting needs one keep flag for each of the " +
+      std::to_string(map.NumberOfCells()) + " cells, but " + std::to_string(keep.size()) +
+      " were given.");
   }
   Editor editor;
   std::vector<std::int64_t> newVertices(map.NumberOfVertices(), Unset);

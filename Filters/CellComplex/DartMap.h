@@ -1,9 +1,9 @@
 /**
  * @file DartMap.h
- * @brief The darts of a volume mesh, the maps between them, and what meets in each.
+ * @brief The darts of a volume mesh, the maps between them, and the incident cells of each dart.
  *
- * This is what CompactCombinatorialMap builds and everything that walks a mesh reads; formulas,
- * tables and source are described there.
+ * CompactCombinatorialMap builds this map, and all mesh traversals read it; formulas, tables and
+ * source are described there.
  */
 #ifndef isthmus_DartMap_h
 #define isthmus_DartMap_h
@@ -29,9 +29,9 @@ struct TableMemory
 };
 
 /**
- * The tables Cv2V, H2D, V2D and B2D and all queries that need no others. `Id` is std::uint32_t or
- * std::uint64_t. Queries allocate nothing and may be made from any number of threads; their cost
- * does not depend on the size of the mesh.
+ * The tables Cv2V, H2D, V2D and B2D, and all queries that need no other tables. `Id` is
+ * std::uint32_t or std::uint64_t. Queries allocate no memory and may be made from any number of
+ * threads; their cost does not depend on the size of the mesh.
  */
 template <typename Id = std::uint32_t>
 class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT DartMap
@@ -56,7 +56,8 @@ public:
   std::size_t NumberOfFaces() const { return (this->H2D.size() + this->B2D.size()) / 2; }
   std::size_t NumberOfDarts() const { return this->DartCount; }
   unsigned DartBits() const { return this->Bits; }
-  /// Nothing but one run of built-in tetrahedra: four integers a cell in Cv2V and H2D.
+  /// True if the mesh is a single run of built-in tetrahedra, with four integers per cell in Cv2V
+  /// and H2D.
   bool HasOnlyTetrahedra() const
   {
     return this->Blocks.size() == 1 && *this->Blocks[0].Type == CellType::Tetrahedron();
@@ -69,7 +70,7 @@ public:
     return Dart(static_cast<Id>(cell.Value << this->Bits) | static_cast<Id>(local));
   }
   unsigned LocalDart(Dart dart) const { return static_cast<unsigned>(dart.Value & this->Mask()); }
-  /// True for what lies beyond a boundary face (and for the dart of a vertex without cells).
+  /// True for the outside of a boundary face (and for the dart of a vertex without cells).
   bool IsOutside(Dart dart) const { return this->LocalDart(dart) == 0; }
   /// The boundary face that an outside dart represents.
   BoundaryFace BoundaryFaceOf(Dart outside) const
@@ -98,7 +99,7 @@ public:
       ->Cv2V[block.VertexIndex(this->CellOf(dart), block.Darts[this->LocalDart(dart)].Start)];
   }
   Vertex EndVertex(Dart dart) const { return this->StartVertex(this->Beta2(dart)); }
-  /// Both, a little faster.
+  /// Both at once, slightly faster.
   std::pair<Vertex, Vertex> EndVertices(Dart dart) const
   {
     const Block& block = this->BlockOf(this->CellOf(dart));
@@ -171,7 +172,7 @@ public:
       [this, cell](std::size_t e)
       { return this->MakeDart(cell, static_cast<unsigned>(2 * e + 1)); });
   }
-  /// What lies beyond each face of a cell, in their order: a dart there, or outside.
+  /// For each face of a cell, in their order, a dart in the cell beyond it, or outside.
   View<Dart> Neighbours(Cell cell) const
   {
     const Block& block = this->BlockOf(cell);
@@ -179,7 +180,7 @@ public:
   }
   ///@}
 
-  /// @name Vertices; their stars are walked by StarWalk
+  /// @name Vertices; their stars are traversed by StarWalk
   ///@{
   /// A dart that starts there, on a boundary face if the vertex has one; outside if it has no cell.
   Dart DartOf(Vertex vertex) const { return this->V2D[vertex.Value]; }
@@ -192,7 +193,7 @@ public:
   View<std::pair<Vertex, Dart>> FurtherUmbrellas(Vertex vertex) const;
   ///@}
 
-  /// @name Places of cells of each kind in an array of attributes
+  /// @name Indices of cells of each kind in an array of attributes
   ///@{
   std::size_t IndexOf(Vertex vertex) const { return vertex.Value; }
   std::size_t IndexOf(Edge edge) const { return edge.Value; }
@@ -218,7 +219,8 @@ protected:
   template <typename>
   friend class HalfFaceMatching;
 
-  /// A run of cells of one type; the bases are such that cell numbers need no subtraction.
+  /// A run of cells of one type; the base offsets are chosen so that cell numbers need no
+  /// subtraction.
   struct Block
   {
     const CellType* Type;

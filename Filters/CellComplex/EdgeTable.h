@@ -3,8 +3,8 @@
  * @brief Numbered edges of a combinatorial map: tables E2D and V2E.
  *
  * Source: X. Feng, "Geometric and topological modeling techniques for large and complex shapes",
- * 3.3.2.4 and Algorithms 1 and 3, with the direction rule and the boundary test that their print
- * lacks.
+ * 3.3.2.4 and Algorithms 1 and 3, with the direction rule and the boundary test that are missing in
+ * the printed algorithms.
  */
 #ifndef isthmus_EdgeTable_h
 #define isthmus_EdgeTable_h
@@ -23,7 +23,7 @@
 namespace isthmus
 {
 
-/// The place of the first of the eight `numbers` that is `wanted`; 8 where none is.
+/// The index of the first of the eight `numbers` that equals `wanted`; 8 if none does.
 template <typename Id>
 inline unsigned FirstEqualOfEight(const Id* numbers, Id wanted)
 {
@@ -36,7 +36,7 @@ inline unsigned FirstEqualOfEight(const Id* numbers, Id wanted)
 }
 
 #if defined(__SSE2__) && defined(__GNUC__)
-/// The same without branches, by the vectors that every x86-64 has.
+/// The same without branches, by vector instructions available on every x86-64.
 inline unsigned FirstEqualOfEight(const std::uint32_t* numbers, std::uint32_t wanted)
 {
   const __m128i all = _mm_set1_epi32(static_cast<int>(wanted));
@@ -49,14 +49,15 @@ inline unsigned FirstEqualOfEight(const std::uint32_t* numbers, std::uint32_t wa
 #endif
 
 /**
- * Each pair of vertices that an edge of a cell joins is one edge, however many fans of cells it
- * has (more than one where the mesh is pinched).
+ * Each pair of vertices joined by an edge of a cell is one edge, however many fans of cells it has
+ * (more than one where the mesh is pinched).
  *
- * E2D holds, for each edge, a dart from its smaller to its larger vertex: the clockwise end of the
- * fan of a boundary edge, else the smallest such dart. Edges are ordered by smaller, then larger
- * vertex; V2E holds where those of each vertex begin; E2V, which the thesis does without, the
- * larger vertex, so that a search stays within one line of the cache. Built in parallel in time
- * linear in the number of cells; memory 2 n1 + n0 + 9 ids, n1 more while it is built.
+ * E2D holds, for each edge, a dart from its smaller to its larger vertex: for a boundary edge the
+ * one at the clockwise end of its fan, otherwise the smallest such dart. Edges are ordered by
+ * smaller, then larger vertex. V2E holds the index of the first edge of each vertex. E2V, which is
+ * not in the thesis, holds the larger vertex, so that a search stays within one cache line. Built
+ * in parallel in time linear in the number of cells; memory 2 n1 + n0 + 9 ids, and n1 more during
+ * construction.
  */
 template <typename Id>
 class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT EdgeTable
@@ -82,8 +83,8 @@ public:
   {
     const auto [a, b] = this->Mesh.EndVertices(dart);
     const Id start = std::min(a, b).Value, end = std::max(a, b).Value;
-    // The edge is there, and its end once among those of its start, which come first: so the first
-    // equal one is it. Comparing in strides has no branch that is hard to predict.
+    // The edge exists, and its end occurs exactly once among those of its start, which come first,
+    // so the first match is correct. Comparing in strides avoids branches that are hard to predict.
     for (Id edge = this->V2E[start];; edge += Stride)
     {
       const unsigned place = FirstEqualOfEight(this->E2V.data() + edge, end);
@@ -102,7 +103,7 @@ public:
       [first](std::size_t i) { return Edge(static_cast<Id>(first + i)); });
   }
 
-  /// Walks one dart of each cell around an edge.
+  /// Iterates over one dart of each cell around an edge.
   class FanIterator
   {
   public:
@@ -170,8 +171,8 @@ private:
 //--------------------------------------------------------------------------------------------------
 // The number of each edge of each cell of a combinatorial map, as a list: table C2E.
 //
-// EdgeTable finds the edge of a dart by a short search; where the edges of all cells are needed
-// again and again this table gives them at once, for more memory.
+// EdgeTable finds the edge of a dart by a short search; if the edges of all cells are needed
+// repeatedly, this table provides them directly, at the cost of more memory.
 
 /// Memory: one id for each edge of each cell. Built in parallel from the table of edges.
 template <typename Id>

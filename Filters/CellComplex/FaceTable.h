@@ -19,9 +19,9 @@ namespace isthmus
 
 /**
  * F2D holds, for each face, the first dart of its half face in the cell with the smaller number.
- * Faces are ordered by their vertices, ascending; V2F holds where those of each smallest vertex
- * begin. Built in parallel in time linear in the number of cells; memory n2 + n0 + 1 ids, n2 more
- * while it is built.
+ * Faces are ordered by their vertices, ascending; V2F holds the index of the first face of each
+ * smallest vertex. Built in parallel in time linear in the number of cells; memory n2 + n0 + 1 ids,
+ * and n2 more during construction.
  */
 template <typename Id>
 class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT FaceTable

@@ -130,7 +130,8 @@ private:
     {
       throw std::invalid_argument("Cell " + std::to_string(id) + " is of the type " +
         this->Grid->GetCell(id)->GetClassName() +
-        ", whose faces are not fixed by its points: make polyhedra or tetrahedra of such cells.");
+        ", whose faces are not determined by its points: convert such cells to polyhedra or "
+        "tetrahedra.");
     }
     ++this->Cells.LeftOut;
   }
@@ -205,7 +206,7 @@ private:
     }
     catch (const std::invalid_argument& error)
     {
-      throw std::invalid_argument("Cell " + std::to_string(id) + " is refused. " + error.what());
+      throw std::invalid_argument("Cell " + std::to_string(id) + " is not valid. " + error.what());
     }
   }
 
@@ -309,12 +310,12 @@ std::string GridCells::Remark() const
   if (this->Simplified > 0)
   {
     remark += std::to_string(this->Simplified) +
-      " cells of higher order are taken by their corner points alone. ";
+      " cells of higher order are represented by their corner points only. ";
   }
   if (this->LeftOut > 0)
   {
     remark += std::to_string(this->LeftOut) +
-      " cells that are points, lines or surfaces are left out: only volume cells count here. ";
+      " cells that are points, lines or surfaces are dropped: only volume cells are used here. ";
   }
   return remark;
 }

@@ -26,23 +26,23 @@ struct GridCellType
 {
   int VTKType;
   CellType Type;              ///< VTK's faces, in VTK's numbering
-  std::vector<int> TurnedOut; ///< the order of vertices that turns the cell inside out
+  std::vector<int> TurnedOut; ///< the order of vertices that reverses the orientation of the cell
 };
 
-/// The linear VTK volume cells, polyhedra aside.
+/// The linear VTK volume cells, except polyhedra.
 VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT const std::vector<GridCellType>& LinearCellTypes();
 
 /**
- * Cells of three dimensions: the linear ones, VTK_POLYHEDRON (faces turned to agree with the first
- * one), and quadratic and Lagrange cells by their corners.
+ * Reads the three-dimensional cells: linear cells, VTK_POLYHEDRON (with faces oriented consistently
+ * with the first one), and quadratic and Lagrange cells, represented by their corners.
  */
 class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT GridCells
 {
 public:
   enum class Orientation
   {
-    AsGiven, ///< as VTK's numbering says
-    ByVolume ///< turned inside out where the signed volume is negative
+    AsGiven, ///< oriented according to VTK's numbering
+    ByVolume ///< reversed where the signed volume is negative
   };
 
   /// Time and memory O(cells).
@@ -53,9 +53,9 @@ public:
 
   CellList List() const;
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }
-  /// Number in the grid of cell `cell` of the list.
+  /// The number in the grid of cell `cell` of the list.
   vtkIdType GridId(std::size_t cell) const { return this->GridIds[cell]; }
-  /// A message about what was simplified or left out; empty if nothing was.
+  /// A message about cells that were simplified or dropped; empty if there are none.
   std::string Remark() const;
 
 private:

@@ -29,10 +29,10 @@ void WithMap(const GridCells& cells, const ProgressCallback& progress, Use&& use
 }
 
 /**
- * Calls `use(map, cells)` with the map of `grid`. Cells are turned by the sign of their volume, so
- * that faces look outwards; where that does not fit together, as with cells that are tangled and so
- * have a negative volume, they are taken as their numbering says.
- * @throws MeshError if that does not fit either.
+ * Calls `use(map, cells)` with the map of `grid`. Cells are oriented by the sign of their volume,
+ * so that faces point outwards. If the result is inconsistent, e.g. because tangled cells have a
+ * negative volume, the orientation of VTK's numbering is used.
+ * @throws MeshError if that is inconsistent, too.
  */
 template <typename Use>
 void WithMap(vtkUnstructuredGrid* grid, const ProgressCallback& progress, Use&& use)

@@ -3,9 +3,9 @@
  * @brief Finds, for each half face of a mesh, the half face of the cell beyond it. Used by
  * CompactCombinatorialMap only.
  *
- * Two half faces belong together when they have the same vertices. They are dealt into buckets by
- * their smallest vertex and matched by a hash table within each bucket, so that nearly all work
- * stays in the cache; buckets are independent, hence parallel, and the result does not depend on
+ * Two half faces match if they have the same vertices. They are distributed into buckets by their
+ * smallest vertex and matched by a hash table within each bucket, so that nearly all work stays in
+ * the cache. Buckets are independent and are processed in parallel; the result does not depend on
  * their order.
  */
 #ifndef isthmus_HalfFaceMatching_h
@@ -36,7 +36,7 @@ private:
   using HalfFace = typename Map::HalfFace;
   using Reason = MeshError::Reason;
 
-  /// A half face in its bucket: who it is, and 32 bits that depend on the set of its vertices.
+  /// A half face in its bucket: its number, and 32 bits that depend on the set of its vertices.
   struct Entry
   {
     HalfFace Half;
@@ -47,14 +47,15 @@ private:
     std::size_t SmallestVertex;
     std::uint32_t Hash;
   };
-  /// Two half faces that can't be joined.
+  /// Two half faces that cannot be joined.
   struct Clash
   {
     Reason Why;
     HalfFace First, Second;
   };
-  /// How one half face lies on another: their vertices differ, agree, or agree and run backwards,
-  /// as they must, and then the place in the second of the first dart of the first.
+  /// The relation of two half faces: their vertices differ, agree in the same direction, or agree
+  /// in opposite directions, as required. In the last case also the position, in the second half
+  /// face, of the first dart of the first.
   struct Alignment
   {
     bool SameVertices;

@@ -1,6 +1,6 @@
 /**
  * @file MeshError.h
- * @brief Why a list of cells is not a mesh that a combinatorial map can hold.
+ * @brief The error for a list of cells that is not a valid mesh for a combinatorial map.
  */
 #ifndef isthmus_MeshError_h
 #define isthmus_MeshError_h
@@ -11,7 +11,7 @@
 namespace isthmus
 {
 
-/// Thrown when cells are refused; the message names the first of them.
+/// Thrown if cells are rejected; the message names the first of them.
 class MeshError : public std::invalid_argument
 {
 public:

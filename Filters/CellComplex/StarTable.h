@@ -2,8 +2,8 @@
  * @file StarTable.h
  * @brief The cells around each vertex of a combinatorial map, as a list: table V2S.
  *
- * VertexStar walks a star with the map's own tables; this one costs more memory than all of them
- * would for a few queries, and pays for itself where every vertex's star is needed.
+ * VertexStar walks a star with the map's own tables, which is better for a few queries. This table
+ * needs more memory than all of those, and is worthwhile if the star of every vertex is needed.
  */
 #ifndef isthmus_StarTable_h
 #define isthmus_StarTable_h

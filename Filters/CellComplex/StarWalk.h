@@ -3,7 +3,7 @@
  * @brief Walks the cells around a vertex of a combinatorial map.
  *
  * Source: X. Feng, "Geometric and topological modeling techniques for large and complex shapes",
- * Algorithm 2, with the boundary test that its print lacks.
+ * Algorithm 2, with the boundary test that is missing in the printed version.
  */
 #ifndef isthmus_StarWalk_h
 #define isthmus_StarWalk_h
@@ -21,13 +21,12 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// A small set of ids for one walk after another.
+// A small set of ids that is reused from one walk to the next.
 
 /**
  * A set of ids that is emptied in constant time and keeps its memory: 8 kB (16 for 64-bit ids), or
- * four slots an id once there were more than 512. Whether an id is new is an even chance in a walk,
- * so that Insert has no branch on it; with few of the slots taken, two ids seldom want the same
- * one.
+ * four slots per id once there were more than 512 ids. In a walk, about half of the ids are new, so
+ * Insert() does not branch on that. Since few slots are occupied, collisions are rare.
  */
 template <typename Id>
 class ReusableSet
@@ -51,11 +50,11 @@ public:
     }
   }
 
-  /// The set as a loop wants it, in registers; valid until the set grows.
+  /// The set in a form that a loop can keep in registers; valid until the set grows.
   class Marks
   {
   public:
-    /// False if `id` was there already.
+    /// False if `id` was in the set already.
     bool Insert(Id id) const
     {
       Slot* slot = this->Slots +
@@ -78,7 +77,8 @@ public:
     {
     }
 
-    /// The slot of `id`, or a free one for it, where its first choice, `taken`, is another's.
+    /// The slot of `id`, or a free one for it, if its first choice, `taken`, is occupied by another
+    /// id.
     [[gnu::noinline, gnu::cold]] Slot* Probe(Slot* taken, Id id) const
     {
       Slot* const end = this->Slots + (std::size_t(1) << (64 - this->Shift));
@@ -106,7 +106,7 @@ public:
   }
   std::size_t Room() const { return this->Slots.size() / 2; }
 
-  /// False if `id` was there already.
+  /// False if `id` was in the set already.
   bool Insert(Id id)
   {
     const std::size_t before = this->Size;
@@ -141,12 +141,13 @@ private:
 // The transitions from tetrahedron to tetrahedron around a vertex, as small tables.
 //
 // A spoke is a dart that starts at the vertex. The three faces at the vertex follow from a spoke's
-// local dart, and the spoke beyond a face by the local dart that the table H2D of the map gives
-// there: beta1 of beta3, as CellType has them.
+// local dart, and the spoke beyond a face from the local dart in the table H2D of the map: it is
+// beta1 of beta3, as in CellType.
 
 struct TetrahedronTransitions
 {
-  /// A face at the vertex; `Position` is that of the spoke within it, as StarWalk crosses it.
+  /// A face at the vertex; `Position` is the position of the spoke in it when StarWalk crosses the
+  /// face.
   struct Transition
   {
     std::uint8_t Face = 0, Position = 0;
@@ -179,8 +180,8 @@ struct TetrahedronTransitions
 };
 
 /**
- * The star and link of one vertex after the other. Each thread needs one of its own; its memory is
- * that of the largest star it has met, so that queries soon allocate nothing.
+ * Computes the star and link of one vertex after the other. Each thread needs its own object. Its
+ * memory is that of the largest star so far, so queries soon need no further allocation.
  *
  * Views stay valid until the same function, or Gather, is called again. A vertex without cells has
  * an empty star. Cost: about the number of the star's cells times their faces at the vertex.
@@ -214,7 +215,8 @@ public:
     return this->Star();
   }
 
-  /// Adds the umbrella of the cell of `seed`, a dart at the vertex; false if it was there already.
+  /// Adds the umbrella of the cell of `seed`, a dart at the vertex; false if it was included
+  /// already.
   bool Extend(Dart seed)
   {
     const std::size_t before = this->Count;
@@ -329,8 +331,9 @@ private:
     return this->Found.WithRoomFor(spokes);
   }
 
-  /// Flood for tetrahedra, by tables and in registers; all but the first cell need not look back
-  /// where they came from. Each spoke is written, new or not, so that no branch depends on that.
+  /// Flood fill for tetrahedra, with tables and in registers; no cell except the first one tests
+  /// the face through which it was reached. Each spoke is written, whether new or not, so that no
+  /// branch depends on that.
   void FloodTetrahedra(std::size_t next)
   {
     const TetrahedronTransitions& table = *this->Table;

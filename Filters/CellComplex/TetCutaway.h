@@ -20,7 +20,7 @@ namespace isthmus
 
 using Position = std::array<double, 3>;
 
-/// Which cells may go, among those reached from the seed through faces of cells that go.
+/// Which cells may be removed, among those reached from the seed through faces of removed cells.
 struct CutawayRule
 {
   enum class Kind
@@ -37,8 +37,9 @@ struct CutawayRule
 };
 
 /**
- * For each cell 1 if it goes, else 0. `centerOf(cell)` gives the center of a cell by its number.
- * Time: the removed cells and their neighbours; memory: one byte a cell.
+ * Returns 1 for each removed cell and 0 for the others. `centerOf(cell)` returns the center of a
+ * cell by its number. Time: proportional to the removed cells and their neighbours; memory: one
+ * byte per cell.
  */
 template <typename Id>
 VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT std::vector<unsigned char> CutAway(

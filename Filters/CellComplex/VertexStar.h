@@ -1,6 +1,6 @@
 /**
  * @file VertexStar.h
- * @brief The star and link of a vertex of a combinatorial map, the edges of the link among them.
+ * @brief The star and link of a vertex of a combinatorial map, including the edges of the link.
  */
 #ifndef isthmus_VertexStar_h
 #define isthmus_VertexStar_h
@@ -12,7 +12,7 @@
 namespace isthmus
 {
 
-/// A StarWalk that numbers edges by the map's table of them. Cost and memory: as StarWalk.
+/// A StarWalk that numbers edges by the map's edge table. Cost and memory are those of StarWalk.
 template <typename Id = std::uint32_t>
 class VertexStar : public StarWalk<Id>
 {

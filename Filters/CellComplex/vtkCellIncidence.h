@@ -1,28 +1,29 @@
 /**
  * @class vtkCellIncidence
- * @brief Edges and faces of a volume mesh, each once, with a number and what they belong to.
+ * @brief Lists the edges and faces of a volume mesh, each once, with a number and the incident
+ * cells.
  *
- * Input: vtkUnstructuredGrid of linear volume cells of any type, VTK_POLYHEDRON too. Cells of
+ * Input: vtkUnstructuredGrid of linear volume cells of any type, including VTK_POLYHEDRON. Cells of
  * higher order are represented by their corner points, and points, lines and surface cells are
- * dropped; a warning says so.
+ * dropped, both with a warning.
  *
  * Output port 0, vtkPolyData: each edge as one line, from its smaller to its larger point. Cell
  * data: EdgeId (vtkIdType), OnBoundary (unsigned char, 1 on the mesh's boundary),
  * NumberOfIncidentCells and FirstIncidentCell (vtkIdType; the smallest number of an input cell).
  *
  * Output port 1, vtkPolyData: each face as one polygon, counter-clockwise seen from outside the
- * mesh, or from its second cell. Cell data: FaceId, OnBoundary, NumberOfIncidentCells,
- * FirstIncidentCell, SecondIncidentCell (-1 beyond the boundary).
+ * mesh or, for an interior face, from its second cell. Cell data: FaceId, OnBoundary,
+ * NumberOfIncidentCells, FirstIncidentCell, SecondIncidentCell (-1 beyond the boundary).
  *
- * Edges are ordered by their points' numbers, faces by their three smallest, so the ids do not
- * depend on the order of the cells or on the number of threads. Both outputs share the input's
+ * Edges are ordered by the numbers of their points, faces by their three smallest, so the ids do
+ * not depend on the order of the cells or on the number of threads. Both outputs share the input's
  * points and point data, and its field data; with PassCellData each edge and face carries the cell
  * data of its first incident cell.
  *
- * Time and memory are linear in the number of cells (isthmus::CompactCombinatorialMap). A face
- * with three cells, cells whose faces do not agree, cells that use a point twice or a point that
- * does not exist are refused: an error that names them, and empty outputs. On several MPI ranks
- * each rank numbers its own piece: gather the mesh first where ids must be global.
+ * Time and memory are linear in the number of cells (isthmus::CompactCombinatorialMap). A face with
+ * three cells, cells whose faces do not match, and cells that use a point twice or a point that
+ * does not exist cause an error that names them, and empty outputs. With several MPI ranks, each
+ * rank numbers its own piece: gather the mesh first if ids must be global.
  */
 #ifndef vtkCellIncidence_h
 #define vtkCellIncidence_h

@@ -310,7 +310,7 @@ bool vtkCombinatorialMap::SetMesh(vtkUnstructuredGrid* mesh)
     {
       if (!mesh)
       {
-        throw std::invalid_argument("There is no mesh: give an unstructured grid.");
+        throw std::invalid_argument("There is no mesh: pass an unstructured grid.");
       }
       using Orientation = isthmus::GridCells::Orientation;
       const auto build = [&](Orientation orientation)

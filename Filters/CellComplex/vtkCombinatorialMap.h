@@ -1,25 +1,27 @@
 /**
  * @class vtkCombinatorialMap
- * @brief Incidence of a volume mesh: what meets a vertex, edge, face, cell, half face or dart.
+ * @brief Answers incidence queries on a volume mesh: the neighbours of a vertex, edge, face, cell,
+ * half face or dart.
  *
  * An object, not a filter: SetMesh() builds the map of a vtkUnstructuredGrid of volume cells once
- * (CompactCombinatorialMap.h), and the queries answer from it. In Python,
- * isthmus.incidence.CombinatorialMap gives the same with iterators and numpy arrays.
+ * (CompactCombinatorialMap.h), which the queries then use. In Python,
+ * isthmus.incidence.CombinatorialMap provides the same with iterators and numpy arrays.
  *
- * Numbers: vertices are the grid's points, cells its cells (those that are no volume cells have no
+ * Numbers: vertices are the grid's points, cells its cells (cells that are not volume cells have no
  * incidence); edges and faces are those of vtkCellIncidence; half faces are numbered cell by cell
- * in the order of each cell's faces, darts likewise. An array with a value for each of GetNumber()
- * of a kind is an attribute of that kind.
+ * in the order of each cell's faces, darts likewise. An array with GetNumber() values for a kind
+ * can serve as an attribute of that kind.
  *
- * GetIncident(from, id, to) lists what of kind `to` meets element `id` of kind `from`: the cells
- * around a vertex (its star), those around an edge (its fan, counter-clockwise seen from the edge's
- * larger vertex), the vertices of a face, ... Vertex to Vertex: joined by an edge; Cell to Cell:
- * with a common face; HalfFace to HalfFace: the other side of the face (none on the boundary).
- * Other pairs of one kind have no meaning and are refused. A query costs what it finds, whatever
- * the size of the mesh; from half faces and darts also the logarithm of the number of cells.
+ * GetIncident(from, id, to) lists the elements of kind `to` that are incident to element `id` of
+ * kind `from`: the cells around a vertex (its star), those around an edge (its fan,
+ * counter-clockwise seen from the edge's larger vertex), the vertices of a face, ... Vertex to
+ * Vertex: joined by an edge; Cell to Cell: with a common face; HalfFace to HalfFace: the other side
+ * of the face (none on the boundary). Other pairs of the same kind are not defined and cause an
+ * error. The cost of a query is proportional to the size of its result, whatever the size of the
+ * mesh; queries from half faces and darts also take the logarithm of the number of cells.
  *
- * Errors (message, empty result): a mesh that is no map (vtkCellIncidence names which), numbers and
- * kinds that do not exist.
+ * Errors (message, empty result): a mesh that is not a valid map (see vtkCellIncidence), numbers
+ * and kinds that do not exist.
  */
 #ifndef vtkCombinatorialMap_h
 #define vtkCombinatorialMap_h
@@ -51,14 +53,14 @@ public:
     Dart
   };
 
-  /// Builds the map of a mesh, which is not kept; false and an error where it has none. Time and
-  /// memory are linear in the number of cells.
+  /// Builds the map of a mesh; the mesh itself is not kept. Returns false and reports an error if
+  /// the mesh has no valid map. Time and memory are linear in the number of cells.
   bool SetMesh(vtkUnstructuredGrid* mesh);
 
-  /// How many elements of a kind there are; 0 without a mesh.
+  /// The number of elements of a kind; 0 without a mesh.
   vtkIdType GetNumber(int kind);
 
-  /// What of kind `to` meets element `id` of kind `from`.
+  /// The elements of kind `to` that are incident to element `id` of kind `from`.
   void GetIncident(int from, vtkIdType id, int to, vtkIdList* found);
 
   /// The same for all elements of kind `from`: those of element i are ids[offsets[i]] to
@@ -66,12 +68,11 @@ public:
   void GetIncidence(int from, int to, vtkIdTypeArray* offsets, vtkIdTypeArray* ids);
 
   /// beta_1, beta_2 or beta_3 of all darts: the dart that differs in the edge (the next one around
-  /// its face), the face, or the cell; -1 where there is no cell beyond.
+  /// its face), the face, or the cell; -1 if there is no cell beyond.
   void GetBeta(int dimension, vtkIdTypeArray* darts);
 
-  ///@{
-  /// The map's tables in use and their bytes: those of edges and faces are built when first asked
-  /// for.
+  ///@{ The map's tables in use and their sizes in bytes. Tables of edges and faces are built on
+  /// first use.
   int GetNumberOfTables();
   const char* GetTableName(int table);
   vtkIdType GetTableBytes(int table);

@@ -231,8 +231,9 @@ int vtkTetCutaway::RequestData(
       isthmus::CutAway(map, seed, rule, centerOf, isthmus::Between(progress, 0.6, 0.8));
     if (!gone[seed.Value] && this->StopRule == ByPlane)
     {
-      vtkWarningMacro("Nothing is removed: the seed cell lies on the side of the plane that stays. "
-                      "Move the seed or turn PlaneNormal round.");
+      vtkWarningMacro(
+        "Nothing is removed: the seed cell lies on the side of the plane that is kept. "
+        "Move the seed or turn PlaneNormal round.");
     }
     const Remainder remainder(input, gone);
     remainder.WriteSurface(map, cells, surface);

@@ -1,25 +1,27 @@
 /**
  * @class vtkTetCutaway
- * @brief Removes a connected piece of a volume mesh from a seed, and shows what that exposes.
+ * @brief Removes a connected piece of a volume mesh, starting from a seed, and shows the exposed
+ * faces.
  *
  * Cells are removed in breadth-first order through their faces, beginning at a boundary face, until
- * a number is reached, a distance from the seed, or a plane (X. Feng's thesis, Figure 4.14). What
- * remains consists of whole cells, so that the quality of the mesh can be judged.
+ * a given number of cells, a distance from the seed, or a plane is reached (X. Feng's thesis,
+ * Figure 4.14). The rest consists of whole cells, so the quality of the mesh can be judged.
  *
- * Input: vtkUnstructuredGrid of volume cells, as vtkCellIncidence takes them; despite the name any
- * linear type will do.
+ * Input: vtkUnstructuredGrid of volume cells, as for vtkCellIncidence; despite the name of the
+ * class, any linear type is accepted.
  *
- * Output port 0, vtkPolyData: the boundary of what remains, each face a polygon seen
- * counter-clockwise from outside. Cell data: Exposed (unsigned char: 0 the mesh's own boundary, 1 a
- * face that was inside), OriginalCellIds (vtkIdType: the cell it bounds), and that cell's data.
+ * Output port 0, vtkPolyData: the boundary of the remaining cells, with each face as a polygon,
+ * counter-clockwise seen from outside. Cell data: Exposed (unsigned char: 0 the mesh's own
+ * boundary, 1 a face that was inside), OriginalCellIds (vtkIdType: the cell that the face bounds),
+ * and that cell's data.
  *
  * Output port 1, vtkUnstructuredGrid: the cells that remain with their data and OriginalCellIds.
  *
- * Both outputs keep all points of the input, so that bounds and camera do not move.
+ * Both outputs keep all points of the input, so that the bounds and the camera do not change.
  *
- * A seed that does not exist is an error, and a seed on the plane's other side removes nothing
- * and issues a warning. Time and memory are linear in the number of cells. On several MPI ranks
- * each rank cuts its own piece.
+ * A seed that does not exist is an error. If the seed is on the other side of the plane, nothing is
+ * removed and a warning is issued. Time and memory are linear in the number of cells. With several
+ * MPI ranks, each rank cuts its own piece.
  */
 #ifndef vtkTetCutaway_h
 #define vtkTetCutaway_h
@@ -43,9 +45,8 @@ public:
     SEED_POINT ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use AtPoint") = AtPoint,
     SEED_FACE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use AtFace") = AtFace
   };
-  ///@{
-  /// What the removal begins at: the boundary face nearest to SeedPoint (default), or the face with
-  /// the number SeedFace.
+  ///@{ Where the removal begins: at the boundary face nearest to SeedPoint (default), or at the
+  /// face with the number SeedFace.
   vtkSetClampMacro(SeedMode, int, AtPoint, AtFace);
   vtkGetMacro(SeedMode, int);
   ///@}
@@ -56,8 +57,7 @@ public:
   vtkGetVector3Macro(SeedPoint, double);
   ///@}
 
-  ///@{
-  /// FaceId as vtkCellIncidence gives it. Default: 0.
+  ///@{ FaceId of the seed face, as numbered by vtkCellIncidence. Default: 0.
   vtkSetMacro(SeedFace, vtkIdType);
   vtkGetMacro(SeedFace, vtkIdType);
   ///@}
@@ -71,28 +71,24 @@ public:
     STOP_BY_DISTANCE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByDistance") = ByDistance,
     STOP_BY_PLANE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByPlane") = ByPlane
   };
-  ///@{
-  /// What ends the removal: NumberOfCells (default), Distance, or the plane.
+  ///@{ Criterion that ends the removal: NumberOfCells (default), Distance, or the plane.
   vtkSetClampMacro(StopRule, int, ByNumber, ByPlane);
   vtkGetMacro(StopRule, int);
   ///@}
 
-  ///@{
-  /// How many cells are removed. Default: 1000.
+  ///@{ Number of cells to remove. Default: 1000.
   vtkSetClampMacro(NumberOfCells, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfCells, vtkIdType);
   ///@}
 
-  ///@{
-  /// How far from the seed cell's center the centers of removed cells may be, in the units of the
-  /// mesh. Default: 1.
+  ///@{ Largest distance of the centers of removed cells from that of the seed cell, in the units of
+  /// the mesh. Default: 1.
   vtkSetClampMacro(Distance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Distance, double);
   ///@}
 
-  ///@{
-  /// Plane: cells with their center on the side to which PlaneNormal points are removed, if they
-  /// hang together with the seed. Default: the origin and z.
+  ///@{ Plane: cells with their center on the side to which PlaneNormal points are removed if they
+  /// are connected with the seed. Default: the origin and z.
   vtkSetVector3Macro(PlaneOrigin, double);
   vtkGetVector3Macro(PlaneOrigin, double);
   vtkSetVector3Macro(PlaneNormal, double);

@@ -1,31 +1,31 @@
 /**
  * @file CurvatureArrays.h
- * @brief The properties of a filter that say which arrays of curvature it makes.
+ * @brief The properties that select the curvature arrays computed by a filter.
  */
 #ifndef isthmus_CurvatureArrays_h
 #define isthmus_CurvatureArrays_h
 
 #include "Core/FilterProperties.h"
 
-#include <ostream> // the wrappers see it declared only
+#include <ostream> // the wrappers see only its declaration
 
 /**
  * Properties of a filter (FilterProperties.h).
  *
- * GenerateX: whether to make the array X. The tolerances are bounds for `SurfaceType`: a point is
- * flat where curvedness x a length that the filter names is at most FlatTolerance; elsewhere K is
- * zero where |K| is at most GaussianTolerance x curvedness^2, and H where |H| is at most
+ * GenerateX: whether to compute the array X. The tolerances are bounds for `SurfaceType`: a point
+ * is flat if curvedness x a length that depends on the filter is at most FlatTolerance. Otherwise K
+ * counts as zero if |K| is at most GaussianTolerance x curvedness^2, and H if |H| is at most
  * MeanTolerance x curvedness. Types: 0 none, 1 pit, 2 valley, 3 saddle ridge, 4 flat, 5 minimal
  * surface, 6 saddle valley, 7 ridge, 8 peak.
  *
  * GenerateDifferentialForms (off): `GaussMap` (the unit normal that points outwards, as a point of
  * the unit sphere), `ShapeOperator` (symmetric tensor xx, yy, zz, xy, yz, xz, in 1/length),
  * `FirstFundamentalForm` (E, F, G; no unit), `SecondFundamentalForm` (L, M, N; 1/length) and
- * `AreaElement` (sqrt(E G - F^2)), of the surface as a graph over the coordinate plane that it is
- * most parallel to. GenerateNormalCurvature (off): `NormalCurvature` (1/length), the bending of the
- * surface along NormalCurvatureDirection, a vector of any length in world axes, (1, 0, 0) by
- * default, projected to the tangent plane; 0 where that direction is normal to the surface.
- * DifferentialForms.h has the formulas.
+ * `AreaElement` (sqrt(E G - F^2)), of the surface as a graph over the coordinate plane to which it
+ * is most nearly parallel. GenerateNormalCurvature (off): `NormalCurvature` (1/length), the bending
+ * of the surface along NormalCurvatureDirection, a vector of any length in world axes, (1, 0, 0) by
+ * default, projected to the tangent plane; 0 where that direction is normal to the surface. The
+ * formulas are in DifferentialForms.h.
  */
 #define ISTHMUS_CURVATURE_ARRAYS()                                                                 \
   ISTHMUS_SWITCH(GenerateGaussianCurvature, true);                                                 \

@@ -1,23 +1,24 @@
 /**
  * @file CurvatureDescriptors.h
- * @brief What the mean curvature and the spread of the principal curvatures say about local shape.
+ * @brief Descriptors of local shape from the mean curvature and the difference of the principal
+ * curvatures.
  *
- * Everything here follows from two numbers at a point of a surface,
+ * All descriptors are computed from two numbers at a point of a surface,
  *
  *     mean curvature     H = (kappa_1 + kappa_2) / 2
  *     half difference    d = (kappa_1 - kappa_2) / 2 = sqrt(H^2 - K) >= 0
  *
  * with kappa_1 >= kappa_2 the principal curvatures and K = kappa_1 kappa_2 the Gaussian curvature.
- * Sign: bending away from the outward normal is positive, so a sphere of radius r has
- * kappa_1 = kappa_2 = +1/r. Units: 1/length for H, d and the curvedness, 1/length^2 for K (angstrom
- * for molecular maps); the shape index has none.
+ * Sign: bending away from the outward normal is positive, so a sphere of radius r has kappa_1 =
+ * kappa_2 = +1/r. Units: 1/length for H, d and the curvedness, 1/length^2 for K (angstrom for
+ * molecular maps); the shape index has no unit.
  *
  * Sources: X. Feng's thesis, Table 2.1, eqs. 2.6 to 2.9; J. J. Koenderink and A. J. van Doorn,
  * "Surface shape and curvature scales", Image and Vision Computing 10 (1992) 557,
  * doi:10.1016/0262-8856(92)90076-F, for shape index and curvedness.
  *
- * All functions are O(1), allocate nothing, have no state, and have no branches that would keep a
- * compiler from vectorising a loop over them, ClassifySurface apart.
+ * All functions are O(1), allocate no memory, have no state and, except for ClassifySurface(), have
+ * no branches that would keep a compiler from vectorising a loop over them.
  */
 #ifndef isthmus_CurvatureDescriptors_h
 #define isthmus_CurvatureDescriptors_h
@@ -33,27 +34,27 @@
 namespace isthmus
 {
 
-/// Half difference of the principal curvatures from Gaussian and mean curvature. Where rounding has
-/// made K > H^2 (an umbilic), the answer is 0.
+/// Half difference of the principal curvatures from Gaussian and mean curvature. Returns 0 if K >
+/// H^2 because of rounding (at an umbilic).
 inline double HalfDifference(double gaussian, double mean)
 {
   return std::sqrt(std::max(0.0, mean * mean - gaussian));
 }
 
-/// Curvedness sqrt((kappa_1^2 + kappa_2^2) / 2) = sqrt(H^2 + d^2) (thesis 2.9): how much the
-/// surface bends, whichever way.
+/// Curvedness sqrt((kappa_1^2 + kappa_2^2) / 2) = sqrt(H^2 + d^2) (thesis 2.9): the amount of
+/// bending, regardless of direction.
 inline double Curvedness(double mean, double halfDifference)
 {
   return std::sqrt(mean * mean + halfDifference * halfDifference);
 }
 
 /**
- * atan2(y, x) for x >= 0, in [-pi/2, pi/2], to 1e-15 absolute; 0 where both are 0.
+ * atan2(y, x) for x >= 0, in [-pi/2, pi/2], to 1e-15 absolute; 0 if both are 0.
  *
- * Written out, since the library's atan2 is a call per value and would take a third of the time of
- * a curvature pass. The smaller of |x|, |y| is divided by the larger; beyond tan(pi/8) the angle is
- * taken from pi/4, so that the polynomial (Chebyshev interpolation of atan(t)/t in t^2, own fit)
- * only has to serve |t| <= tan(pi/8).
+ * Implemented here because the library's atan2 is a function call per value and would take a third
+ * of the time of a curvature pass. The smaller of |x|, |y| is divided by the larger; beyond
+ * tan(pi/8) the angle is measured from pi/4, so that the polynomial (Chebyshev interpolation of
+ * atan(t)/t in t^2, fitted by us) is only needed for |t| <= tan(pi/8).
  */
 inline double ArcTangent(double y, double x)
 {
@@ -86,7 +87,7 @@ enum class ShapeIndexConvention
 };
 
 /// Shape index s = -/+ (2/pi) atan2(H, d), in [-1, 1]; 0 where the surface is flat (H = d = 0) and
-/// the index undefined. At umbilics (d = 0) it is -/+ sign(H).
+/// the index is undefined. At umbilics (d = 0) it is -/+ sign(H).
 inline double ShapeIndex(double mean, double halfDifference, ShapeIndexConvention convention)
 {
   constexpr double twoOverPi = 0.63661977236758134308;
@@ -94,11 +95,12 @@ inline double ShapeIndex(double mean, double halfDifference, ShapeIndexConventio
   return sign * ArcTangent(mean, halfDifference);
 }
 
-/// Surface types by the signs of K and H (thesis Table 2.1). The numbers are those of the label
-/// arrays; the order is the one from concave to convex in which the thesis lists them.
+/// Surface types by the signs of K and H (thesis Table 2.1). The numbers are those in the label
+/// arrays, in the order of the thesis, from concave to convex.
 enum class SurfaceType : unsigned char
 {
-  None = 0,           ///< No curvature here, or signs that no surface has (K > 0 with H = 0).
+  None =
+    0, ///< No curvature at this point, or an impossible combination of signs (K > 0 with H = 0).
   Pit = 1,            ///< K > 0, H < 0
   Valley = 2,         ///< K = 0, H < 0
   SaddleRidge = 3,    ///< K < 0, H > 0
@@ -115,20 +117,21 @@ constexpr int NumberOfSurfaceTypes = 9;
 VTKISTHMUSFILTERSCURVATURE_EXPORT const char* SurfaceTypeName(SurfaceType type);
 
 /**
- * What counts as zero in Table 2.1, all without unit, all measured at the point itself.
+ * Tolerances below which values count as zero in Table 2.1. They have no unit and are relative to
+ * the point itself.
  *
- * A maximum over the data as the yardstick would change with the crop and with the number of MPI
- * ranks, and a single near-critical point would turn everything else flat; so the local curvedness
- * c takes its place.
+ * Tolerances relative to a maximum over the data would change with cropping and with the number of
+ * MPI ranks, and a single near-critical point would make all other points flat. Therefore they are
+ * relative to the local curvedness c.
  */
 struct SurfaceTypeTolerance
 {
-  double Flat = 1e-3;     ///< Flat where c x (grid spacing) is at most this.
-  double Gaussian = 1e-3; ///< K counts as 0 where |K| is at most this times c^2.
-  double Mean = 1e-3;     ///< H counts as 0 where |H| is at most this times c.
+  double Flat = 1e-3;     ///< Flat if c x (grid spacing) is at most this.
+  double Gaussian = 1e-3; ///< K counts as 0 if |K| is at most this times c^2.
+  double Mean = 1e-3;     ///< H counts as 0 if |H| is at most this times c.
 };
 
-/// Type of the surface by Table 2.1; `spacing` is the (smallest) node distance of the grid.
+/// Type of the surface by Table 2.1; `spacing` is the (smallest) grid spacing.
 VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceType ClassifySurface(
   double mean, double halfDifference, double spacing, const SurfaceTypeTolerance& tolerance);
 

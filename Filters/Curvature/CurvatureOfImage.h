@@ -1,6 +1,6 @@
 /**
  * @file CurvatureOfImage.h
- * @brief HessianCurvature on VTK's data: image scalars in, named arrays out.
+ * @brief HessianCurvature on VTK data: image scalars in, named arrays out.
  *
  * Formulas, signs, units and validity: HessianCurvature.h. Array names: vtkHessianCurvature.h.
  */
@@ -19,7 +19,7 @@ class vtkPoints;
 namespace isthmus
 {
 
-/// Which arrays to make; CurvatureValid is made always.
+/// Which arrays to compute; CurvatureValid is always computed.
 struct CurvatureSelection
 {
   bool Gaussian = true;
@@ -37,8 +37,8 @@ struct CurvatureSelection
 
 /**
  * Adds the curvature of `scalars` (one value for each node of `image`) at the nodes of `box` to the
- * point data of `output`. Directions come out in world axes; options.Axes is set here.
- * Throws what HessianCurvatureAtNodes throws.
+ * point data of `output`. Directions are in world axes; options.Axes is set here. Throws the
+ * exceptions of HessianCurvatureAtNodes().
  */
 void AddCurvatureAtNodes(vtkImageData* image, vtkDataArray* scalars, const Extent& box,
   HessianCurvatureOptions options, const CurvatureSelection& selection, vtkDataSet* output,
@@ -49,17 +49,18 @@ void AddCurvatureAtPoints(vtkImageData* image, vtkDataArray* scalars, vtkPoints*
   HessianCurvatureOptions options, const CurvatureSelection& selection, vtkDataSet* output,
   const ProgressCallback& progress);
 
-/// The scale for `scalars` of `image`, the part that this rank has of an image of extent `whole`
-/// and spacing `spacing`. A rank without scalars takes part with null. See ChooseCurvatureScale.
+/// The scale for `scalars` of `image`, which is this rank's part of an image of extent `whole` and
+/// spacing `spacing`. A rank without scalars must also call this, with null. See
+/// ChooseCurvatureScale().
 CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
   const double spacing[3], int accuracy, const MaximumOverRanks& combine,
   const ProgressCallback& progress);
 
 /**
- * Two steps to the arrays CurvatureScale and CurvatureError, which AddCurvatureAtNodes, or
- * AddCurvatureAtPoints for `points`, made on `output` with selection.Error. The first takes the
- * scalars that the curvature was computed from, the second the scalars smoothed at scale.NextScale.
- * `box` is not used with points, which are null for nodes.
+ * Two steps that fill the arrays CurvatureScale and CurvatureError, which were created on `output`
+ * by AddCurvatureAtNodes(), or by AddCurvatureAtPoints() for `points`, with selection.Error. The
+ * first step needs the scalars from which the curvature was computed, the second the scalars
+ * smoothed at scale.NextScale. `points` is null for nodes; `box` is not used with points.
  */
 void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Extent& box,
   vtkPoints* points, const HessianCurvatureOptions& options, vtkDataSet* output,
@@ -68,7 +69,7 @@ void AddErrors(vtkImageData* image, vtkDataArray* next, const Extent& box, vtkPo
   const HessianCurvatureOptions& options, const CurvatureSelection& selection,
   const CurvatureScale& scale, vtkDataSet* output, const ProgressCallback& progress);
 
-/// Adds the same arrays, without a value, where there is no place: so all MPI ranks have them.
+/// Adds the same arrays, empty, if there are no nodes or points, so that all MPI ranks have them.
 void AddNoCurvature(const CurvatureSelection& selection, vtkDataSet* output);
 
 }

@@ -93,8 +93,8 @@ void DifferentialFormsSelection::Check() const
   const double square = Dot(this->Direction, this->Direction);
   if (this->NormalCurvature && !(square > 0.0 && std::isfinite(square)))
   {
-    throw std::invalid_argument("NormalCurvatureDirection is zero or not finite: give a vector "
-                                "along which the surface's bending is wanted.");
+    throw std::invalid_argument("NormalCurvatureDirection is zero or not finite: set it to a "
+                                "vector along which the bending of the surface is to be computed.");
   }
 }
 

@@ -1,24 +1,26 @@
 /**
  * @file DifferentialForms.h
- * @brief Gauss map, shape operator, fundamental forms and normal curvature, from principal ones.
+ * @brief Gauss map, shape operator, fundamental forms and normal curvature, from principal
+ * curvatures.
  *
  * At a point with unit normal n, principal curvatures k_1 >= k_2 and principal directions t_1, t_2,
  * the shape operator is S = k_1 t_1 t_1^T + k_2 t_2 t_2^T, and in the direction of a unit tangent w
  * the surface bends with the normal curvature w^T S w = k_1 cos^2 + k_2 sin^2 of the angle between
- * t_1 and w (Euler). The height of the surface above its tangent plane, along the outward normal,
- * is -w^T S w / 2 at w, to second order.
+ * t_1 and w (Euler). To second order, the height of the surface above its tangent plane at w, along
+ * the outward normal, is -w^T S w / 2.
  *
- * The fundamental forms need a parametrisation: the graph over the coordinate plane that the normal
- * is closest to the axis of. With that axis z and the two that follow it cyclically, x and y (z, x,
- * y in the order of a right-handed system), a point is (u, v, f(u, v)), f_u = -n_x / n_z, and
+ * The fundamental forms need a parametrisation: the surface is taken as a graph over the coordinate
+ * plane whose axis is closest to the normal. If z is that axis and x and y are the two that follow
+ * it cyclically (z, x, y form a right-handed system), a point is (u, v, f(u, v)), f_u = -n_x / n_z,
+ * and
  *
  *     x_u = (1, 0, f_u),  x_v = (0, 1, f_v)
  *     E = x_u . x_u,  F = x_u . x_v,  G = x_v . x_v
  *     L = x_u . S x_u,  M = x_u . S x_v,  N = x_v . S x_v
  *
- * so that K = (L N - M^2) / (E G - F^2), H = (E N - 2 F M + G L) / (2 (E G - F^2)), and
- * sqrt(E G - F^2) is the area of the surface above a unit of area of the plane. (X. Feng's thesis,
- * 2.3 to 2.26, 5.30 to 5.41.) Signs: a sphere has positive L, N, k_1 and k_2, whichever way n is.
+ * so that K = (L N - M^2) / (E G - F^2), H = (E N - 2 F M + G L) / (2 (E G - F^2)), and sqrt(E G -
+ * F^2) is the area of the surface per unit area of the plane. (X. Feng's thesis, 2.3 to 2.26, 5.30
+ * to 5.41.) Signs: for a sphere L, N, k_1 and k_2 are positive, whatever the direction of n.
  */
 #ifndef isthmus_DifferentialForms_h
 #define isthmus_DifferentialForms_h
@@ -33,7 +35,7 @@ class vtkDataSet;
 namespace isthmus
 {
 
-/// A surface at one of its points, to second order.
+/// The second-order approximation of a surface at a point.
 struct LocalShape
 {
   Point3 Normal{ 0.0, 0.0, 0.0 };
@@ -51,11 +53,11 @@ struct DifferentialForms
   double AreaElement = 0.0;              ///< sqrt(E G - F^2)
 };
 
-/// @pre The normal is a unit vector, or zero: then all is zero.
+/// @pre The normal is a unit vector, or zero, in which case all results are zero.
 VTKISTHMUSFILTERSCURVATURE_EXPORT DifferentialForms FormsOf(const LocalShape& shape);
 
-/// In the direction of the part of `direction` that is tangent to the surface; 0 where there is
-/// none.
+/// The normal curvature in the direction of the tangential component of `direction`; 0 if that is
+/// zero.
 VTKISTHMUSFILTERSCURVATURE_EXPORT double NormalCurvature(
   const LocalShape& shape, const Point3& direction);
 
@@ -67,14 +69,14 @@ struct DifferentialFormsSelection
 
   bool Any() const { return this->Forms || this->NormalCurvature; }
 
-  /// @throws std::invalid_argument where the direction is needed and is zero or not finite.
+  /// @throws std::invalid_argument if the direction is needed and is zero or not finite.
   VTKISTHMUSFILTERSCURVATURE_EXPORT void Check() const;
 };
 
 /// Adds the arrays to the points of `output`, from its arrays `GaussMap`, `MaximumCurvature`,
 /// `MinimumCurvature`, `PrincipalDirection1` and `PrincipalDirection2`, in their type; directions
-/// are turned into the plane across the normal. Nothing where one of these is missing. `GaussMap`
-/// itself goes where the forms are not wanted.
+/// are projected to the plane perpendicular to the normal. Does nothing if one of these is missing.
+/// `GaussMap` itself is removed if the forms are not requested.
 VTKISTHMUSFILTERSCURVATURE_EXPORT void AddDifferentialForms(
   const DifferentialFormsSelection& selection, vtkDataSet* output);
 

@@ -2,8 +2,8 @@
  * @file EdgeTensor.h
  * @brief The curvature tensor of a triangle surface from the dihedral angles at its edges.
  *
- * Summed over the part of the surface within a distance of a point, a ball or a geodesic disc. See
- * SurfaceCurvature.h for the formula and its sources.
+ * The tensor is summed over the part of the surface within a ball or a geodesic disc around a
+ * point. See SurfaceCurvature.h for the formula and its sources.
  */
 #ifndef isthmus_EdgeTensor_h
 #define isthmus_EdgeTensor_h
@@ -21,7 +21,7 @@
 namespace isthmus
 {
 
-/// What a neighbourhood contributes to the edge tensor.
+/// The contribution of a neighbourhood to the edge tensor.
 struct TensorSums
 {
   Eigen::Matrix3d Tensor = Eigen::Matrix3d::Zero();
@@ -38,13 +38,13 @@ struct PrincipalFrame
 };
 
 /// The neighbour and the bending angle across each edge of each triangle; edge e of a triangle runs
-/// from its corner e to the next. Building is parallel; 64 bytes a triangle.
+/// from its corner e to the next. Built in parallel; 64 bytes per triangle.
 class VTKISTHMUSFILTERSCURVATURE_EXPORT DihedralAngles
 {
 public:
   DihedralAngles(const SurfaceView& mesh, const TriangleStars& stars);
 
-  /// Triangle on the other side, None at boundaries and where there is not exactly one.
+  /// Triangle on the other side; None at boundaries and where there is more than one.
   MeshTriangle Neighbour(MeshTriangle triangle, std::size_t edge) const
   {
     return this->Neighbours[triangle][edge];
@@ -52,8 +52,7 @@ public:
 
   double Area(MeshTriangle triangle) const { return this->Areas[triangle]; }
 
-  /// Adds half of beta |part| e e^T for a part of the edge; its other half comes with the
-  /// neighbour.
+  /// Adds half of beta |part| e e^T for a part of the edge; the neighbour adds the other half.
   void AddEdge(MeshTriangle triangle, std::size_t edge, double part, TensorSums& sums) const;
 
 private:
@@ -67,18 +66,20 @@ private:
 PrincipalFrame PrincipalFrameOf(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal);
 
 /// Sums over balls and geodesic discs about points of one surface. It keeps scratch memory (4 bytes
-/// a triangle, 16 a point for discs), so make one for many points, and one for each thread.
+/// per triangle, and 16 per point for discs), so use one object for many points, and one per
+/// thread.
 class VTKISTHMUSFILTERSCURVATURE_EXPORT EdgeTensorIntegrator
 {
 public:
   EdgeTensorIntegrator(const SurfaceView& mesh, const TriangleStars& stars,
     const DihedralAngles& dihedrals, double radius);
 
-  /// Part within the ball that hangs together with `point`; edges and triangles are cut exactly.
+  /// The part of the surface within the ball that is connected with `point`; edges and triangles
+  /// are cut exactly.
   TensorSums OverBall(vtkIdType point);
 
-  /// Part within the geodesic disc; distances by unfolding triangle after triangle from the nearest
-  /// points outwards, linear within triangles.
+  /// The part within the geodesic disc. Distances are computed by unfolding triangles from the
+  /// nearest points outwards and are linear within triangles.
   TensorSums OverDisc(vtkIdType point);
 
 private:
@@ -94,7 +95,7 @@ private:
   const DihedralAngles& Dihedrals;
   double Radius;
 
-  // A triangle was visited, a point reached, for this centre if its stamp is the current one.
+  // A triangle was visited, or a point reached, for this centre if its stamp is the current one.
   unsigned int Stamp = 0;
   HandleVector<MeshTriangle, unsigned int> TriangleStamps;
   std::vector<unsigned int> PointStamps;

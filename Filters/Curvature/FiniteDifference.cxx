@@ -111,7 +111,7 @@ int StencilRadius(int accuracy)
   if (accuracy != 2 && accuracy != 4)
   {
     throw std::invalid_argument("Accuracy is " + std::to_string(accuracy) +
-      ", but the differences are of order 2 or 4: choose one of these.");
+      ", but it must be 2 or 4, the order of the differences.");
   }
   return accuracy / 2;
 }

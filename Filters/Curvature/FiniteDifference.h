@@ -5,7 +5,7 @@
  * Central differences of second order (radius R = 1; thesis F5.36, mixed derivatives by the
  * four-point cross) or fourth order (R = 2, mixed ones by the product of two first differences).
  * They are the derivatives at the node of the polynomial of degree 2R through the 2R + 1 nodes
- * around it. PointDerivative.h has the derivatives between the nodes.
+ * around it. Derivatives between the nodes are in PointDerivative.h.
  *
  * Derivatives are along the grid's axes, in units of the data per length of the spacing.
  */
@@ -43,7 +43,7 @@ template <typename T>
 using ResultType = std::conditional_t<std::is_same_v<T, double>, double, float>;
 
 /// Value, first and second derivatives at up to Capacity places; one array for each, so that loops
-/// over places vectorise. 10 KB: lives on the stack and in the first-level cache.
+/// over places vectorise. At 10 KB it fits on the stack and into the first-level cache.
 struct DerivativeRows
 {
   static constexpr std::int64_t Capacity = 128;
@@ -54,7 +54,7 @@ struct DerivativeRows
   alignas(64) Row XX, YY, ZZ, XY, XZ, YZ;
 };
 
-/// Nodes that a difference reaches to each side: 1 for accuracy 2, 2 for accuracy 4.
+/// Number of nodes that a difference needs on each side: 1 for accuracy 2, 2 for accuracy 4.
 /// @throws std::invalid_argument for any other accuracy.
 VTKISTHMUSFILTERSCURVATURE_EXPORT int StencilRadius(int accuracy);
 
@@ -62,8 +62,8 @@ VTKISTHMUSFILTERSCURVATURE_EXPORT int StencilRadius(int accuracy);
  * Derivatives at the `count` nodes (first[0] ... first[0] + count - 1, first[1], first[2]), into
  * places 0 ... count - 1 of `rows`.
  *
- * @pre 0 < count <= Capacity, and all nodes lie at least StencilRadius(accuracy) nodes
- * inside `grid`. O(count): 19 values read for each node with accuracy 2, 61 with 4.
+ * @pre 0 < count <= Capacity, and all nodes lie at least StencilRadius(accuracy) nodes inside
+ * `grid`. O(count): reads 19 values per node with accuracy 2, and 61 with accuracy 4.
  */
 template <typename T>
 VTKISTHMUSFILTERSCURVATURE_EXPORT void DifferentiateAtNodes(const GridView<const T>& grid,

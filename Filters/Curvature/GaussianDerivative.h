@@ -1,12 +1,12 @@
 /**
  * @file GaussianDerivative.h
- * @brief Derivatives of a grid that a Gaussian has smoothed, at single nodes, without smoothing the
- * rest of it; and the same for noise: covariances of these derivatives.
+ * @brief Derivatives of a Gaussian-smoothed grid at single nodes, without smoothing the whole grid,
+ * and the covariances of these derivatives under noise.
  *
  * The derivatives are those of FiniteDifference.h on the values of GaussianSmoothing.h (kernel cut
- * at 4 standard deviations and renormalised at the border), written as one sum over the nodes
- * around. Reference derivatives are central differences of the next order of the same smoothed
- * values: the difference of both is the error of the filter's differences.
+ * at 4 standard deviations and renormalised at the border), written as one sum over the surrounding
+ * nodes. Reference derivatives are central differences of the next order of the same smoothed
+ * values: the difference between the two estimates the error of the filter's differences.
  */
 #ifndef isthmus_GaussianDerivative_h
 #define isthmus_GaussianDerivative_h
@@ -21,12 +21,12 @@
 namespace isthmus
 {
 
-/// The nodes of a whole grid that are at hand: all of them, or those of one rank.
+/// The available nodes of a whole grid: all of them, or those of one rank.
 template <typename T>
 struct GridPart
 {
   GridView<const T> Values;
-  std::array<std::int64_t, 3> First{ 0, 0, 0 }; ///< place of the first one in the whole grid
+  std::array<std::int64_t, 3> First{ 0, 0, 0 }; ///< position of the first node in the whole grid
   std::array<std::int64_t, 3> Whole{ 0, 0, 0 }; ///< nodes of the whole grid
 };
 
@@ -39,7 +39,8 @@ struct NodeDerivatives
   std::array<double, 6> Hessian{};
 };
 
-/// The radius of the widest difference: nodes nearer to the border of the whole grid have none.
+/// The radius of the widest difference: nodes closer to the border of the whole grid have no
+/// derivatives.
 constexpr int DifferenceReach = 3;
 
 /// The order of reference derivatives.
@@ -51,9 +52,9 @@ constexpr double GaussianCutOff = 4.0;
 /**
  * Derivatives at a node of the whole grid, after smoothing with standard deviation `scale` (unit of
  * the spacing), by differences of order `accuracy` (2 or 4) into `filter` and of the next order
- * into `reference`. False, and nothing is written, if the nodes needed are not all at hand.
+ * into `reference`. Returns false, and writes nothing, if not all required nodes are available.
  *
- * The result does not depend on what else is at hand. O((scale / spacing)^3), about 5
+ * The result does not depend on which other nodes are available. O((scale / spacing)^3), about 5
  * multiplications for each node within reach.
  * @pre the node has DifferenceReach nodes of the whole grid on each side
  */
@@ -62,12 +63,12 @@ VTKISTHMUSFILTERSCURVATURE_EXPORT bool DifferentiateSmoothed(const GridPart<T>& 
   const std::array<std::int64_t, 3>& node, double scale, int accuracy, NodeDerivatives& filter,
   NodeDerivatives& reference);
 
-/// Value and gradient only, by differences of second order: a third of the time.
+/// Value and gradient only, by second-order differences; takes a third of the time.
 template <typename T>
 VTKISTHMUSFILTERSCURVATURE_EXPORT bool GradientSmoothed(const GridPart<T>& part,
   const std::array<std::int64_t, 3>& node, double scale, NodeDerivatives& gradient);
 
-/// A smoothing scale and an order of the differences: what turns values into derivatives.
+/// A smoothing scale and an order of differences, which together turn values into derivatives.
 struct DerivativeFilter
 {
   double Scale = 0.0;
@@ -82,7 +83,8 @@ struct CorrelatedNoise
   double Correlation = 0.0;
 };
 
-/// Covariances of the derivatives that two filters make of the same noise, averaged over the axes.
+/// Covariances of the derivatives computed by two filters from the same noise, averaged over the
+/// axes.
 struct NoiseCovariance
 {
   double Laplacian = 0.0; ///< of the sum of the second derivatives along two axes

@@ -42,7 +42,7 @@ void CheckScale(double scale, const double spacing[3], const std::array<std::int
   }
   RequireRange("Scale", scale, 0.0, std::min(longest, most),
     "It is the standard deviation of a Gaussian, in the unit of the spacing: at most the longest "
-    "side of the image, and no kernel of a million nodes.");
+    "side of the image, with a kernel of at most a million nodes.");
 }
 
 std::array<int, 3> GaussianReach(double scale, const double spacing[3])

@@ -37,7 +37,7 @@ void CheckBox(const GridView<const T>& grid, const NodeBox& box)
       box.First[axis] + box.Size[axis] > grid.Dimensions[axis])
     {
       throw std::invalid_argument(std::string("The box of nodes leaves the grid along ") +
-        "xyz"[axis] + ": ask for nodes 0 to " + std::to_string(grid.Dimensions[axis] - 1) + ".");
+        "xyz"[axis] + ": request nodes 0 to " + std::to_string(grid.Dimensions[axis] - 1) + ".");
     }
   }
 }

@@ -6,7 +6,7 @@
  *
  *     G = -P H P / |g|
  *
- * has the principal curvatures kappa_1 >= kappa_2 of the level set as eigenvalues, beside 0 for n
+ * has the principal curvatures kappa_1 >= kappa_2 of the level set as eigenvalues, besides 0 for n
  * (X. Feng's thesis, eqs. 5.42 to 5.51, signs corrected; R. Goldman, Curvature formulas for
  * implicit curves and surfaces, Computer Aided Geometric Design 22 (2005) 632,
  * doi:10.1016/j.cagd.2005.06.005). It is written in an orthonormal basis of the tangent plane,
@@ -14,20 +14,21 @@
  *
  *     H = (a + b)/2,  d = sqrt(((a - b)/2)^2 + c^2),  kappa_1,2 = H +/- d,  K = a b - c^2.
  *
- * d has no difference under its root, so umbilics keep full precision, which K and H from the
- * fundamental forms (thesis 5.40, 5.41; equal in exact arithmetic) lose in sqrt(H^2 - K).
+ * There is no difference under the root of d, so full precision is kept at umbilics. With K and H
+ * from the fundamental forms (thesis 5.40, 5.41; equal in exact arithmetic), it would be lost in
+ * sqrt(H^2 - K).
  *
  * Sign: the inside of a level set is where the scalar is higher (InsideIsHigher; otherwise lower),
  * and a surface that bends away from its outward normal has positive curvature: sphere +1/r.
  * Units: those of the spacing to the power -1 (H, kappa, curvedness) and -2 (K).
  *
- * A place is valid where the stencil lies in the grid, no value in it is infinite or not a number,
- * and the gradient does not vanish. It vanishes where |g| is at most
+ * A place is valid if the stencil lies in the grid, all values in it are finite, and the gradient
+ * does not vanish. The gradient is considered to vanish if |g| is at most
  *   - 1e-6 times the spacing times the Frobenius norm of H (a critical point at the resolution of
- *     the grid: the level set would bend within a millionth of a node distance), or
- *   - the rounding of the stored type: 4 epsilon times |value| over the spacing,
- * with the smallest of the three spacings. Both are local, so crops and ranks agree. At other
- * places every value is 0, and so is Valid.
+ *     the grid: the level set would bend within a millionth of a grid spacing), or
+ *   - the rounding of the stored type: 4 epsilon times |value| over the spacing, with the smallest
+ *     of the three spacings. Both criteria are local, so cropping and the number of ranks do not
+ *     matter. At places that are not valid, all values and Valid are 0.
  */
 #ifndef isthmus_HessianCurvature_h
 #define isthmus_HessianCurvature_h
@@ -54,7 +55,7 @@ struct NodeBox
 
 /**
  * Curvature at every node of `box`, x fastest, into `arrays`. Nodes of the grid around the box
- * serve as ghosts for the stencil.
+ * serve as ghost nodes for the stencil.
  *
  * O(nodes) time; about 30 KB of scratch memory per thread. The result does not depend on the number
  * of threads.
@@ -75,8 +76,8 @@ using PointSource =
  * Curvature of the level set through each of `count` points, of the same order as at the nodes (see
  * PointDerivative.h), into `arrays`. Points whose stencil leaves the grid are invalid.
  *
- * Throws as HessianCurvatureAtNodes does. O(points) time: 64 (accuracy 2) or 512 (4) values read
- * for each; about 30 KB of scratch memory per thread.
+ * Throws as HessianCurvatureAtNodes does. O(points) time, reading 64 (accuracy 2) or 512 (accuracy
+ * 4) values for each point; about 30 KB of scratch memory per thread.
  */
 template <typename T>
 VTKISTHMUSFILTERSCURVATURE_EXPORT void HessianCurvatureAtPoints(const GridView<const T>& grid,

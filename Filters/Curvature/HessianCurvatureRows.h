@@ -1,9 +1,9 @@
 /**
  * @file HessianCurvatureRows.h
- * @brief Options and arrays of HessianCurvature, and its inner step: derivatives to curvature by
- * rows.
+ * @brief Options and arrays of HessianCurvature, and its inner loop: derivatives to curvature, row
+ * by row.
  *
- * Formulas, signs, units and what makes a place valid: HessianCurvature.h.
+ * Formulas, signs, units and the criteria of validity are in HessianCurvature.h.
  */
 #ifndef isthmus_HessianCurvatureRows_h
 #define isthmus_HessianCurvatureRows_h
@@ -26,7 +26,8 @@ struct HessianCurvatureOptions
   std::array<double, 9> Axes{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
 };
 
-/// Where results go, one value (three for directions) for each place; null for what isn't wanted.
+/// Destinations of the results, with one value (three for directions) per place; null if not
+/// requested.
 template <typename T>
 struct CurvatureArrays
 {
@@ -36,15 +37,15 @@ struct CurvatureArrays
   T* Minimum = nullptr;
   T* ShapeIndex = nullptr;
   T* Curvedness = nullptr;
-  T* Direction1 = nullptr;              ///< Unit vectors of kappa_1; their sign means nothing.
+  T* Direction1 = nullptr;              ///< Unit vectors of kappa_1; their sign is arbitrary.
   T* Direction2 = nullptr;              ///< Unit vectors of kappa_2, likewise.
   unsigned char* SurfaceType = nullptr; ///< Values of enum SurfaceType.
   unsigned char* Valid = nullptr;       ///< 1 or 0.
-  T* Gradient = nullptr;                ///< Its length, 0 where not valid.
+  T* Gradient = nullptr;                ///< Length of the gradient, 0 where not valid.
   T* Normal = nullptr;                  ///< Unit vectors that point outwards.
 };
 
-/// What decides sign and validity of a place.
+/// The parameters that determine sign and validity at a place.
 struct ShapeRule
 {
   bool InsideIsHigher = true;
@@ -53,7 +54,7 @@ struct ShapeRule
   double Largest = 0.0;       ///< Largest finite number of the type that results are stored in.
 };
 
-/// Makes `place` one where no gradient is, which WriteCurvature finds invalid.
+/// Sets the gradient at `place` to zero, so that WriteCurvature() marks it as invalid.
 void SetZeroGradient(DerivativeRows& derivatives, std::int64_t place);
 
 /// Writes the curvature at places [0, count) of `derivatives` to places [at, at + count) of
@@ -62,7 +63,7 @@ template <typename T>
 void WriteCurvature(const DerivativeRows& derivatives, std::int64_t count, const ShapeRule& rule,
   const HessianCurvatureOptions& options, const CurvatureArrays<T>& arrays, std::int64_t at);
 
-/// Writes zeros, not valid, to places [at, at + count) of `arrays`.
+/// Writes zeros, marked as not valid, to places [at, at + count) of `arrays`.
 template <typename T>
 void ClearCurvature(const CurvatureArrays<T>& arrays, std::int64_t at, std::int64_t count);
 

@@ -2,9 +2,9 @@
  * @file PointDerivative.h
  * @brief First and second derivatives of grid data at points between the nodes.
  *
- * At t in [0, 1] of a cell, on each axis, the local polynomials Q_a of degree 2R that the central
- * differences of radius R stand for (see FiniteDifference.h) are differentiated at t for the 2R
- * nearest nodes a, and blended,
+ * Central differences of radius R are the derivatives of local polynomials Q_a of degree 2R (see
+ * FiniteDifference.h). At position t in [0, 1] of a cell, on each axis, the polynomials of the 2R
+ * nearest nodes a are differentiated and blended,
  *
  *     f^(m)(t) ~ sum_a L_a(t) Q_a^(m)(t),
  *
@@ -12,10 +12,10 @@
  * parabolic blending (A. W. Overhauser, Analytic definition of curves and surfaces by parabolic
  * blending, Ford Motor Company Technical Report SL 68-40, 1968).
  *
- * So a point on a node gets the node's differences, the result is continuous from cell to cell, and
- * the order stays 2R at every point: the leading error of Q_a^(m) is a polynomial in t - a, which
- * for R = 2 the weights L_a reproduce and which vanishes at 0; for R = 1 it is of order 2 already.
- * Next to the border the blended nodes are the nearest ones that have their stencil inside.
+ * At a node, this equals the differences of the node. The result is continuous from cell to cell,
+ * and the order is 2R at every point: for R = 2 the leading error of Q_a^(m) is a polynomial in t -
+ * a that vanishes at 0 and is reproduced by the weights L_a; for R = 1 it is already of order 2.
+ * Next to the border, the nearest nodes whose stencils lie inside the grid are blended.
  */
 #ifndef isthmus_PointDerivative_h
 #define isthmus_PointDerivative_h
@@ -28,12 +28,12 @@ namespace isthmus
 
 /**
  * Derivatives at `index`, a position in node units from the grid's first node, into `place` of
- * `rows`. Answers false, and writes nothing, where the stencil would leave the grid: nearer than
- * StencilRadius(accuracy) nodes to its border (less an allowance of 1e-4 node distances for rounded
- * coordinates), outside of it, not a number, or a grid of less than 4R nodes on some axis.
+ * `rows`. Returns false, and writes nothing, if the stencil would leave the grid: if the index is
+ * NaN, lies outside the grid or closer than StencilRadius(accuracy) nodes to its border (with a
+ * tolerance of 1e-4 nodes for rounded coordinates), or if the grid has fewer than 4R nodes on some
+ * axis.
  *
- * Every value in the (4R)^3 nodes read counts: one NaN among them makes derivatives NaN.
- * Cost: 64 or 512 values read.
+ * A NaN at any of the (4R)^3 nodes read makes the derivatives NaN. Cost: 64 or 512 values read.
  */
 template <typename T>
 VTKISTHMUSFILTERSCURVATURE_EXPORT bool DifferentiateAtPoint(const GridView<const T>& grid,

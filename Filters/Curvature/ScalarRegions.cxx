@@ -152,7 +152,7 @@ void CheckThresholds(const ThresholdedScalar& scalar)
     if (!std::isfinite(t[i]) || (i > 0 && !(t[i - 1] < t[i])))
     {
       throw std::invalid_argument("Threshold " + std::to_string(i) + " is " + FormatNumber(t[i]) +
-        ", but thresholds are finite numbers that ascend: sort them and remove repeated ones.");
+        ", but thresholds must be finite and ascending: sort them and remove repeated ones.");
     }
   }
 }
@@ -166,8 +166,7 @@ void CheckValues(const SurfaceView& mesh, const ThresholdedScalar& scalar)
       if (!std::isfinite(scalar.Values[At(point)]))
       {
         throw std::invalid_argument("The scalar at point " + std::to_string(point) +
-          " is not a finite number: remove the cells around the point first, with Threshold for "
-          "instance.");
+          " is not finite: remove the cells around the point first, for example with Threshold.");
       }
     }
   }

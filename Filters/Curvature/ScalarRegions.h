@@ -2,18 +2,18 @@
  * @file ScalarRegions.h
  * @brief Areas of the parts of a triangle surface between thresholds of one or two scalars.
  *
- * n thresholds t_1 < ... < t_n cut the values of a scalar into n + 1 regions: region 0 is what lies
- * below t_1, region i what lies in [t_i, t_{i+1}), region n what is t_n and above.
+ * n thresholds t_1 < ... < t_n cut the values of a scalar into n + 1 regions: region 0 contains the
+ * values below t_1, region i those in [t_i, t_{i+1}), and region n those from t_n upwards.
  *
- * **Fractional areas.** Scalars are linear within a triangle. Where a threshold passes between a
- * lone corner k and the corners i, j, it cuts off the area s t A with s = |f_k| / (|f_k| + |f_i|)
- * and t = |f_k| / (|f_k| + |f_j|), f the scalar minus the threshold; for several thresholds and two
- * scalars, the triangle's polygon is cut again and again. **Whole triangles** is the quick rule: a
- * triangle counts where at least two of its corners are; with three corners in three regions, in
- * the middle one. Source: X. Feng's thesis, Fig. 4.1, Tables 4.6 to 4.8.
+ * **Fractional areas.** Scalars are linear within a triangle. If a threshold separates corner k
+ * from the corners i and j, it cuts off the area s t A with s = |f_k| / (|f_k| + |f_i|) and t =
+ * |f_k| / (|f_k| + |f_j|), where f is the scalar minus the threshold; for several thresholds and
+ * two scalars, the polygon is cut repeatedly. **Whole triangles** is the quick rule: a triangle
+ * counts for the region that contains at least two of its corners, or for the middle one if the
+ * corners are in three regions. Source: X. Feng's thesis, Fig. 4.1, Tables 4.6 to 4.8.
  *
- * Either way the areas are a partition: their sum is the area of the surface, and the sums over one
- * scalar's regions of a joint table are the other's areas, to rounding.
+ * With either rule the areas form a partition, up to rounding: their sum is the area of the
+ * surface, and summing a joint table over the regions of one scalar gives the areas of the other.
  */
 #ifndef isthmus_ScalarRegions_h
 #define isthmus_ScalarRegions_h
@@ -45,13 +45,14 @@ enum class AreaRule
   WholeTriangles = 1
 };
 
-/// Region of a triangle by the quick rule, from those of its corners: the middle of the three.
+/// Region of a triangle by the quick rule: the middle one of the regions of its three corners.
 VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t MiddleRegion(
   std::size_t a, std::size_t b, std::size_t c);
 
 /**
- * Area of each pair of regions: entry i x second.Regions() + j is that of region i of `first` and
- * region j of `second`. A scalar without thresholds has one region, so give one for a single table.
+ * Area of each pair of regions: entry i x second.Regions() + j belongs to region i of `first` and
+ * region j of `second`. A scalar without thresholds has one region; use one as `second` to get a
+ * single table.
  *
  * O(triangles x regions), in parallel, bitwise the same on any number of threads.
  * @throws std::invalid_argument for thresholds that do not ascend or are not numbers, and for a

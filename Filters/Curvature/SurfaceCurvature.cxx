@@ -361,7 +361,7 @@ SurfaceCurvatureResult CurvatureOfSurface(
   if (!(options.Radius >= 0.0) || std::isinf(options.Radius))
   {
     throw std::invalid_argument("Radius is " + FormatNumber(options.Radius) +
-      ", but it is a length: give a positive one, or 0 for three mean edge lengths.");
+      ", but it must be a positive length, or 0 for three mean edge lengths.");
   }
   return Estimator(mesh, options).Run(progress);
 }

@@ -7,24 +7,25 @@
  *     K = (2 pi - sum of angles at v) / A
  *     H n = 1 / (4 A) sum over edges (v, w) of (cot alpha + cot beta) (v - w)
  *
- * with alpha and beta the angles opposite to the edge, H with the sign that H n has along the
- * outward normal, and A the area that belongs to v:
+ * with alpha and beta the angles opposite to the edge, H positive if H n points along the outward
+ * normal, and A the area assigned to v:
  *
- *     Voronoi      A = 1/8 sum of (cot alpha + cot beta) |v - w|^2
- *     Barycentric  A = 1/3 of the triangles' areas
- *     Mixed        each triangle's Voronoi part; where it is obtuse, 1/2 (at v) or 1/4 of its area
+ *     Voronoi      A = 1/8 sum of (cot alpha + cot beta) |v - w|^2 Barycentric  A = 1/3 of the
+ *     triangles' areas Mixed        each triangle's Voronoi part; for an obtuse triangle, 1/2
+ *     (angle at v obtuse) or 1/4 of its area
  *
- * The areas of all points sum to that of the surface, whichever rule. On meshes that are regular in
- * some parameters of a smooth surface, both converge with second order; on irregular ones the angle
- * defect does not converge (its error has a plateau), and the **edge tensor** over a ball of a
- * fixed number of edge lengths or more serves better:
+ * With each rule, the areas of all points sum to the area of the surface. On meshes that are
+ * regular in some parametrisation of a smooth surface, both estimates converge with second order.
+ * On irregular meshes the angle defect does not converge (its error reaches a plateau), and the
+ * **edge tensor** over a ball of at least a fixed number of edge lengths is more accurate:
  *
  *     C = 1 / A' sum over edges of beta(e) |e in N| e e^T,   A' = area of N
  *
  * with N a neighbourhood of v, beta the signed angle between the normals of an edge's triangles
  * (positive where convex) and e its unit vector. The eigenvector closest to the point's normal is
  * dropped; the other two eigenvalues are the principal curvatures, and the direction of each is the
- * eigenvector of the *other*: a cylinder bends across its axis, but its bent edges lie along it.
+ * eigenvector of the *other* one: a cylinder bends across its axis, but its bent edges lie along
+ * the axis.
  *
  * Sources: X. Feng's thesis, 2.27 to 2.31 (2.31 there without the exchange of directions);
  * M. Meyer et al., "Discrete differential-geometry operators for triangulated 2-manifolds", 2003,
@@ -53,7 +54,7 @@ enum class CurvatureEstimate
   EdgeTensor = 1
 };
 
-/// Which area belongs to a point.
+/// The area assigned to a point.
 enum class DualArea
 {
   Voronoi = 0,
@@ -61,10 +62,10 @@ enum class DualArea
   Mixed = 2
 };
 
-/// Neighbourhood N of the edge tensor. Only what hangs together with the point counts.
+/// Neighbourhood N of the edge tensor. Only the part connected with the point counts.
 enum class CurvatureNeighbourhood
 {
-  OneRing = 0,     ///< the triangles around the point; edges opposite to it count half
+  OneRing = 0,     ///< the triangles around the point; the edges opposite to it count half
   Ball = 1,        ///< the part of the surface within Radius, edges and triangles cut exactly
   GeodesicDisc = 2 ///< the same, with the distance measured along the surface
 };
@@ -72,7 +73,7 @@ enum class CurvatureNeighbourhood
 /// Which side is outside.
 enum class SurfaceOrientation
 {
-  Automatic = 0, ///< closed surfaces: the one that makes the volume positive; others: as wound
+  Automatic = 0, ///< closed surfaces: the side that makes the volume positive; others: as wound
   AsWound = 1,   ///< the side from which triangles are counter-clockwise
   Reversed = 2   ///< the other
 };
@@ -83,8 +84,8 @@ struct SurfaceCurvatureOptions
   DualArea Area = DualArea::Voronoi;
   CurvatureNeighbourhood Neighbourhood = CurvatureNeighbourhood::OneRing;
   SurfaceOrientation Orientation = SurfaceOrientation::Automatic;
-  double Radius = 0.0;  ///< of ball and disc, length; 0: three times the mean edge length
-  bool Normals = false; ///< whether Normal and MeanNormal are wanted
+  double Radius = 0.0;  ///< radius of ball and disc; 0: three times the mean edge length
+  bool Normals = false; ///< whether to compute Normal and MeanNormal
 };
 
 /// One value (directions: three) for each point. Where Valid is 0, curvatures and directions are 0.
@@ -94,24 +95,26 @@ struct SurfaceCurvatureResult
   std::vector<double> Mean;
   std::vector<double> HalfDifference; ///< (kappa_1 - kappa_2) / 2 = sqrt(H^2 - K), 0 where K > H^2
   std::vector<double> Area;           ///< area of the point; 0 where Irregular or Isolated
-  std::vector<double> Direction1;     ///< unit vectors, of EdgeTensor only
+  std::vector<double> Direction1;     ///< unit vectors, for EdgeTensor only
   std::vector<double> Direction2;
-  std::vector<double> Normal;     ///< with Normals: unit vectors, outward, weighted with areas
-  std::vector<double> MeanNormal; ///< H n: of AngleDefect the vector of the formula itself
+  std::vector<double>
+    Normal; ///< with Normals: outward unit vectors, area-weighted means over the triangles
+  std::vector<double> MeanNormal; ///< H n; for AngleDefect the vector from the formula itself
   std::vector<unsigned char> Valid;
 
-  vtkIdType BoundaryPoints = 0;   ///< invalid, but over Ball and GeodesicDisc: one-sided there
+  vtkIdType BoundaryPoints =
+    0; ///< invalid, except for Ball and GeodesicDisc, where they are one-sided
   vtkIdType IrregularPoints = 0;  ///< see StarKind; invalid
   vtkIdType DegeneratePoints = 0; ///< at a triangle without area; invalid
   vtkIdType AreaNotPositive = 0;  ///< obtuse triangles made the Voronoi area <= 0; invalid
 };
 
 /**
- * Curvature at all points of `mesh`, in parallel.
+ * Computes the curvature at all points of `mesh`, in parallel.
  *
  * Points without triangles are invalid. Time: O(triangles) for AngleDefect and OneRing, times the
- * number of triangles within Radius for the others. Memory: about 100 bytes a point, 100 a triangle
- * for EdgeTensor.
+ * number of triangles within Radius for the others. Memory: about 100 bytes per point, plus 100 per
+ * triangle for EdgeTensor.
  * @throws std::invalid_argument for a Radius that is negative or not finite, and Cancelled.
  */
 VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceCurvatureResult CurvatureOfSurface(const SurfaceView& mesh,

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceTypeNames.h
- * @brief The names of the surface types, beside the array of their numbers.
+ * @brief The names of the surface types, as a field array.
  */
 #ifndef isthmus_SurfaceTypeNames_h
 #define isthmus_SurfaceTypeNames_h

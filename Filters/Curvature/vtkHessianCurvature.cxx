@@ -145,8 +145,8 @@ void CheckNotNegative(double value, const char* name, const char* meaning)
 {
   if (!(value >= 0.0) || std::isinf(value))
   {
-    throw std::invalid_argument(
-      std::string(name) + " is " + isthmus::FormatNumber(value) + ", but it is " + meaning + ".");
+    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
+      ", but it must be " + meaning + ".");
   }
 }
 
@@ -356,10 +356,10 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
 void vtkHessianCurvature::CheckParameters()
 {
   isthmus::StencilRadius(this->Accuracy);
-  CheckNotNegative(this->Scale, "Scale", "a length: 0 or more");
-  CheckNotNegative(this->FlatTolerance, "FlatTolerance", "a bound: 0 or more");
-  CheckNotNegative(this->GaussianTolerance, "GaussianTolerance", "a bound: 0 or more");
-  CheckNotNegative(this->MeanTolerance, "MeanTolerance", "a bound: 0 or more");
+  CheckNotNegative(this->Scale, "Scale", "a length, 0 or more");
+  CheckNotNegative(this->FlatTolerance, "FlatTolerance", "a bound, 0 or more");
+  CheckNotNegative(this->GaussianTolerance, "GaussianTolerance", "a bound, 0 or more");
+  CheckNotNegative(this->MeanTolerance, "MeanTolerance", "a bound, 0 or more");
   FormsSelectionOf(this).Check();
   if (this->ShapeIndexConvention != Thesis && this->ShapeIndexConvention != Koenderink)
   {
@@ -379,7 +379,7 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
     {
       vtkWarningMacro(<< isthmus::TextOf("Along ", "xyz"[axis], " the image has ", nodes,
                         " of the ", least, " nodes that Accuracy ", this->Accuracy,
-                        " needs: no value is valid. Take a thicker image."));
+                        " needs: no value is valid. Use a thicker image."));
     }
   }
 }
@@ -500,8 +500,8 @@ int vtkHessianCurvature::RequestData(
         }
         if (image->GetNumberOfPoints() == 0 && output->GetNumberOfPoints() > 0)
         {
-          throw std::invalid_argument("The image is empty, so the surface gets no curvature: give "
-                                      "the volume that the surface was taken from.");
+          throw std::invalid_argument("The image is empty, so the surface gets no curvature: "
+                                      "connect the volume from which the surface was made.");
         }
         if (image->GetNumberOfPoints() > 0 &&
           (output->GetNumberOfPoints() > 0 || ChoosesWithOtherRanks(this)))

@@ -1,61 +1,63 @@
 /**
  * @class   vtkHessianCurvature
- * @brief   curvature of the level sets of a volume, from its first and second derivatives
+ * @brief   Computes the curvature of the level sets of a volume from its first and second
+ * derivatives.
  *
  * Input 0 is a vtkImageData with a scalar point array of one component; input 1, optional, a
  * vtkPolyData. Without input 1 the output is the image with the curvature of the level set through
  * each of its nodes; with it, the output is the poly data with the curvature of the level set
- * through each of its points (the usual case: an isosurface of the image). No mesh is involved
- * either way: points are just places, so the triangulation's quality doesn't matter.
+ * through each of its points (the usual case: an isosurface of the image). In both cases no mesh is
+ * involved: only the positions of the points are used, so the quality of the triangulation does not
+ * matter.
  *
- * **Arrays**, on points, float (double for double scalars), each with a switch:
- * `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
- * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
- * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to the level
- * set; their sign means nothing), `SurfaceType` (unsigned char; names below and in the field
- * array `SurfaceTypeNames`), `NormalCurvature` in a given direction, and with
- * GenerateDifferentialForms `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
- * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h). With AutomaticScale also
- * `CurvatureScale`, the standard deviation of the Gaussian that smoothed the scalars (the same
- * everywhere; 0 for none), and `CurvatureError`, the standard error of the mean curvature
- * (1/length, bias included; 0 where CurvatureValid is 0), each as estimated from the image alone
- * (CurvatureScale.h). Lengths are in the image's unit, angstrom for molecular maps. All other
- * arrays of the input are kept; on a surface MeanCurvature becomes the active scalars.
+ * **Arrays**, on points, float (double for double scalars), each with a switch: `GaussianCurvature`
+ * (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1), `MinimumCurvature` (kappa_2),
+ * `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default `PrincipalDirection1`,
+ * `PrincipalDirection2` (unit vectors in world axes, tangent to the level set; their sign is
+ * arbitrary), `SurfaceType` (unsigned char; names below and in the field array `SurfaceTypeNames`),
+ * `NormalCurvature` in a given direction, and with GenerateDifferentialForms `GaussMap`,
+ * `ShapeOperator`, `FirstFundamentalForm`, `SecondFundamentalForm`, `AreaElement`
+ * (CurvatureArrays.h). With AutomaticScale also `CurvatureScale`, the standard deviation of the
+ * Gaussian that smoothed the scalars (the same everywhere; 0 for none), and `CurvatureError`, the
+ * standard error of the mean curvature (1/length, bias included; 0 where CurvatureValid is 0), both
+ * estimated from the image alone (CurvatureScale.h). Lengths are in the image's unit, angstrom for
+ * molecular maps. All other arrays of the input are kept; on a surface, MeanCurvature becomes the
+ * active scalars.
  *
  * Field data, on a surface with triangles and one rank: `GaussianCurvatureIntegral` (no unit) and
- * `GaussBonnetEulerNumber`, that over 2 pi, close to the Euler number of a closed surface where its
- * curvature is right (GaussBonnet.h).
+ * `GaussBonnetEulerNumber`, the integral divided by 2 pi, which is close to the Euler number of a
+ * closed surface if its curvature is accurate (GaussBonnet.h).
  *
- * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
- * values, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4,
- * and everything beyond), where a value in the stencil is infinite or not a number, and where the
- * gradient vanishes: |gradient| at most 1e-6 x spacing x |Hessian|, or at most the rounding of the
- * scalar type, 4 epsilon x |value| / spacing. At points, all (4 R)^3 nodes around count as stencil,
- * R = Accuracy / 2.
+ * **Validity.** `CurvatureValid` is 1 where the values are meaningful. It is 0, and all values are
+ * 0, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4, and
+ * everything beyond), where a value in the stencil is not finite, and where the gradient vanishes:
+ * |gradient| at most 1e-6 x spacing x |Hessian|, or at most the rounding of the scalar type, 4
+ * epsilon x |value| / spacing. At points, the stencil consists of all (4 R)^3 surrounding nodes,
+ * with R = Accuracy / 2.
  *
- * **Sign.** A sphere has positive curvature, 1/r: surfaces that bend away from the outward normal
- * do. The inside is where the scalar is higher; for fields that grow outwards, such as signed
- * distances, switch InsideIsHigher off. kappa_1 is the maximum, always.
+ * **Sign.** A sphere has positive curvature, 1/r: like all surfaces that bend away from the outward
+ * normal. The inside is where the scalar is higher; for fields that grow outwards, such as signed
+ * distances, switch InsideIsHigher off. kappa_1 is always the maximum.
  *
  * **Method.** Central differences of order Accuracy, then the Hessian matrix projected to the
  * tangent plane (HessianCurvature.h has formulas and sources); at points, the differences of the
- * nodes around are blended so that the order stays (PointDerivative.h). Any spacing and direction
- * matrix.
+ * surrounding nodes are blended so that the order of accuracy is kept (PointDerivative.h). Any
+ * spacing and direction matrix.
  *
  * **Ranks and threads.** Ghost layers are requested as needed, so any number of MPI ranks gives the
- * same values to rounding, with AutomaticScale bit by bit; on one rank AutomaticScale requests the
- * whole image. With input 1, a rank asks for its piece of the image, and in a second
- * pass for more if its points lie elsewhere. Results do not depend on the number of threads.
+ * same values up to rounding, and bitwise the same scale; on one rank AutomaticScale requests the
+ * whole image. With input 1, a rank requests its piece of the image, and in a second pass more if
+ * its points lie elsewhere. Results do not depend on the number of threads.
  *
  * **Errors** (one message, empty output): no scalars, several components, cell data, Accuracy other
  * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is not an error.
- * An image too thin for the stencil is a warning, and nothing is valid. Points that lie elsewhere
- * than the image are an error or a warning (InputOverlap.h).
+ * An image too thin for the stencil causes a warning, and no value is valid. Points outside the
+ * image cause an error or a warning (InputOverlap.h).
  *
- * **Cost.** O(nodes) or O(points). No memory beyond the output and a few rows for each thread,
- * unless the scalars are smoothed: then one or two copies of the scalars, and time that grows with
- * the scale / spacing. AutomaticScale adds about a second, whatever the size of the image, and the
- * time of a second smoothing.
+ * **Cost.** O(nodes) or O(points). Memory is needed only for the output and a few rows per thread,
+ * unless the scalars are smoothed: then also for one or two copies of the scalars, and the time
+ * grows with scale / spacing. AutomaticScale adds about a second, whatever the size of the image,
+ * and the time of a second smoothing.
  */
 #ifndef vtkHessianCurvature_h
 #define vtkHessianCurvature_h
@@ -107,8 +109,8 @@ public:
   ///@{
   /**
    * Whether to choose the scale of the smoothing by the estimated error of the curvature (the
-   * default) or to use Scale. SetScale switches it off unless it was set before: programs that were
-   * written for fixed scales keep their results.
+   * default) or to use Scale. SetScale() switches it off unless it was set explicitly before, so
+   * programs written for fixed scales keep their results.
    */
   virtual void SetAutomaticScale(bool automatic);
   vtkGetMacro(AutomaticScale, bool);
@@ -119,8 +121,8 @@ public:
   /**
    * Standard deviation of a Gaussian that smooths the scalars first, in the unit of the spacing
    * (angstrom); the kernel is cut at 4 standard deviations. Default 0: no smoothing. Used if
-   * AutomaticScale is off. Choose about the size of the smallest feature to be distinguished from
-   * noise.
+   * AutomaticScale is off. Choose a value of about the size of the smallest feature to be
+   * distinguished from noise.
    */
   virtual void SetScale(double scale);
   vtkGetMacro(Scale, double);
@@ -134,11 +136,12 @@ public:
   vtkGetMacro(ShapeIndexConvention, int);
   ///@}
 
-  /// GenerateGaussianCurvature and so on: which arrays to make; default on, but for principal
-  /// directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature (along
-  /// NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance: what
-  /// `SurfaceType` takes for zero, no units, default 1e-3 each; a point is flat where curvedness x
-  /// the smallest spacing is at most FlatTolerance. CurvatureArrays.h has the whole list.
+  /// GenerateGaussianCurvature etc. select the arrays to compute. They are on by default, except
+  /// for principal directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature
+  /// (along NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance are the
+  /// bounds below which `SurfaceType` treats values as zero, without unit, default 1e-3 each; a
+  /// point is flat if curvedness x the smallest spacing is at most FlatTolerance. The whole list is
+  /// in CurvatureArrays.h.
   ISTHMUS_CURVATURE_ARRAYS();
 
 protected:
@@ -174,7 +177,7 @@ private:
   bool NeedsLargerExtent(vtkInformation* request, vtkInformation* imageInfo,
     vtkInformation* pointsInfo, vtkInformation* outInfo);
 
-  // Ghost layers to ask for in a second pass, after the first brought too little of the image.
+  // Ghost layers to request in a second pass if the first did not provide enough of the image.
   int MoreLayers = 0;
   bool AutomaticScaleGiven = false;
 };

@@ -114,7 +114,7 @@ void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedS
   if (!between)
   {
     throw std::invalid_argument("SweepTarget is " + FormatNumber(target) +
-      ", but the sweep needs it between a lowest and a highest threshold: give thresholds on both "
+      ", but it must lie between the lowest and the highest threshold: choose thresholds on both "
       "sides of it, or set SweepSteps to 0.");
   }
   const double low = scalar.Thresholds.front();
@@ -363,7 +363,7 @@ ThresholdedScalar vtkScalarRegions::Scalar(int index, vtkPolyData* input, std::s
                                            : this->GetInputArrayToProcess(index, input);
   if (!array)
   {
-    throw std::invalid_argument("The surface has no such array for the " + which +
+    throw std::invalid_argument("The surface has no array for the " + which +
       " scalar: choose one of its point arrays (active scalars by default).");
   }
   name = array->GetName() ? array->GetName() : which;
@@ -371,7 +371,7 @@ ThresholdedScalar vtkScalarRegions::Scalar(int index, vtkPolyData* input, std::s
     array->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
     throw std::invalid_argument("The " + which + " scalar, " + name +
-      ", is not one number for each point: choose a point array of one component.");
+      ", does not have one number for each point: choose a point array of one component.");
   }
   ThresholdedScalar scalar;
   scalar.Thresholds = index == 0 ? this->Thresholds : this->SecondThresholds;

@@ -1,38 +1,39 @@
 /**
  * @class   vtkScalarRegions
- * @brief   regions of a surface between thresholds of one or two scalars: labels, areas, tables
+ * @brief   Divides a surface into regions between thresholds of one or two scalars: labels, areas,
+ * tables.
  *
  * Input: a vtkPolyData with a point array of one component (input array 0) and, with
- * UseSecondScalar, another (input array 1): a curvature and the potential, say. n thresholds make n
- * + 1 regions: 0 is below the first, i is [threshold i, threshold i + 1), n is from the last one
- * up.
+ * UseSecondScalar, another (input array 1), for example a curvature and the potential. n thresholds
+ * define n + 1 regions: region 0 is below the first threshold, region i is [threshold i, threshold
+ * i + 1), and region n is from the last threshold upwards.
  *
  * **Output 0**, the surface with labels on points and cells: `Region`, with a second scalar also
  * `SecondRegion` and `JointRegion` (Region x number of second regions + SecondRegion); a cell has
- * the middle one of its corners' regions (of a triangle's: the one that two of them have). On
- * points, `ToonColor` (red, green, blue): the lowest region red, the highest blue, all else grey.
- * `Region` becomes the active scalars.
+ * the middle one of the regions of its corners (for a triangle, the one that contains two of them).
+ * On points also `ToonColor` (red, green, blue): the lowest region is red, the highest blue, all
+ * others grey. `Region` becomes the active scalars.
  *
- * **Output 1**, table of regions, a row each: `Region`, `From`, `To` (infinite at the ends), `Area`
- * (length^2), `Fraction`; with a second scalar also a column for each of its regions, named
- * "<array> below t", "<array> t1 to t2", "<array> from t": the joint areas.
+ * **Output 1**, table with one row per region: `Region`, `From`, `To` (infinite at the ends),
+ * `Area` (length^2), `Fraction`; with a second scalar also the joint areas, in a column for each of
+ * its regions, named "<array> below t", "<array> t1 to t2", "<array> from t".
  *
  * **Output 2**, table of a threshold sweep (with SweepSteps): the lowest threshold moves to
- * SweepTarget, then the highest does; `Minimum`, `Maximum`, `Below`, `Between`, `Above` (areas).
+ * SweepTarget, then the highest one; `Minimum`, `Maximum`, `Below`, `Between`, `Above` (areas).
  *
  * **Output 3**, histogram of the first scalar by area: `Value` (middle of the bin), `Area`,
- * `Fraction`; HistogramBins bins from its lowest to its highest value on the surface.
+ * `Fraction`; with HistogramBins bins from its lowest to its highest value on the surface.
  *
- * Polygons and strips are split into triangles for areas. ScalarRegions.h has the rules and
- * sources.
+ * Polygons and strips are split into triangles for the areas. Rules and sources are in
+ * ScalarRegions.h.
  *
- * **Errors** (one message, empty outputs): no such arrays, thresholds that don't ascend, scalars
- * that are not finite, a SweepTarget that is not between the thresholds. An empty surface is not an
- * error.
+ * **Errors** (one message, empty outputs): missing arrays, thresholds that are not ascending,
+ * scalars that are not finite, a SweepTarget that is not between the thresholds. An empty surface
+ * is not an error.
  *
- * **Cost.** O(triangles x regions they lie in), in parallel, bitwise the same on any number of
- * threads. On several MPI ranks, each sums its own piece: gather the surface first (in ParaView:
- * Aggregate Dataset).
+ * **Cost.** O(triangles x regions per triangle), in parallel, bitwise the same on any number of
+ * threads. With several MPI ranks, each sums its own piece, so gather the surface first (in
+ * ParaView: Aggregate Dataset).
  */
 #ifndef vtkScalarRegions_h
 #define vtkScalarRegions_h
@@ -57,9 +58,9 @@ public:
   vtkTypeMacro(vtkScalarRegions, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /// Thresholds of the first scalar, ascending, in its unit. Default: -0.1 and 0.1 (1/angstrom,
-  /// for curvatures). Setting one beyond the last extends the list; getting one there returns 0.
+  ///@{ Thresholds of the first scalar, ascending, in its unit. Default: -0.1 and 0.1 (1/angstrom,
+  /// for curvatures). Setting a threshold beyond the last one extends the list; getting one there
+  /// returns 0.
   void SetNumberOfThresholds(int number);
   int GetNumberOfThresholds() const { return static_cast<int>(this->Thresholds.size()); }
   void SetThreshold(int index, double value);
@@ -91,15 +92,14 @@ public:
     WholeTriangles = 1
   };
 
-  ///@{
-  /// How triangles across a threshold count: Fractional (default: cut along it) or WholeTriangles
-  /// (quick: where two of the three corners are).
+  ///@{ How triangles across a threshold are counted: Fractional (default: cut along it) or
+  /// WholeTriangles (faster: in the region of two of the three corners).
   vtkSetClampMacro(AreaRule, int, Fractional, WholeTriangles);
   vtkGetMacro(AreaRule, int);
   ///@}
 
-  ///@{
-  /// Steps in which each of the outer thresholds moves to SweepTarget. Default 0: no sweep.
+  ///@{ Number of steps in which each of the outer thresholds moves to SweepTarget. Default 0: no
+  /// sweep.
   vtkSetClampMacro(SweepSteps, int, 0, 1000);
   vtkGetMacro(SweepSteps, int);
   ///@}

@@ -81,7 +81,7 @@ void CheckTolerance(double value, const char* name)
   if (!(value >= 0.0) || std::isinf(value))
   {
     throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
-      ", but it is a bound: 0 or more.");
+      ", but it must be a bound, 0 or more.");
   }
 }
 
@@ -173,8 +173,8 @@ std::string Complaints(const SurfaceCurvatureResult& result)
     }
   };
   add(result.IrregularPoints,
-    " points have no curvature because the surface around them is not a disc, or its triangles are "
-    "not wound alike. ");
+    " points have no curvature because the surface around them is not a disc or its triangles are "
+    "not oriented consistently. ");
   add(result.DegeneratePoints,
     " points have no curvature because a triangle at them has no area: clean or remesh the "
     "surface. ");

@@ -1,45 +1,47 @@
 /**
  * @class   vtkSurfaceCurvature
- * @brief   curvature at the points of a surface mesh, by angle defect and cotangents or by edges
+ * @brief   Computes curvature at the points of a surface mesh, by angle defect and cotangents or by
+ * edges.
  *
  * The input, a vtkPolyData, is passed on with curvature arrays on its points. Polygons and strips
- * are split into triangles for the computation (the cells of the output stay as they are); vertices
- * and lines play no part.
+ * are split into triangles for the computation (the cells of the output are unchanged); vertices
+ * and lines are ignored.
  *
- * **Arrays**, on points, double, the same names and signs as vtkHessianCurvature's, each with a
- * switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
+ * **Arrays**, on points, double, with the same names and signs as in vtkHessianCurvature, each with
+ * a switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
  * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
- * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, of the EdgeTensor only),
+ * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, with EdgeTensor only),
  * `MeanCurvatureNormal` (H n, 1/length), `SurfaceType` (unsigned char, names in the field array
- * `SurfaceTypeNames`) and, of the EdgeTensor only, `NormalCurvature` in a given direction and, with
+ * `SurfaceTypeNames`) and, with EdgeTensor only, `NormalCurvature` in a given direction and, with
  * GenerateDifferentialForms, `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
- * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h; AngleDefect has `GaussMap` alone).
- * `PointArea` (length^2) is the area that belongs to a point by DualArea: the weight for means over
- * the surface; all together are the area of the surface. Field data `GaussianCurvatureIntegral` (no
- * unit) and `GaussBonnetEulerNumber`, that over 2 pi, close to the Euler number of a closed surface
- * (GaussBonnet.h).
+ * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h; AngleDefect provides only `GaussMap`).
+ * `PointArea` (length^2) is the area assigned to a point by DualArea, the weight for means over the
+ * surface; the sum over all points is the area of the surface. Field data
+ * `GaussianCurvatureIntegral` (no unit) and `GaussBonnetEulerNumber`, the integral divided by 2 pi,
+ * which is close to the Euler number of a closed surface (GaussBonnet.h).
  *
- * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
- * values but `PointArea`, at points on the boundary (over Ball and GeodesicDisc they are valid, but
- * one-sided, with an error of the order of edge length / Radius), at points without triangles,
- * around which the surface is not a disc or not wound alike, at triangles without area, and where
- * obtuse triangles make the Voronoi area negative (choose Mixed). A warning counts them; boundaries
- * are no reason for one. Points that coincide are one (SurfaceCleaning.h): a file with texture
- * coordinates or normals at corners has no border at its seams; `PointArea` is shared among them.
+ * **Validity.** `CurvatureValid` is 1 where the values are meaningful. It is 0, and all values
+ * except `PointArea` are 0, at points on the boundary (with Ball and GeodesicDisc these are valid,
+ * but one-sided, with an error of the order of edge length / Radius), at points without triangles,
+ * at points around which the surface is not a disc or not consistently oriented, at triangles
+ * without area, and where obtuse triangles make the Voronoi area negative (choose Mixed). A warning
+ * counts such points, except those on the boundary. Coinciding points are treated as one
+ * (SurfaceCleaning.h), so a file with texture coordinates or normals at corners has no boundary at
+ * its seams; `PointArea` is divided among them.
  *
  * **Sign.** A sphere has positive curvature, 1/r. Which side is outside is chosen by Orientation.
  *
- * **Method**: SurfaceCurvature.h has formulas and sources. AngleDefect is second order on meshes
- * that are regular in some parameters. On irregular ones it doesn't converge; take EdgeTensor with
- * a ball, or, for isosurfaces of a volume, vtkHessianCurvature.
+ * **Method**: formulas and sources are in SurfaceCurvature.h. AngleDefect is of second order on
+ * meshes that are regular in some parametrisation. On irregular meshes it does not converge: use
+ * EdgeTensor with a ball or, for isosurfaces of a volume, vtkHessianCurvature.
  *
  * **Errors** (one message, empty output): coordinates that are not finite, damaged cells, negative
  * Radius or tolerance. An empty surface is not an error.
  *
- * **Cost.** O(triangles), for balls and discs times the triangles within Radius; in parallel,
- * bitwise the same on any number of threads. Memory about 300 bytes a point with all arrays. On
- * several MPI ranks, each works on its own piece, whose rim is then a boundary: gather the surface
- * first (in ParaView: Aggregate Dataset).
+ * **Cost.** O(triangles), for balls and discs times the number of triangles within Radius; in
+ * parallel, bitwise the same on any number of threads. Memory: about 300 bytes per point with all
+ * arrays. With several MPI ranks, each processes its own piece, whose rim is then a boundary, so
+ * gather the surface first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceCurvature_h
 #define vtkSurfaceCurvature_h
@@ -95,14 +97,13 @@ public:
   vtkGetMacro(Method, int);
   ///@}
 
-  ///@{
-  /// Area that belongs to a point: Voronoi (default), Barycentric or Mixed.
+  ///@{ Rule for the area assigned to a point: Voronoi (default), Barycentric or Mixed.
   vtkSetClampMacro(DualArea, int, Voronoi, Mixed);
   vtkGetMacro(DualArea, int);
   ///@}
 
-  ///@{
-  /// Where the EdgeTensor is averaged: OneRing (default), Ball or GeodesicDisc.
+  ///@{ Neighbourhood over which the EdgeTensor is averaged: OneRing (default), Ball or
+  /// GeodesicDisc.
   vtkSetClampMacro(Neighbourhood, int, OneRing, GeodesicDisc);
   vtkGetMacro(Neighbourhood, int);
   ///@}
@@ -114,10 +115,9 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
 
-  ///@{
-  /// Which side is outside: Automatic (default: closed surfaces get the one that makes the enclosed
-  /// volume positive, others are taken as wound), AsWound (from where triangles are
-  /// counter-clockwise) or Reversed (the other).
+  ///@{ Which side is outside: Automatic (default: for closed surfaces the side that makes the
+  /// enclosed volume positive, for others as wound), AsWound (the side from which triangles are
+  /// counter-clockwise) or Reversed (the other side).
   vtkSetClampMacro(Orientation, int, Automatic, Reversed);
   vtkGetMacro(Orientation, int);
   ///@}
@@ -128,28 +128,27 @@ public:
   vtkGetMacro(ShapeIndexConvention, int);
   ///@}
 
-  ///@{
-  /// Whether to make the array of areas. Default on.
+  ///@{ Whether to compute the array `PointArea`. Default on.
   vtkSetMacro(GeneratePointArea, bool);
   vtkGetMacro(GeneratePointArea, bool);
   vtkBooleanMacro(GeneratePointArea, bool);
   ///@}
 
-  ///@{
-  /// Whether to make `MeanCurvatureNormal`, the vector H n of length |H|: outward where the surface
-  /// is convex, whatever Orientation says. Of the AngleDefect it is the cotangent formula itself,
-  /// an estimate of the normal, too; of the EdgeTensor H times the mean normal of the triangles.
-  /// Default off.
+  ///@{ Whether to compute `MeanCurvatureNormal`, the vector H n of length |H|, which points outward
+  /// where the surface is convex, whatever Orientation is. With AngleDefect it comes from the
+  /// cotangent formula itself, which also estimates the normal; with EdgeTensor it is H times the
+  /// mean normal of the triangles. Default off.
   vtkSetMacro(GenerateMeanCurvatureNormal, bool);
   vtkGetMacro(GenerateMeanCurvatureNormal, bool);
   vtkBooleanMacro(GenerateMeanCurvatureNormal, bool);
   ///@}
 
-  /// GenerateGaussianCurvature and so on: which arrays to make; default on, but for principal
-  /// directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature (along
-  /// NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance: what
-  /// `SurfaceType` takes for zero, no units, default 1e-3 each; a point is flat where curvedness x
-  /// sqrt(PointArea) is at most FlatTolerance. CurvatureArrays.h has the whole list.
+  /// GenerateGaussianCurvature etc. select the arrays to compute. They are on by default, except
+  /// for principal directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature
+  /// (along NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance are the
+  /// bounds below which `SurfaceType` treats values as zero, without unit, default 1e-3 each; a
+  /// point is flat if curvedness x sqrt(PointArea) is at most FlatTolerance. The whole list is in
+  /// CurvatureArrays.h.
   ISTHMUS_CURVATURE_ARRAYS();
 
 protected:

@@ -222,7 +222,8 @@ TEST(ChokingInput, CostIsToldBefore)
   std::string log;
   vtkLogger::AddCallback("cost", Append, &log, vtkLogger::VERBOSITY_INFO);
   FilterRun plain(DataOf(Ring()));
-  EXPECT_NE(log.find("Choking loops of at least 20000 samples, from 100 MiB on"), std::string::npos)
+  EXPECT_NE(
+    log.find("Choking loops of at least 20000 samples: at least 100 MiB."), std::string::npos)
     << log;
   log.clear();
   FilterRun finer(DataOf(Ring()), [](vtkChokingLoops* f) { f->SetSampleSpacing(0.05); });
