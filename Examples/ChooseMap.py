@@ -18,7 +18,7 @@ MAP_BYTES = 1024 + 4 * 100**3
 
 
 def is_emd_5043(content):
-    """True for a whole map of 100 x 100 x 100 float32 nodes, which EMD-5043 is."""
+    """True if the file is complete and has 100 x 100 x 100 float32 nodes, like EMD-5043."""
     return (
         len(content) == MAP_BYTES
         and struct.unpack("<4i", content[:16]) == (100, 100, 100, 2)
@@ -27,7 +27,7 @@ def is_emd_5043(content):
 
 
 def download(target):
-    """EMD-5043 from the EMDB archive (or $ISTHMUS_EMDB_URL); a sentence instead when it fails."""
+    """EMD-5043 from the EMDB archive (or $ISTHMUS_EMDB_URL); a message if the download fails."""
     url = os.environ.get("ISTHMUS_EMDB_URL", EMDB)
     try:
         with urllib.request.urlopen(url, timeout=20) as answer:
@@ -61,7 +61,7 @@ def write_phantom(target):
 
 
 def choose(folder, given):
-    """The map and a sentence that says which it is."""
+    """The path of the map and a sentence that describes it."""
     if given:
         return given, f"{given}, as given"
     here = Path(__file__).resolve().parent.parent

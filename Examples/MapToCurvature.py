@@ -32,7 +32,7 @@ INK = [0.1, 0.1, 0.1]
 
 
 def otsu_threshold(values, bins=256):
-    """Threshold that splits `values` into two classes of greatest variance between them.
+    """The threshold that splits values into two classes with the largest variance between them.
 
     N. Otsu, IEEE Trans. Syst. Man Cybern. 9 (1979) 62, eq. 18.
     """
@@ -62,7 +62,7 @@ def isosurface(volume, level, **options):
 
 
 def build_pipeline(path, level):
-    """Reader -> denoised -> isosurface -> curvature; also what was said about the level."""
+    """The pipeline reader -> denoised -> isosurface -> curvature, and a text about the level."""
     reader, denoised = open_denoised(path)
     reader.UpdatePipeline()
     image = servermanager.Fetch(reader)
@@ -83,9 +83,9 @@ def points_of(data):
 
 
 def symmetry_axis(points):
-    """Principal axis of the points whose variance stands out from the other two, and one across.
+    """The principal axis of the points whose variance differs most from the other two, and one perpendicular to it.
 
-    For a ring-like assembly that is its axis of symmetry, along which it looks best.
+    For a ring-shaped assembly this is the axis of symmetry, which is the best viewing direction.
     """
     variances, axes = numpy.linalg.eigh(numpy.cov((points - points.mean(axis=0)).T))
     single = 0 if variances[1] - variances[0] > variances[2] - variances[1] else 2
@@ -98,7 +98,7 @@ def set_properties(proxy, **properties):
 
 
 def colour_range(values, kind):
-    """Range of a colour bar; the outermost 2 % of the values do not stretch it."""
+    """Range of a colour bar without the outermost 2 % of the values."""
     if isinstance(kind, tuple):
         return kind
     low, high = numpy.percentile(values, (2, 98))
@@ -108,7 +108,7 @@ def colour_range(values, kind):
 
 
 def show_colour_bar(table, view, title, limits, labels=".2g"):
-    """A colour bar below the picture: its ends, its middle, and what it shows."""
+    """A colour bar below the picture, labelled at its ends and middle, with a title."""
     low, high = limits
     bar = simple.GetScalarBar(table, view)
     set_properties(
@@ -116,7 +116,8 @@ def show_colour_bar(table, view, title, limits, labels=".2g"):
         TitleColor=INK, LabelColor=INK, TitleFontSize=15, LabelFontSize=13, ScalarBarLength=0.6,
         ScalarBarThickness=12, WindowLocation="Any Location", Orientation="Horizontal",
         Position=[0.2, 0.02], AddRangeLabels=0, UseCustomLabels=1,
-        CustomLabels=[low, (low + high) / 2, high], AutomaticLabelFormat=0, LabelFormat=look.number_format(bar, labels))
+        CustomLabels=[low, (low + high) / 2, high], AutomaticLabelFormat=0, LabelFormat=look.number_format(bar,
+        labels))
 
 
 def show_descriptor(view, curvature, values, descriptor):
@@ -181,7 +182,7 @@ def noise_level(volume):
 
 
 def with_added_noise(image, deviation):
-    """The map with Gaussian noise of known deviation: what denoising is for, on any map."""
+    """The map with added Gaussian noise of known deviation, to show denoising on any map."""
     noisy = image.NewInstance()
     noisy.CopyStructure(image)
     density = vtk_to_numpy(image.GetPointData().GetArray("Density")).astype(numpy.float32)
@@ -206,8 +207,8 @@ def show_level(volume, level, caption, camera, view):
 
 
 def before_and_after(reader, denoised, image, level, data):
-    """One layout of isosurfaces, same level, same camera: the map without and with denoising, and
-    below it the same with added noise of a deviation equal to the map's own; and the noise levels."""
+    """One layout of isosurfaces with the same level and camera: above, the map without and with denoising; below,
+    the same for the map with added noise as strong as the map itself. Also returns the noise levels."""
     noisy = with_added_noise(image, float(numpy.nanstd(vtk_to_numpy(
         image.GetPointData().GetArray("Density")))))
     points = points_of(data)

@@ -1,4 +1,4 @@
-"""From a density map to a surface of good angles and the tetrahedra inside it.
+"""From a density map to a surface with well-shaped triangles and the tetrahedra inside it.
 
 Usage: pvpython MapToMesh.py MAP FOLDER LEVEL. Denoises as MapToCurvature.py does, takes the level
 set by marching cubes and by Delaunay refinement, and fills the latter with tetrahedra. Writes
@@ -60,7 +60,7 @@ def side_by_side(histograms):
 
 
 def angle_picture(reports, picture):
-    """The same as two bar charts on one scale."""
+    """The same histograms as two bar charts with the same scale."""
     layout = simple.CreateLayout("Angles")
     layout.SplitHorizontal(0, 0.5)
     top = 1.1 * max(max(fractions(report)) for report in reports.values())
@@ -80,9 +80,9 @@ def angle_picture(reports, picture):
 
 
 def cutaway_picture(surface, report, picture):
-    """Half of the tetrahedra, whole ones, coloured by their smallest dihedral angle.
+    """The tetrahedra on one side of a plane, uncut, coloured by their smallest dihedral angle.
 
-    The cut holds the axis of symmetry, so that a channel along it lies open.
+    The plane contains the axis of symmetry, so that a channel along it is visible.
     """
     points = points_of(servermanager.Fetch(surface))
     axis, across = symmetry_axis(points)

@@ -1,4 +1,5 @@
-"""Energies of APBS' own examples beside its published values, its values here, and UHBD's or exact ones.
+"""Compares energies of the examples of APBS with its published values, its values on this machine, and those of
+UHBD or exact ones.
 
 Usage: pvpython apbs_energies.py FOLDER [--only WORD ...] [--no-apbs] [--large]
 
@@ -6,8 +7,8 @@ FOLDER is molecules/apbs of the shared data: PQR files, input files (.in) and AP
 columns, in kJ/mol: the surface of APBS' run; published (APBS' README, newest version); APBS here, if it
 is installed: the same .in file, or one solvation energy on our grid where there is none; ours on a
 surface of the same kind, ours on level 1 of a sum of Gaussians (decay 2.3); UHBD's or an exact value
-where there is one. Energies differ by the surface before all: srad 0 is the union of the atoms' balls,
-mol the solvent-excluded one, spl2 a spline that is smeared over 0.3 angstrom.
+where there is one. The energies differ mainly because of the surface: srad 0 is the union of the atoms' balls, mol
+the solvent-excluded surface, and spl2 a spline smeared over 0.3 angstrom.
 
 --only WORD  the rows whose names have one of the words.
 --large      also binding energies of proteins: minutes.
@@ -112,7 +113,7 @@ def image_of(values, low, h):
 
 
 def around(points, reaches, low, counts, h):
-    """For each point the part of the grid within its reach, and the distances there."""
+    """For each point, the part of the grid within its reach, and the distances there."""
     for i, (point, reach) in enumerate(zip(points, reaches)):
         first = numpy.maximum(numpy.floor((point - reach - low) / h).astype(int), 0)
         last = numpy.minimum(numpy.ceil((point + reach - low) / h).astype(int) + 1, counts)
@@ -122,8 +123,8 @@ def around(points, reaches, low, counts, h):
 
 
 def union_of_balls(points, radii, low, counts, h):
-    """An image that is above 0 in the balls and below outside: R - distance, the largest of all; two
-    angstrom and more outside of them a constant."""
+    """An image that is positive inside the balls and negative outside: the maximum of R - distance over all balls,
+    and constant from two angstrom outside them."""
     best = numpy.full(counts[::-1], -2.0)
     for i, part, away in around(points, radii + 2.0, low, counts, h):
         best[part] = numpy.maximum(best[part], radii[i] - away)
@@ -167,7 +168,7 @@ def surface_of(kind, molecule, box, h):
 
 
 def solvation(case, kind, molecule, box):
-    """From the reference's dielectric around the surface to the solvent's, kJ/mol."""
+    """The energy of the transfer from the reference dielectric outside the surface to that of the solvent, kJ/mol."""
     solute, solvent, reference = case.dielectrics
     surface = surface_of(kind, molecule, box, case.spacing)
     value = into_solvent(case, molecule, surface, solvent, case.salt)
@@ -175,7 +176,7 @@ def solvation(case, kind, molecule, box):
 
 
 def into_solvent(case, molecule, surface, solvent, salt):
-    """From a medium that has the solute's dielectric everywhere."""
+    """The energy of the transfer from a medium with the dielectric of the solute everywhere."""
     image, level, higher = surface
     solver = isthmus.vtkPoissonBoltzmann()
     solver.SetInputData(0, electrostatics.molecule(*molecule))
@@ -194,7 +195,7 @@ def into_solvent(case, molecule, surface, solvent, salt):
 
 
 def coulomb_between(one, other, dielectric):
-    """Of two sets of charges, kJ/mol."""
+    """Interaction energy of two sets of charges, kJ/mol."""
     total = 0.0
     for x, q in zip(one[0], one[1]):
         total += q * (other[1] / numpy.linalg.norm(other[0] - x, axis=1)).sum()
@@ -213,7 +214,7 @@ def energy(case, kind, folder):
 
 
 def apbs_energies(path):
-    """What an .in file prints, kJ/mol; run beside copies of the files it reads."""
+    """The energies printed by an .in file, kJ/mol; APBS runs in a folder with copies of the files that it reads."""
     with tempfile.TemporaryDirectory() as work:
         for file in path.parent.iterdir():
             if file.suffix in (".pqr", ".pdb", ".dat", ".in"):
@@ -263,7 +264,7 @@ def main():
     chosen = [case for case in cases() if (options.large or not case.large) and
               (not options.only or any(word.lower() in case.name.lower() for word in options.only))]
     if not chosen:
-        sys.exit("No row has such a word in its name. There are: " + ", ".join(case.name for case in cases()))
+        sys.exit("No row has one of these words in its name. There are: " + ", ".join(case.name for case in cases()))
     print("| molecule | surface | APBS, published | APBS here | ours | ours, Gaussian | other |")
     print("|---|---|---|---|---|---|---|")
     for case in chosen:

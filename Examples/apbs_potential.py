@@ -44,18 +44,18 @@ quit
 
 
 def programs():
-    """(pdb2pqr, apbs), None for what is not installed."""
+    """The paths (pdb2pqr, apbs), each None if not installed."""
     return shutil.which("pdb2pqr") or shutil.which("pdb2pqr30"), shutil.which("apbs")
 
 
 def open_text(path):
-    """A molecule's file for reading. What is no text has no atom lines, which is reported later."""
+    """A molecule's file for reading. A file that is not text has no atom lines, which is reported later."""
     plain = gzip.open if str(path).endswith(".gz") else open
     return plain(path, "rt", encoding="ascii", errors="replace")
 
 
 def require_atoms(path):
-    """Ends with a sentence unless `path` is a PDB file."""
+    """Exits with a message unless path is a PDB file."""
     if not Path(path).is_file():
         sys.exit(f"There is no file {path}.")
     if next(atom_lines(path), None) is None:
@@ -67,7 +67,7 @@ def is_mmcif(path):
 
 
 def lines_of_mmcif(path):
-    """The atoms of an mmCIF file as lines of PDB, in which what follows thinks."""
+    """The atoms of an mmCIF file as PDB lines, which the following functions use."""
     import find_isthmus  # noqa: F401 (before isthmus)
     import isthmus
 
@@ -133,10 +133,11 @@ def polymer_names(path):
 
 
 def split(path, ligand=None):
-    """Lines of the protein (all but water and the ligand), of the ligand's heavy atoms; its name.
+    """The lines of the protein (everything except water and the ligand), the lines of the ligand's heavy atoms, and
+    the ligand's name.
 
-    `ligand`: residue name. None takes the largest HETATM residue of six heavy atoms or more that is
-    neither water nor, as phosphorylated amino acids are, part of a chain.
+    `ligand`: residue name. With None, the ligand is the largest HETATM residue with at least six heavy atoms that
+    is neither water nor part of a chain (like phosphorylated amino acids).
     """
     lines = [line for line in atom_lines(path) if line[17:20].strip() not in WATER]
     if ligand is None:
@@ -154,8 +155,8 @@ def split(path, ligand=None):
 def charges(protein, folder, name):
     """Runs pdb2pqr on the lines of a protein.
 
-    Returns the path of the PQR file, the residues removed since pdb2pqr can't build them, and those
-    it left out since its force field does not know them (phosphorylated ones, metals, solvent).
+    Returns the path of the PQR file, the residues removed because pdb2pqr cannot build them, and those dropped
+    because its force field lacks them (phosphorylated ones, metals, solvent).
     """
     program = programs()[0]
     removed = []
@@ -185,7 +186,7 @@ def charges(protein, folder, name):
 
 
 def read_pqr(path):
-    """Rows x, y, z, charge, radius."""
+    """Rows of x, y, z, charge, radius."""
     lines = (line for line in open(path) if line.startswith(("ATOM", "HETATM")))
     return [tuple(float(word) for word in line.split()[-5:]) for line in lines]
 

@@ -38,7 +38,7 @@ KILOJOULES = 4.184  # a kilocalorie
 
 
 def input_text(counts, h, center, solute, solvent, kelvin=298.15, salt=0.0):
-    """What APBS reads: `center` as in its `gcent`, `salt` of a 1:1 salt in mol/l."""
+    """The input file of APBS; center as in gcent, salt is the concentration of a 1:1 salt in mol/l."""
     common = COMMON.format(n=counts, h=h, center=center, solute=solute, kelvin=kelvin)
     ions = "".join(f"  ion charge {z} conc {salt} radius 2.0\n" for z in (1, -1)) if salt else ""
     return INPUT.format(common=common, solute=solute, solvent=solvent, ions=ions)

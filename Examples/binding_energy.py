@@ -1,15 +1,16 @@
-"""The electrostatic binding energy of two molecules: complex less partners, three solutions on one grid.
+"""The electrostatic binding energy of two molecules: that of the complex minus those of the partners, from three
+solutions on the same grid.
 
 Usage: pvpython binding_energy.py ONE.pqr OTHER.pqr [--surface KIND] [--spacing H] [--salt MOL]
                                   [--solute NUMBER] [--solvent NUMBER] [--nonlinear]
 
-The molecules lie as in their complex. Each of complex, ONE and OTHER has the same surface and the same
+The molecules must be placed as in their complex. Each of complex, ONE and OTHER has the same surface and the same
 nodes; KIND: gaussian (level 1 of a sum of Gaussians of decay 2.3, the default), balls (van der Waals)
 or ses (solvent-excluded, probe 1.4; each on a grid of its own, nodes at multiples of H).
 
 binding = solvation(complex) - solvation(ONE) - solvation(OTHER) + Coulomb's energy between ONE and OTHER
-in the solute's dielectric; all in kcal/mol. Rigid: conformations, entropy and the nonpolar part are not in
-it. It is a small difference of large energies, and depends on the surface more than on anything else.
+in the solute's dielectric; all in kcal/mol. The molecules are treated as rigid: conformational changes, entropy and
+the nonpolar part are not included. It is a small difference of large energies and depends mostly on the surface.
 """
 
 import argparse
@@ -40,7 +41,8 @@ def binding(partners, kind, case):
 
 
 def demand_apart(partners):
-    """Two atoms in one place are no complex: the files are one molecule twice, or in places of their own."""
+    """Two atoms are at the same position, so this is not a complex: are both files the same molecule, or not placed
+    as in the complex?"""
     (one, _, _), (other, _, _) = partners
     least = min(numpy.sqrt(((other - place) ** 2).sum(axis=1)).min() for place in one)
     if least < 0.5:
@@ -65,7 +67,7 @@ def main():
     demand_apart(partners)
     parts = binding(partners, chosen.surface, case)
     if not numpy.isfinite(parts["binding"]):
-        sys.exit("There is no binding energy: one of the solutions failed, as said above.")
+        sys.exit("There is no binding energy, since one of the solutions failed (see above).")
     print(f"{'kcal/mol':34}{'complex':>12}{chosen.one.stem:>16}{chosen.other.stem:>16}")
     print(f"{'solvation':34}" + "".join(f"{value / JOULE:{width}.2f}" for value, width in
                                         zip(parts["solvation"], (12, 16, 16))))

@@ -1,18 +1,17 @@
-"""Likely binding sites of a protein: its pockets, ranked with polarized curvature. The picture is as
-Fig. 5.9 of the thesis: the electrostatic potential on the surface above, the polarized curvature
-below, the ligand (if there is one) as sticks.
+"""Likely binding sites of a protein: its pockets, ranked with polarized curvature. The picture resembles Fig. 5.9
+of the thesis: the electrostatic potential on the surface above, the polarized curvature below, the ligand (if there
+is one) as sticks.
 
 Usage: pvpython binding_sites.py PROTEIN [POTENTIAL] [--ligand NAME] [--surface FILE]
                                  [--decay NUMBER] [--output FOLDER]
 
-PROTEIN    PDB file (.pdb, .ent, plain or .gz). Its ligand, the residue NAME or else the largest
-           HETATM residue that is not part of a chain, is taken out before anything is computed.
-POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr gives charges, and the filter Poisson
-           Boltzmann the potential at the surface, in 0.15 mol/l of salt.
-FILE       surface to use instead of a Gaussian one of the protein: MSMS .vert (with its .face), or
+PROTEIN    PDB file (.pdb, .ent, plain or .gz). Its ligand, the residue NAME or else the largest HETATM residue that
+is not part of a chain, is removed before the computation. POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it,
+pdb2pqr assigns charges, and the filter Poisson Boltzmann computes the potential at the surface, with 0.15 mol/l of
+salt. FILE surface to use instead of the protein's Gaussian surface: MSMS .vert (with its .face), or
            anything else that ParaView reads as triangles.
 NUMBER     decay of the Gaussians of the surface: smaller is coarser. Default: 1.2.
-FOLDER     where picture and table go, and the charges they were computed from (.pqr). Default: a
+FOLDER for the picture, the table and the charges (.pqr). Default: a
            temporary folder, which is printed.
 """
 
@@ -172,7 +171,7 @@ def show_best(source, view):
 
 
 def picture(surface, target, ligand_file, path):
-    """Potential above, polarized curvature below, both from the side of `target`."""
+    """The potential above and the polarized curvature below, both seen from the side of target."""
     source = producer(surface)
     layout = simple.CreateLayout()
     layout.SetSize(900, 1400)
@@ -217,8 +216,8 @@ def prepare(options, folder):
     print(f"Ligand: {ligand_name}, {len(ligand)} heavy atoms." if ligand else "No ligand found.")
     molecule = pqr = charged_atoms(protein, folder, name)
     if options.potential is None and not pqr:
-        sys.exit("No potential is given, and pdb2pqr, which gives charges, is not installed: give an "
-                 "OpenDX file, or install it (Debian: pdb2pqr).")
+        sys.exit("No potential is given, and pdb2pqr, which assigns charges, is not installed: pass an OpenDX file, "
+                 "or install pdb2pqr (Debian: pdb2pqr).")
     scale = 1.0
     if not pqr:
         scale = site_pipeline.WITHOUT_HYDROGENS

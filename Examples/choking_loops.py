@@ -3,7 +3,7 @@ tunnels in red, additional loops in yellow, choke points as spheres, persistence
 
 Usage: pvpython choking_loops.py SURFACE [PICTURE] [DISTANCE_PERCENT PERSISTENCE_PERCENT [SIDE]]
 SURFACE: .obj, .stl, .ply, .vtp or .off. PICTURE: a path; default: choking_loops.png in a temporary
-folder. Beside it go the loops (.vtp) and their numbers (.txt). The paths are printed.
+folder. The loops (.vtp) and their numbers (.txt) are written beside it. The paths are printed.
 SIDE: Inside, Outside or Both (default).
 
 Other scripts call choking_picture() with any source of a closed surface.
@@ -26,7 +26,7 @@ HANDLE, TUNNEL, ADDITIONAL, NOISE = range(4)
 
 
 def output(proxy, port=0):
-    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
+    """Fetch() of ParaView 5.11 always returns port 0."""
     return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
@@ -36,7 +36,7 @@ def column(attributes, name):
 
 
 def numbers_of(loops):
-    """What was found: counts, facts about the analysis, and a row for each loop."""
+    """The results: counts, facts about the analysis, and one row per loop."""
     data = output(loops)
     loops.UpdatePropertyInformation()
     times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
@@ -67,7 +67,7 @@ def paint(display, colour, opacity=1.0, specular=0.0):
 
 
 def between(port, array, low, high):
-    """The part of an output whose array lies in [low, high]. The bounds are set after the array,
+    """The part of an output where the array lies in [low, high]. The bounds are set after the array,
     whose range would replace them."""
     part = simple.Threshold(Input=port, Scalars=array)
     part.LowerThreshold, part.UpperThreshold = low, high
@@ -85,8 +85,8 @@ def show_tubes(loops, kinds, colour, radius, view):
 
 
 def show_choke_points(loops, view):
-    """Spheres of the radius that gets stuck: they touch the surface all round. Those outside would
-    hide what is behind them, so they are all but transparent."""
+    """Spheres of the radius at which they get stuck; they touch the surface on all sides. Spheres outside are
+    almost transparent, since they would hide the objects behind them."""
     points = simple.OutputPort(loops, 2)
     for side, opacity in ((0, 1.0), (1, 0.16)):
         data = output(loops, 2)
@@ -134,8 +134,8 @@ def show_series(view, births, deaths, label, colour, marker=0, size=1, line=0):
 
 
 def show_diagram(loops, view, distance, persistence):
-    """Birth against death of what was found, in percent of its side's reference length, and the
-    line above which additional loops are reported."""
+    """Plots birth against death of the features, in percent of the reference length of their side, and the line
+    above which additional loops are reported."""
     rows = output(loops, 3).GetRowData()
     kind, side = column(rows, "Kind"), column(rows, "Side")
     reference = numpy.array(column(output(loops).GetFieldData(), "ReferenceLength"))
@@ -175,7 +175,7 @@ def show_diagram(loops, view, distance, persistence):
 
 
 def look_along(view, points, direction):
-    """Camera on the points from `direction`; None: from where they look broadest."""
+    """Points the camera at the points from direction; None: from the direction in which they look broadest."""
     if direction is None:
         variances, axes = numpy.linalg.eigh(numpy.cov((points - points.mean(axis=0)).T))
         even = variances[2] - variances[0] < 0.05 * variances[2]

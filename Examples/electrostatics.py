@@ -7,8 +7,8 @@ FILE.pqr         the molecule, with charges and radii.
 --direction      where the camera stands, from the molecule's middle. Default: 0.3 0.2 -1.
 --output FOLDER  where isopotentials.png and field_lines.png go; default: a temporary folder, which is printed.
 
-The surface is coloured from -5 (red) to 5 (blue) kT/e. Isopotential surfaces at -1 and 1 kT/e; field
-lines begin near the surface, go both ways and have the colours of the potential along them.
+The surface is coloured from -5 (red) to 5 (blue) kT/e. Isopotential surfaces at -1 and 1 kT/e; field lines begin
+near the surface, run in both directions and are coloured by the potential.
 """
 
 import argparse
@@ -74,7 +74,7 @@ def isopotentials(solver, direction, path):
 
 
 def field_lines(solver, direction, path):
-    """Lines of -grad of the potential, whose gradient is taken outside of the surface alone."""
+    """Field lines of the negative gradient of the potential, computed outside the surface only."""
     view = new_view()
     colour(simple.Show(simple.OutputPort(solver, SURFACE), view), view)
     outside = simple.Threshold(Input=simple.OutputPort(solver, IMAGE), Scalars=["POINTS", "Side"],
@@ -94,7 +94,7 @@ def field_lines(solver, direction, path):
 
 
 def pictures(path, salt, direction, names):
-    """Both pictures of a molecule; `names`: their paths."""
+    """Makes both pictures of a molecule; names are their paths."""
     solver = simple.PoissonBoltzmann(Input=simple.OpenDataFile(str(path)), IonicStrength=salt)
     solver.UpdatePipeline()
     isopotentials(solver, direction, names[0])

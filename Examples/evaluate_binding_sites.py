@@ -3,13 +3,13 @@
 Usage: pvpython evaluate_binding_sites.py FOLDER [--work FOLDER] [--surfaces NAMES] [--potentials NAMES]
                                           [--sweep]
 
-FOLDER holds ligands.csv (file, ligand_residue) and the complexes it names. Charges by pdb2pqr, without
-the ligand, and APBS' potentials are kept in the folder --work, if one is named, and used again. --surfaces: gaussian
+FOLDER contains ligands.csv (file, ligand_residue) and the complexes listed there. Charges by pdb2pqr, without
+the ligand, and APBS' potentials are kept in the folder --work, if given, and reused. --surfaces: gaussian
 (Molecular Density), flow (Molecular Flow Surface) or both. --potentials: ours (Poisson Boltzmann, fitted
 at the surface), apbs (interpolated in its grid) or both. Default: gaussian, ours; a table for each.
 Success: the centre of the best patch (of one of the three best) within 4 angstrom of an atom of the
 ligand. --sweep repeats polarized curvature over surface decay, quantile and merge distance, and
-cross-validates: each complex is judged with the setting that is best on all others.
+cross-validates: each complex is evaluated with the setting that is best on all others.
 Needs scipy (python3-scipy) for the random patches. Prints Markdown.
 """
 
@@ -68,7 +68,7 @@ class Complex:
         self.surfaces = {}
 
     def surface(self, decay):
-        """Of the kind that is set; the flow surface knows no decay."""
+        """The surface of the chosen kind; the decay is not used for the flow surface."""
         key = (self.kind, decay)
         if key not in self.surfaces:
             if self.kind[0] == "flow":
@@ -81,7 +81,7 @@ class Complex:
         return self.surfaces[key]
 
     def distances(self, decay, settings):
-        """Of the three best centres from the ligand, and the patches' areas."""
+        """Distances of the three best centres from the ligand, and the areas of the patches."""
         _, rows = site_pipeline.sites(self.surface(decay), **settings)
         found = [
             site_pipeline.distance_to(self.ligand, site_pipeline.centre(row)) for row in rows[:3]
@@ -89,7 +89,8 @@ class Complex:
         return found, [row["Area"] for row in rows[:3]]
 
     def random_success(self, areas, generator):
-        """Fractions of draws in which random patches of these areas succeed: first, any of three."""
+        """Fractions of draws in which random patches of these areas succeed: for the first patch, and for any of
+        three."""
         surface = self.surface(site_pipeline.DECAY)
         points, triangles = site_pipeline.points_of(surface), site_pipeline.triangles_of(surface)
         weight = site_pipeline.point_areas(surface)
@@ -148,7 +149,7 @@ def compare(complexes, kind):
 
 
 def quality(results, among):
-    """What makes one setting better than another: successes at first, then near misses."""
+    """Sort key of settings: number of successes first, then near misses."""
     found = [results[i] for i in among]
     first = sum(d[0] <= SUCCESS for d in found)
     three = sum(min(d) <= SUCCESS for d in found)

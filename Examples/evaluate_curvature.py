@@ -1,15 +1,15 @@
-"""How good are the automatic scale of Hessian Curvature and the error that it states?
+"""Measures how good the automatic scale of Hessian Curvature and its error estimate are.
 
 Usage: pvpython evaluate_curvature.py [--shapes NAMES] [--denoise] [--short]
 
 Tori, ellipsoids and blobby surfaces whose curvature is known (smallest radius of curvature at least
 8 voxels) are level sets of volumes with a smooth edge of a few voxels. White noise of 0, 0.02, 0.1
 and 0.5 of the volume's standard deviation, and coloured noise (a Gaussian's, 1 to 3 voxels), are
-added. For each: the scale chosen (voxels), the rms error of the mean curvature on the exact surface
-relative to the rms curvature, the same for the best of nine fixed scales, the ratio of both, the
-share of points whose error is at most twice CurvatureError, and the rms of CurvatureError over that
-of the error. --denoise: High-Order Diffusion with its defaults comes before the curvature; the
-fixed scales stay those of the volume as it is. Prints Markdown.
+added. The results for each volume are the chosen scale (voxels), the rms error of the mean curvature on the exact
+surface relative to the rms curvature, the same for the best of nine fixed scales, the ratio of these two errors,
+the share of points whose error is at most twice CurvatureError, and the rms of CurvatureError divided by the rms
+error. --denoise: the volume is denoised by High-Order Diffusion with its defaults before the curvature is computed;
+the fixed scales are still applied to the original volume. Prints Markdown.
 """
 
 import argparse
@@ -43,7 +43,7 @@ def torus(large, small, seed):
 
 
 def ellipsoid(axes, seed):
-    """Its distance to first order; exact on the surface."""
+    """The distance to first order; exact on the surface."""
     turn = rotation(seed)
 
     def field(points):
@@ -56,7 +56,7 @@ def ellipsoid(axes, seed):
 
 def blobs(centres, deviation, level):
     """The distance, to first order, from a level set of a sum of Gaussians; exact on the surface.
-    Far from it, where the first order says nothing, the slope has a lower bound."""
+    Far from the surface, where the first order is meaningless, the slope has a lower bound."""
     def field(points):
         total, slope = 0.0, 0.0
         for centre in centres:
@@ -96,7 +96,7 @@ def nodes(size):
 
 
 def gradient(field, points, step=1e-3):
-    """By central differences of the exact field."""
+    """The gradient by central differences of the exact field."""
     return numpy.stack([
         (field(points + step * unit) - field(points - step * unit)) / (2 * step)
         for unit in numpy.eye(3).reshape(3, 3, *[1] * (points.ndim - 1))])
@@ -184,7 +184,7 @@ def rms(values):
 
 
 def evaluate(shape, level, correlation, denoise=False, fixed=FIXED, voxel=1.3, seed=11):
-    """One row: what the module's comment lists."""
+    """One row of the table, with the columns listed in the module's docstring."""
     field, edge, size = shape
     points = surface_points(field, size)
     exact = exact_curvature(field, points)
@@ -203,7 +203,7 @@ def evaluate(shape, level, correlation, denoise=False, fixed=FIXED, voxel=1.3, s
 
 
 def misses(row, level, correlation):
-    """The goals that a row misses, as words."""
+    """The goals that a row misses, as text."""
     found = []
     if correlation == 0 and row["error"] > LIMITS[level]:
         found.append("error")

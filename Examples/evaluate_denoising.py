@@ -1,21 +1,24 @@
-"""How well High-Order Diffusion denoises with its defaults, beside rivals that are tuned with the truth.
+"""Compares High-Order Diffusion with its default settings against other denoising methods whose settings are tuned
+with the true volume.
 
 Usage: pvpython evaluate_denoising.py DATA [--volumes NAME ...] [--rows ROWS] [--slow one] [--halves] [--picture FILE]
 
 DATA is the folder of the shared data (maps, molecules). Volumes of four kinds (public maps, model densities,
 phantoms, masked maps), each with white noise of 0.1, 0.3 and 1 standard deviations of the volume and with
-noise under a Gaussian of 1 voxel, of the same levels, and of 2 voxels. Rivals (scipy, skimage) have their setting
-chosen by the true error: Gaussian, median, total variation and wavelets. Slow columns, a minute each and row:
-non-local means, BM4D and the oracle, the best of the filter's own family (linear: orders 0 to 3, 25 times; edge
-stopping: orders 0 to 2, four Sigmas, two presmoothings, five times). They are computed with --slow one (only for
-white noise of 0.3) or --slow all. Automatic is judged for both goals, and for volumes also with the noise level
-given. Prints Markdown: PSNR in dB, noise level found over the true one, estimated and true gain.
+noise under a Gaussian of 1 voxel, of the same levels, and of 2 voxels. The other methods (from scipy and skimage:
+Gaussian, median, total variation and wavelets) use the setting with the smallest true error. Slow columns, which
+take a minute per row each: non-local means, BM4D and the oracle, the best of the filter's own family (linear:
+orders 0 to 3, 25 times; edge stopping: orders 0 to 2, four Sigmas, two presmoothings, five times). They are
+computed with --slow one (only for white noise of 0.3) or --slow all. Automatic is evaluated for both goals, and for
+volumes also with the noise level given. Prints Markdown: PSNR in dB, ratio of estimated to true noise level,
+estimated and true gain.
 
-With --halves: pairs of half maps. One is denoised without the other, and its Fourier shell correlation with the other is
-compared, up to the first shell below 0.143, before and after; the mean of both is denoised and compared with the truth.
+With --halves: pairs of half maps. One half map is denoised without the other, and its Fourier shell correlation
+with the other half, up to the first shell below 0.143, is compared before and after; the mean of both is denoised
+and compared with the true volume.
 
-Half of the volumes of each kind were put aside before anything was tuned: ASIDE, drawn with Python's random.Random(38).
-BM4D is not in Debian; where the Python package bm4d is installed, it is a column, with the true level.
+Half of the volumes of each kind were set aside before tuning (ASIDE, drawn with Python's random.Random(38)).
+BM4D is not in Debian; if the Python package bm4d is installed, it is an additional column, with the true noise level.
 """
 
 import argparse
@@ -67,7 +70,7 @@ def volume_of(image):
 
 
 def centre(volume, side=64):
-    """At most `side` nodes along each axis, from the middle."""
+    """The central part of a volume, with at most side nodes along each axis."""
     begins = [max(0, (n - side) // 2) for n in volume.shape]
     return volume[tuple(slice(begin, begin + side) for begin in begins)].copy()
 
@@ -128,7 +131,7 @@ def smooth_phantom(kind, side=64):
 
 
 def volumes(data):
-    """Name: function that makes it. Masked volumes are cut to a mask around what is high."""
+    """Name: function that makes it. Masked volumes are cut to a mask around high values."""
     return {
         "map EMD-5043": lambda: public_map(data, "emd_5043.map"),
         "map EMD-1832": lambda: public_map(data, "emd_1832.map"),
@@ -172,7 +175,7 @@ def peak_ratio(volume, truth):
 
 
 def tuned_rivals(noisy, truth, level, slow):
-    """Name: PSNR with the best setting."""
+    """For each method, the PSNR with the best setting."""
     best = {
         "Gauss": max(peak_ratio(ndimage.gaussian_filter(noisy, width), truth)
                      for width in numpy.geomspace(0.3, 4, 18)),
@@ -280,7 +283,7 @@ def shell_correlation(one, other):
 
 
 def judge_halves(name, truth, level, correlation):
-    """Half 1 denoised by itself, against half 2; and the mean of the halves, against the truth."""
+    """Compares half 1, denoised by itself, with half 2, and the mean of the halves with the true volume."""
     deviation = level * truth.std()
     seed = [2, sum(map(ord, name)), int(100 * level), int(10 * correlation)]
     one, other = (truth + deviation * noise_of(truth.shape, correlation, [*seed, half]) for half in (1, 2))
@@ -310,7 +313,8 @@ def print_row(row, first):
 
 
 def picture(data, path):
-    """GroEL: the map, with noise as strong as itself, and that denoised with the defaults, at one level."""
+    """GroEL at one level: the map, the map with noise of the same strength, and the latter denoised with the
+    defaults."""
     truth = public_map(data, "emd_5043.map", 100)
     noisy = (truth + truth.std() * noise_of(truth.shape, 0, 1)).astype(numpy.float32).astype(float)
     smooth, _ = denoised(noisy)

@@ -1,11 +1,11 @@
-"""How much does the potential of a protein depend on the grid and on how the protein lies in it?
+"""Measures how much the potential of a protein depends on the grid and on the protein's orientation in it.
 
 Usage: pvpython evaluate_electrostatics.py FILE.pqr [--surfaces NAMES] [--rotations NUMBER] [--apbs]
 
 For each of the surfaces gaussian, flow and ses (default: all three): solvation energies at 0.5 and
-0.25 angstrom; at the nodes that both grids have outside, the quantiles of the potentials' difference
-in kT/e, and the share within 0.5; the spread of the energy over random rotations of the molecule at 0.5 angstrom. --apbs: the
-same rotations by APBS (srfm mol, two solutions each), with its own surface. Prints Markdown.
+0.25 angstrom; at the outside nodes common to both grids, the quantiles of the difference of the potentials in kT/e,
+and the share within 0.5; the spread of the energy over random rotations of the molecule at 0.5 angstrom. --apbs:
+the same rotations with APBS (srfm mol, two solutions each), which uses its own surface. Prints Markdown.
 """
 
 import argparse
@@ -49,7 +49,7 @@ def molecule(positions, charges, radii):
 
 
 def solve(atoms, surface, spacing):
-    """The solved filter, its surface made on a grid of the same spacing."""
+    """The filter after solving, with the surface made on a grid of the same spacing."""
     solver = isthmus.vtkPoissonBoltzmann()
     solver.SetInputData(0, atoms)
     if surface == "gaussian":
@@ -135,7 +135,7 @@ def apbs_energy(positions, charges, radii, h=0.5, solute=2.0, solvent=80.0, kelv
 
 
 def drift(energies):
-    """The largest distance from the mean, as a part of it."""
+    """The largest deviation from the mean, relative to the mean."""
     energies = numpy.array(energies)
     return numpy.abs(energies / energies.mean() - 1.0).max()
 

@@ -1,14 +1,15 @@
-"""Where do pockets lie that rank first? Molecular Pockets beside others, all without the ligand.
+"""Measures how far the highest-ranked pockets are from the ligand. Compares Molecular Pockets with other programs,
+all without the ligand.
 
 Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM] [--p2rank FOLDER] [--whole] [--each] [--sweep]
 
-FOLDER holds ligands.csv (file, ligand_residue, chain, residue_number; optional: family) and the complexes
-it names. The ligand's lines are taken out of each file before anything runs. Success: the centre within
-4 angstrom of an atom of the ligand; top-1 for the pocket that ranks first, top-3 for one of the first
-three. Intervals are of 95 %, by resampling the families (without the column, every file is one).
+FOLDER contains ligands.csv (file, ligand_residue, chain, residue_number; optional: family) and the complexes listed
+there. The ligand's lines are removed from each file before all computations. Success: the centre within 4 angstrom
+of an atom of the ligand; top-1 for the pocket that ranks first, top-3 for one of the first three. Intervals are 95
+% intervals from resampling the families (without that column, every file is a family).
 
-Three counts: a pocket at an equivalent copy of the ligand's place (the same place of a chain with the
-same residues, superposed) is a *miss*, or a *hit*, or copies share *one rank* and any of them counts.
+There are three ways of counting a pocket at an equivalent copy of the ligand's place (the same place of a chain
+with the same residues, after superposition): as a miss, as a hit, or with all copies sharing one rank.
 
 With the probabilities of the pockets: their reliability in bins, the expected calibration error and the
 Brier score. --fpocket runs fpocket (no part of Debian: build it with its own qhull), whose score depends on
@@ -16,7 +17,7 @@ what else is in the file; its centre is the mean of a pocket's alpha spheres. --
 NAME*_predictions.csv of P2Rank for each file NAME.pdb. --whole adds the whole pockets of former
 versions. --each prints the distances. --sweep: 40 settings of inner and outer radius of the
 whole pockets, and of 9 of them with burial radii of 8 to 12 angstrom and powers 0 to 3 of the
-number of atoms in the score, and each complex judged by the setting that is best on the others.
+number of atoms in the score, with each complex evaluated by the setting that is best on the others.
 """
 
 import argparse
@@ -80,7 +81,7 @@ def by_isthmus(path, sites=True):
 
 
 def by_scores(path, inner, outer, burial):
-    """Centres of the pockets by rank, for each power of the number of atoms around in the score."""
+    """Centres of the pockets by rank, for each power in the score of the number of surrounding atoms."""
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(str(path))
     finder = isthmus.vtkMolecularPockets()
@@ -125,7 +126,7 @@ def by_p2rank(folder, name):
 # ---------------------------------------------------------------------------- equivalent copies
 
 class Copies:
-    """Chains with the same residues, and what takes one to another."""
+    """Chains with the same residues, and the transformations between them."""
 
     def __init__(self, lines):
         self.alphas = defaultdict(dict)
@@ -164,7 +165,7 @@ def distance(places, centre):
 
 
 def three_counts(centres, ligand, copies):
-    """For each count whether each rank succeeds."""
+    """For each way of counting, whether each rank succeeds."""
     targets = copies.images(ligand)
     miss = [distance(ligand, c) <= SUCCESS for c in centres]
     hit = [min(distance(target, c) for target in targets) <= SUCCESS for c in centres]
@@ -183,7 +184,7 @@ def three_counts(centres, ligand, copies):
 # ---------------------------------------------------------------------------- figures
 
 def interval(values, families, rounds=5000):
-    """95 % interval of the mean, families resampled."""
+    """95 % interval of the mean, from resampling families."""
     values, families = numpy.asarray(values, float), numpy.asarray(families)
     names = numpy.unique(families)
     sums = numpy.array([values[families == name].sum() for name in names])
@@ -213,7 +214,7 @@ def print_summary(found, families):
 
 
 def reliability_bins(probability, hit, least=50):
-    """Places of bins by probability, each of at least `least` pockets, narrower towards high ones."""
+    """Boundaries of bins of probability, narrower towards high values, with at least `least` pockets each."""
     order = numpy.argsort(probability, kind="stable")
     count = len(order)
     sizes = []

@@ -1,4 +1,5 @@
-"""How much do energies of Solvation Surface depend on how it is run, and how near are they to others'?
+"""Measures how much the energies of Solvation Surface depend on its settings, and how close they are to those of
+other programs.
 
 Usage: pvpython evaluate_solvation.py [--policies] [--molecules] [--picture] [FOLDER]
 
@@ -7,8 +8,8 @@ Usage: pvpython evaluate_solvation.py [--policies] [--molecules] [--picture] [FO
 experiment; by the constants that alkanes gave, and by ones fitted with each left out (a minute). --picture:
 figure 5.3 of the thesis, the potential on lysozyme's surfaces in the same colours, as
 solvation_potential.png in FOLDER (default: a temporary folder, which is
-printed). Without any of them: all. Prints Markdown. Takes
-the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone; --molecules needs apbs.
+printed). Without any of them: all. Prints Markdown. Reads the data from $ISTHMUS_DATA_DIR, else from ../shared/data
+beside the clone; --molecules needs apbs.
 """
 
 import argparse
@@ -44,7 +45,7 @@ def data(relative):
 
 
 def solvation(path, **properties):
-    """Columns of the last update, and how many there were."""
+    """Columns of the last update, and the number of updates."""
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(str(path))
     surface = isthmus.vtkSolvationSurface()
@@ -79,7 +80,8 @@ def apbs_polar(path):
 
 
 def left_out(rows):
-    """Errors of the total by tension and pressure fitted to all others: area, volume, the rest, experiment."""
+    """Errors of the total energy of each molecule, with tension and pressure fitted to all others; columns: area,
+    volume, the remaining energy, experiment."""
     table = numpy.array(rows)
     errors = []
     for i, (area, volume, rest, wanted) in enumerate(table):
@@ -103,7 +105,8 @@ def molecules():
               flush=True)
         if experiment:
             names.append(name)
-            rows.append((found["Area"], found["Volume"], found["PolarEnergy"] + found["DispersionEnergy"], experiment))
+            rows.append((found["Area"], found["Volume"], found["PolarEnergy"] + found["DispersionEnergy"],
+            experiment))
     errors = left_out(rows)
     print("\nErrors by tension and pressure fitted to the others of these, each left out: " + ", ".join(
         f"{name} {error:.2f}" for name, error in zip(names, errors)) +
@@ -112,7 +115,8 @@ def molecules():
 
 
 def picture(path):
-    """The potential on the probe's surface, on the converged one, on the thesis' fine one; seen alike."""
+    """The potential on the probe's surface, on the converged one and on the thesis' fine one, from the same
+    camera."""
     from paraview import servermanager, simple
     atoms = simple.OpenDataFile(str(data(LYSOZYME)))
     panels = []

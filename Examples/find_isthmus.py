@@ -1,4 +1,4 @@
-"""Makes `import isthmus` work where only PV_PLUGIN_PATH is set: the Python package lies beside it."""
+"""Makes `import isthmus` work if only PV_PLUGIN_PATH is set, since the Python package is beside that folder."""
 
 import importlib.util
 import os

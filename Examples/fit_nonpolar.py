@@ -2,12 +2,12 @@
 
 Usage: pvpython fit_nonpolar.py TABLE.csv [--spacing ANGSTROM] [--no-pressure]
 
-TABLE.csv has a line "file,energy" for each molecule: a file that Macromolecule Reader reads, relative to the table, and
-the energy to be met in kcal/mol (of a molecule without charges: its hydration energy). A first line without a number is
-a head; lines that begin with # are comments.
+TABLE.csv has a line "file,energy" for each molecule: a file that Macromolecule Reader reads, relative to the table,
+and the target energy in kcal/mol (of a molecule without charges: its hydration energy). A first line without a
+number is a header; lines that begin with # are comments.
 
 The energy is tension x area + pressure x volume + dispersion (Nonpolar Solvation; X. Feng, PhD thesis, 4.3 to 4.6 and
-5.4, where the tension is the parameter that is fitted), with the minimal molecular surface of Molecular Flow Surface.
+5.4, where the tension is fitted), with the minimal molecular surface of Molecular Flow Surface.
 Prints both parameters with their standard errors, the energy of each molecule as fitted and as predicted from the
 others, and the rms of both.
 

@@ -1,10 +1,11 @@
-"""Molecular flow surfaces side by side: by enlargement, time and isovalue; beside the probe's surface.
+"""Shows molecular flow surfaces side by side for different enlargements, times and isovalues, and next to the
+solvent-excluded surface.
 
 Usage: pvpython flow_surfaces.py MOLECULE [FOLDER]
 
 MOLECULE: PDB, mmCIF or PQR file, plain or compressed. Writes flow_multiresolution.png and
-flow_beside_ses.png into FOLDER (default: a temporary one, which is printed) and prints area, volume and genus of each.
-Without a screen, put xvfb-run -a in front.
+flow_beside_ses.png into FOLDER (default: a temporary one, which is printed) and prints area, volume and genus of
+each. Without a screen, prefix the command with xvfb-run -a.
 """
 
 import sys
@@ -26,7 +27,7 @@ METHODS = {"flow": 0, "thesis": 1, "SES": 2}
 
 
 def flow_of(atoms, method="flow", **properties):
-    """The filter, run; its surface's area, volume, genus and components in a line."""
+    """The filter after its update, and a line with area, volume, genus and number of components of its surface."""
     flow = isthmus.vtkMolecularFlowSurface()
     flow.SetInputConnection(atoms)
     flow.SetMethod(METHODS[method])
@@ -43,7 +44,7 @@ def flow_of(atoms, method="flow", **properties):
 
 
 def distance_colours():
-    """Blue, white, red: inside of, on and outside of the surface compared with."""
+    """Colours by signed distance: blue inside, white on and red outside the reference surface."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     for i in range(256):
@@ -55,7 +56,7 @@ def distance_colours():
 
 
 def picture(panels, columns, path, size=250):
-    """Panels (surface, text, whether it is coloured by distance) in rows, seen alike."""
+    """Panels (surface, text, whether it is coloured by distance) in rows, all with the same camera."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     rows = (len(panels) + columns - 1) // columns

@@ -2,13 +2,12 @@
 
 Usage: pvpython fullerene_stability.py OUTPUT FOLDER... [--energies ENERGIES.csv] [--grid] [--growth]
 
-Every .xyz and .cjson file of the folders is a row of OUTPUT/stability.csv (vtkFullereneStability,
-exact alpha complex), with the number of pairs of adjacent pentagons beside it. With --energies (a
-CSV whose first column is a file's name without its ending, and whose further columns are numbers),
-what each number has to do with the indicator is plotted and correlated, for each size that has at
-least five isomers and for the whole series. --grid: the integrals on grids of falling spacing beside
-the exact ones (Figs. 6.13, 6.14). --growth: the surface of the first molecule at growing distances,
-as pictures growth_*.png (Fig. 6.12).
+Each .xyz and .cjson file of the folders becomes a row of OUTPUT/stability.csv (vtkFullereneStability, exact alpha
+complex), together with its number of pairs of adjacent pentagons. With --energies (a CSV whose first column is a
+file's name without its ending, and whose further columns are numbers), each number is plotted and correlated
+against the indicator, for each size with at least five isomers and for the whole series. --grid: the integrals on
+grids of decreasing spacing, compared with the exact ones (Figs. 6.13, 6.14). --growth: the surface of the first
+molecule at increasing distances, as pictures growth_*.png (Fig. 6.12).
 """
 
 import csv
@@ -64,7 +63,7 @@ def stability_of(atoms, **settings):
 
 
 def pentagon_adjacencies(atoms):
-    """Pairs of pentagons with a bond in common: what counts isolated pentagons (IPR) count by."""
+    """The number of pairs of pentagons with a common bond, which the isolated pentagon rule (IPR) is based on."""
     distance = numpy.linalg.norm(atoms[:, None] - atoms[None], axis=2)
     numpy.fill_diagonal(distance, math.inf)
     nearest = numpy.argsort(distance, axis=1)[:, :3]
@@ -89,7 +88,7 @@ def read_energies(path):
 
 
 def correlate(rows, column, output):
-    """Correlations by size, printed, and a plot for each size."""
+    """Prints correlations by size and draws a plot for each size."""
     sizes = sorted({row["Atoms"] for row in rows})
     isomers = {size: [row for row in rows if row["Atoms"] == size] for size in sizes}
     report = []
@@ -129,7 +128,7 @@ def correlate(rows, column, output):
 
 
 def grid_study(names_and_atoms, output):
-    """Integrals with and without filter on finer and finer grids, beside the exact value."""
+    """Integrals with and without filter on successively finer grids, with the exact value."""
     figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.5), constrained_layout=True)
     for name, atoms in names_and_atoms:
         exact = stability_of(atoms)

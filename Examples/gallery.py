@@ -1,7 +1,8 @@
-"""Makes the pictures of Examples/README.md again: each pipeline of the toolbar on data of its own.
+"""Recreates the pictures of Examples/README.md, one for each pipeline of the toolbar.
 
 Usage: pvpython gallery.py [FOLDER]. FOLDER: where the pictures go (the repository's are in Examples/gallery);
-default: a temporary folder, which is printed. Takes the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
+default: a temporary folder, which is printed. Reads the data from $ISTHMUS_DATA_DIR, else from ../shared/data
+beside the clone.
 """
 
 import os
@@ -37,7 +38,7 @@ def data_folder():
 
 
 def view_of(function, path, direction):
-    """A view of what the pipeline `function` makes of the file, seen from `direction`."""
+    """A view of the result of the pipeline function for the file, seen from direction."""
     source = simple.OpenDataFile(str(path))
     view = simple.CreateView("RenderView")
     view.ViewSize = [900, 640]
@@ -66,7 +67,7 @@ def scene(function, path, direction, picture):
 
 
 def flow_surfaces(path, picture):
-    """Fine, coarse and solvent-excluded surface of a molecule, side by side, seen alike."""
+    """Fine, coarse and solvent-excluded surfaces of a molecule, side by side with the same camera."""
     atoms = simple.OpenDataFile(str(path))
     layout = simple.CreateLayout("Flow surfaces")
     layout.SplitHorizontal(0, 1.0 / 3.0)

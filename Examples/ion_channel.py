@@ -1,11 +1,13 @@
-"""What does a current through gramicidin depend on? A table, its I-V curve, and the paths of the ions.
+"""Shows what the current through gramicidin depends on. Makes a table, the I-V curve, and a picture of the paths of
+the ions.
 
 Usage: pvpython ion_channel.py [--spacing H] [--pictures-only] [FOLDER]
 
 For surfaces from the bare atoms to half a square angstrom of flow, and for all or a quarter of the ions'
-diffusion in the channel: current at 100 mV, potassium's part of it, the radius at the bottleneck; prints
-Markdown (some two minutes at 0.5 angstrom). Writes ion_channel_curve.png and ion_channel_lines.png into
-FOLDER (default: a temporary folder, which is printed). Takes 1GRM from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
+diffusion in the channel: the current at 100 mV, the share carried by potassium, and the radius at the bottleneck;
+prints Markdown (takes about two minutes at 0.5 angstrom). Writes ion_channel_curve.png and ion_channel_lines.png
+into FOLDER (default: a temporary folder, which is printed). Reads 1GRM from $ISTHMUS_DATA_DIR, else from
+../shared/data beside the clone.
 """
 
 import argparse
@@ -110,7 +112,7 @@ def reduce(picture):
 
 
 def curve(solution, picture):
-    """The last output as a chart."""
+    """Shows the last output as a chart."""
     chart = simple.CreateView("XYChartView")
     chart.ViewSize = [700, 500]
     shown = simple.Show(servermanager.OutputPort(solution, 2), chart, "XYChartRepresentation")
@@ -131,7 +133,7 @@ def curve(solution, picture):
 
 
 def lines(solution, atoms, picture):
-    """Streamlines of the current, in the walls that are cut open and have the colours of the potential."""
+    """Streamlines of the current, with the walls cut open and coloured by the potential."""
     view = simple.CreateView("RenderView")
     view.ViewSize = [900, 700]
     view.UseColorPaletteForBackground = 0

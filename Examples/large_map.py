@@ -3,17 +3,17 @@
 Usage: pvpython large_map.py MAP OUTPUT.mrc [--level LEVEL] [--memory GB] [--strength 0..1]
 
 MAP is read, denoised by High-Order Diffusion and written as OUTPUT.mrc (floats, any size) with at most
---memory GB resident (default 2.5). Its parameters are chosen once, by the block in the middle of the map,
-where there is signal and noise; every block takes them. With --level the surface of the result follows,
-one file a block in the folder OUTPUT_surface and OUTPUT_surface.vtm to open them all.
+--memory GB resident (default 2.5). The parameters are chosen once, from the block in the middle of the map, where
+there is signal and noise, and are used for every block. With --level the surface of the result is written as well,
+with one file per block in the folder OUTPUT_surface, and OUTPUT_surface.vtm to open them all.
 
-A block is read with a margin, which is thrown away. What changes at a distance r changes a node by the
+A block is read with a margin, which is discarded afterwards. What changes at a distance r changes a node by the
 part of a Gaussian of variance 2 Time that lies beyond r (edge stopping only slows that down), and the
 Gaussians of PreSmoothing and ResidualSmoothing reach on from there, so the margin is MARGIN standard
 deviations of all three: the result is that of one piece to a few millionths of the map's deviation.
 
-Ended early (power, queue, Ctrl-C), the same command goes on where it was: OUTPUT.mrc.blocks lists what is
-done. Give compressed maps unpacked: a block would unpack all that lies before it.
+After an interruption (power failure, queue limit, Ctrl-C), the same command resumes the work: OUTPUT.mrc.blocks
+lists the finished blocks. Unpack compressed maps first: otherwise each block would unpack everything before it.
 """
 
 import argparse
@@ -42,8 +42,8 @@ BYTES_A_NODE = 4 * 9  # the block, its result and the six volumes of vtkHighOrde
 
 
 class Blocks:
-    """A grid of nodes x, y, z cut along z and y (whole rows stay together) so that a block with its margin
-    has at most `most` nodes, with as little overlap as possible."""
+    """Divides a grid of nodes x, y, z along z and y (rows are not divided) so that a block with its margin has at
+    most `most` nodes, with as little overlap as possible."""
 
     def __init__(self, size, margin, most):
         best = None
@@ -109,7 +109,7 @@ class Map:
 
 
 def middle(size, most):
-    """The extent in the middle of a map, of at most `most` nodes, with the map's proportions."""
+    """The extent in the middle of a map with at most `most` nodes and the map's proportions."""
     part = min(1.0, (most / math.prod(size)) ** (1 / 3))
     return [bound for nodes in size for bound in
             ((nodes - int(nodes * part)) // 2, (nodes + int(nodes * part)) // 2 - 1)]
@@ -120,8 +120,9 @@ def number(image, name):
 
 
 def choose(source, strength, most):
-    """Parameters of High-Order Diffusion for the map, from the block in its middle. LowerOrders leaves an equation
-    of order 0 as it is, but takes the rule for it: the orders that the search prefers reach too far for blocks."""
+    """Parameters of High-Order Diffusion for the map, from the block in its middle. LowerOrders does not change an
+    equation of order 0, but disables the automatic choice of orders, since the orders preferred by the search have
+    too long a range for blocks."""
     automatic = made(isthmus.vtkHighOrderDiffusion, Strength=strength, LowerOrders=True)
     automatic.SetInputData(source.read(middle(source.size, most)))
     automatic.Update()
@@ -148,7 +149,7 @@ def values(image, extent):
 
 
 class Done:
-    """The blocks that are done, with what they were done with, in a file beside the output."""
+    """The finished blocks with their parameters, in a file beside the output."""
 
     def __init__(self, path, job):
         self.path, self.job = Path(path), job
@@ -173,7 +174,8 @@ def tell(what, done, all_of_them, started, fresh):
 
 
 def write(output, image, extent):
-    """Puts the part of a block without its margin into the file; its least, largest, sum, sum of squares."""
+    """Writes the part of a block without its margin to the file; returns its minimum, maximum, sum and sum of
+    squares."""
     core = values(image, extent)
     with mrcfile.mmap(output, mode="r+") as file:
         file.data[extent[4]:extent[5] + 1, extent[2]:extent[3] + 1, :] = core
@@ -183,7 +185,7 @@ def write(output, image, extent):
 
 
 def create(output, source):
-    """An MRC file of floats for the map's grid, its values still unwritten."""
+    """Creates an MRC file of floats for the map's grid, without values."""
     image = source.read([0, 0] * 3)
     shape = tuple(reversed(source.size))
     with mrcfile.new_mmap(output, shape, mrc_mode=2, overwrite=True) as file:
@@ -225,7 +227,7 @@ def denoise(path, output, strength, most):
 
 
 def contour(output, level, most):
-    """The surface of the map at `level`: blocks share the planes between them, so nothing is missing."""
+    """The surface of the map at level; adjacent blocks share a plane of nodes, so there are no gaps."""
     source = Map(output)
     blocks = Blocks(source.size, 1, most)
     folder = Path(output).with_suffix("").with_name(Path(output).stem + "_surface")

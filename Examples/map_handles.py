@@ -1,10 +1,12 @@
 """Bridges of a density map, coloured by the level at which they appear, on the contour at the recommended
-level (or the one that Map Surface proposes), beside the components and tunnels that persist over all levels.
+level (or the one that Map Surface proposes), next to a chart of the components and tunnels that persist, over all
+levels.
 
 Usage: pvpython map_handles.py MAP [PICTURE [RECOMMENDED_LEVEL [LOWEST HIGHEST]]]
 
-PICTURE: a path; default: map_handles.png in a temporary folder. It is printed. RECOMMENDED_LEVEL: that of the EMDB, marked in the chart, or "-".
-LOWEST, HIGHEST: levels to look at (default: from the mean to the maximum).
+PICTURE: a path; default: map_handles.png in a temporary folder. It is printed. RECOMMENDED_LEVEL: the level
+recommended in the EMDB, which is marked in the chart, or "-". LOWEST, HIGHEST: range of levels (default: from the
+mean to the maximum).
 """
 
 import sys

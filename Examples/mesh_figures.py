@@ -1,9 +1,9 @@
-"""Makes the thesis' pictures of meshes on the shared data: its figures 4.4 to 4.7, 4.13, 4.18 to 4.22.
+"""Recreates the thesis' pictures of meshes from the shared data: figures 4.4 to 4.7, 4.13, and 4.18 to 4.22.
 
 Usage: pvpython mesh_figures.py [FOLDER]. FOLDER: where the pictures go (the repository's are in
 Examples/gallery); default: a temporary folder. Prints the path of each.
-Each column is a mesh with the number of its cells and the range of its angles, and below it, where there
-are bars, the histogram of these angles: those of triangles at their corners, of tetrahedra at edges.
+Each column shows a mesh with its number of cells and range of angles and, in some figures, a histogram of these
+angles: corner angles for triangles, dihedral angles for tetrahedra.
 """
 
 import subprocess
@@ -35,7 +35,7 @@ def caption(name, report):
 
 
 def words_view(view, name, report, size):
-    """The caption alone: over a mesh that fills its view it could not be read."""
+    """The caption in its own view, since it could not be read over a mesh that fills the view."""
     white(view)
     words = simple.Show(simple.Text(Text=caption(name, report)), view)
     words.Color = [0.0, 0.0, 0.0]
@@ -44,7 +44,7 @@ def words_view(view, name, report, size):
 
 
 def mesh_view(view, mesh, direction, zoom, camera):
-    """The mesh with its edges, seen from `direction`, or as `camera` sees it."""
+    """Shows the mesh with its edges, seen from direction or with the given camera."""
     white(view)
     display = simple.Show(mesh, view)
     display.Representation = "Surface With Edges"
@@ -75,7 +75,7 @@ def bars(view, report):
 
 
 def split(layout, cell, parts, into):
-    """Cells of a layout: `cell` cut into `parts` equal ones by `into`."""
+    """Divides a cell of a layout into equal parts; into: the method that splits it."""
     cells = []
     while parts > 1:
         first = into(cell, 1.0 / parts)
@@ -112,7 +112,7 @@ def figure(picture, columns, direction, zoom=1.3, size=(1200, 620), histograms=T
 
 
 def chosen_level(volume):
-    """The level that Map Surface takes: the recommended one, else one found from the values."""
+    """The level that Map Surface uses: the recommended one, or else one estimated from the values."""
     surface = servermanager.Fetch(simple.MapSurface(Input=volume))
     return surface.GetFieldData().GetArray("Level").GetValue(0)
 
@@ -143,7 +143,7 @@ def tetrahedra(volume, level, **criteria):
 
 
 def half(mesh):
-    """The cells on one side of the middle, whole."""
+    """The uncut cells on one side of the middle."""
     bounds = mesh.GetDataInformation().GetBounds()
     clip = simple.Clip(Input=mesh, ClipType="Plane", Crinkleclip=1)
     clip.ClipType.Origin = [0.5 * (bounds[2 * a] + bounds[2 * a + 1]) for a in range(3)]

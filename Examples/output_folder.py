@@ -1,12 +1,12 @@
-"""Where the examples write: into the folder that is named, or else into a new temporary one."""
+"""The output folder of the examples: the given folder, or else a new temporary one."""
 
 import tempfile
 from pathlib import Path
 
 
 def output_folder(named=None):
-    """The folder `named`, made if necessary; without a name a new one among the system's temporary
-    folders, so that nothing of the user's is overwritten."""
+    """The given folder, which is created if necessary; without a name, a new temporary folder, so that no file of
+    the user is overwritten."""
     if not named:
         return Path(tempfile.mkdtemp(prefix="isthmus-"))
     folder = Path(named).resolve()

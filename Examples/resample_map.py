@@ -2,17 +2,18 @@
 
 Usage: pvpython resample_map.py MAP OUTPUT.vti NX [NY NZ]
 
-ParaView's filter for it is Resample To Image (vtkResampleToImage). Within the volume's bounds (given
-as numbers: UseInputBounds shrinks them by 1e-6), node i (from 1) of N along an axis of the N_v nodes of the volume lies at the volume's
+It uses ParaView's filter Resample To Image (vtkResampleToImage). Within the volume's bounds (given
+as numbers: UseInputBounds shrinks them by 1e-6), node i (from 1) of N along an axis of the N_v nodes of the volume
+lies at the volume's
 
     x_i = (N_v - 1)(i - 1)/(N - 1) + 1                                  (5.17, corrected)
 
-(printed: N_v (i - 1)/N + 1, which never comes to the last node). In the cell below, with x_d the part
+(printed: N_v (i - 1)/N + 1, which never reaches the last node). In the cell below, with x_d the part
 of x_i behind the point and xi = 2 x_d - 1, its value is the sum over the cell's eight nodes of
 
     value * (1 +- xi)(1 +- eta)(1 +- zeta)/8                            (5.18 to 5.20)
 
-which is how VTK's voxel cell interpolates. Nodes are the original's where the two meet.
+which is how VTK's voxel cell interpolates. Where both grids have a node, the value is that of the original.
 """
 
 import sys

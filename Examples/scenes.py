@@ -1,7 +1,7 @@
 """Writes scenes that can be rotated in a browser: one self-contained page for each.
 
-Usage: pvpython scenes.py [FOLDER [NAME...]]. FOLDER: where the pages go; default: a temporary folder, which is
-printed. NAME: only these (loops, curvature, sites, pockets, pore). Takes the data from $ISTHMUS_DATA_DIR, else from
+Usage: pvpython scenes.py [FOLDER [NAME...]]. FOLDER: output folder; default: a temporary folder, which is printed.
+NAME: only these (loops, curvature, sites, pockets, pore). Reads the data from $ISTHMUS_DATA_DIR, else from
 ../shared/data beside the clone. Needs three.js (Debian's libjs-three), which is copied into each page.
 """
 
@@ -37,7 +37,7 @@ SCENES = {
 
 
 def model_of(view, page):
-    """The view as glTF, with its data inside."""
+    """The view as a glTF file with embedded data."""
     for shown in view.Representations:
         if hasattr(shown, "InterpolateScalarsBeforeMapping"):
             shown.InterpolateScalarsBeforeMapping = 0  # its texture would not be exported
@@ -53,7 +53,8 @@ def model_of(view, page):
 
 
 def write_page(view, page, title, caption):
-    """Writes what the render view shows as a page that needs nothing else: glTF by ParaView, drawn by three.js."""
+    """Writes the contents of the render view as a self-contained page: glTF exported by ParaView, drawn by
+    three.js."""
     missing = [name for name in SCRIPTS if not (THREE / name).exists()]
     if missing:
         sys.exit(f"There is no {THREE / missing[0]}: install three.js (Debian's libjs-three).")

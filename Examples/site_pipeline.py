@@ -39,7 +39,7 @@ def density(atoms, decay=DECAY, spacing=SPACING, scale=1.0):
 
 
 def outer_surface(image, level=1.0, higher=True):
-    """The largest component of a level set, with its curvatures; `higher`: inside."""
+    """The largest component of a level set, with its curvatures; higher: whether the inside has the higher values."""
     contour = vtkFlyingEdges3D()
     contour.SetInputData(image)
     contour.SetValue(0, level)
@@ -77,7 +77,7 @@ def flow_image(atoms, spacing=SPACING):
 
 
 def polarized(surface, potential=None):
-    """The surface with PolarizedCurvature and its siblings; without an image, of its own Potential."""
+    """The surface with PolarizedCurvature and related arrays; without an image, from its own array Potential."""
     products = isthmus.vtkPolarizedCurvature()
     products.SetInputData(surface)
     if potential:
@@ -98,12 +98,12 @@ def with_potential(surface, atoms):
     solver.Update()
     solved = solver.GetSurface()
     if not solved.GetNumberOfPoints():
-        raise RuntimeError("The potential could not be computed: see above.")
+        raise RuntimeError("The potential could not be computed; see the messages above.")
     return solved
 
 
 def inside(surface, atoms):
-    """The atoms that a closed surface encloses: single ions may have one of their own."""
+    """The atoms enclosed by a closed surface; single ions may have a surface of their own."""
     test = vtkSelectEnclosedPoints()
     test.SetInputData(atoms)
     test.SetSurfaceData(surface)
@@ -145,7 +145,7 @@ def centre(row):
 
 
 def distance_to(points, place):
-    """From a place to the nearest of some points."""
+    """The distance from a position to the nearest of some points."""
     return float(numpy.linalg.norm(numpy.asarray(points) - place, axis=1).min())
 
 

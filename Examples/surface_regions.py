@@ -1,4 +1,4 @@
-"""Where a protein's surface is concave, and where charged: toon shading, areas between thresholds and
+"""Shows where a protein's surface is concave and where it is charged: toon shading, areas between thresholds and
 histograms of minimum curvature and potential, as Tables 4.6 to 4.8 and Figs. 4.26 to 4.30 of the
 thesis.
 
@@ -87,7 +87,7 @@ def show_histogram(finder, view, title):
 
 
 def picture(finders, titles, path):
-    """A row for each array: toon shading left, histogram right."""
+    """One row per array: toon shading on the left, histogram on the right."""
     layout = simple.CreateLayout()
     layout.SetSize(1200, 1000)
     rows = layout.SplitVertical(0, 0.5)

@@ -15,8 +15,8 @@ and complex shapes".
     are there; without a screen, put xvfb-run -a in front.
 --page FILE  writes each table into the page FILE as well, between <!-- thesis.py WHAT --> and <!-- end -->.
 
-Data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone. A stand-in is named where
-the entry that the thesis uses is not there. All of it takes minutes on two cores; the time of each table is printed.
+Data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone. If the entry used in the thesis is not available, the
+substitute is named. All of it takes minutes on two cores; the time of each table is printed.
 """
 
 import math
@@ -46,11 +46,12 @@ NOT_HERE = {
     "3.2": "a definition (local darts); the same test has every entry.",
     "3.3": "the sample of the mesh file; `CombinatorialMeshReader.ReadsTheSampleOfTheThesis` reads it.",
     "3.4": "a definition (local beta_1); the same test as 3.1 has every entry.",
-    "3.5": "H2D and B2D of the sample; these tables are not reached from Python. "
+    "3.5": "H2D and B2D of the sample; these tables are not accessible from Python. "
            "`CompactCombinatorialMap.TablesOfTheThreeCells` compares every entry.",
     "3.7": "a definition (integers of each table); [Cell complex](../../Filters/CellComplex/README.md) has ours.",
     "3.9": "memory of OpenVolumeMesh and CGAL on meshes that are not available. The thesis' map takes 0.079 to 0.098 of "
-           "OpenVolumeMesh's memory and 0.058 to 0.079 of CGAL's; ours takes 33 bytes a tetrahedron on a grid of cubes, "
+           "OpenVolumeMesh's memory and 0.058 to 0.079 of CGAL's; ours takes 33 bytes per tetrahedron on a grid "
+           "of cubes, "
            "0.079 of OpenVolumeMesh's 413 (`BenchOpenVolumeMesh`, its version of May 2026) and 0.048 of CGAL's 679 "
            "(`BenchCompactCombinatorialMap`).",
     "5.7": "a definition (classes of binding sites); `PolarizedCurvature.ClassesAreInTheOrderOfTheTable`.",
@@ -58,7 +59,7 @@ NOT_HERE = {
 
 
 def reproduces(key, title):
-    """Makes a function that gives lines of Markdown the one of the table `key`."""
+    """Decorator that registers a function, which returns lines of Markdown, for the table key."""
     def register(function):
         TABLES[key] = (title, function)
         return function
@@ -90,7 +91,7 @@ def table(head, rows):
 
 
 def beside(here, printed, form=".4g"):
-    """A cell: the value, the thesis' value, and by how much of it they differ."""
+    """A table cell: the value, the value of the thesis, and their relative difference."""
     if not printed:
         return f"{here:{form}} ({'-' if printed is None else '0'})"
     percent = 100.0 * (here - printed) / abs(printed)
@@ -213,7 +214,8 @@ def edges_of_three_cells():
         ("edges, in their order", "the same" if found == list(printed) else found, len(printed)),
         ("first edge of each vertex (V2E)", ", ".join(map(str, starts)), "0, 4, 7, 9, 12, 14, -, -"),
         ("faces on the boundary (B2D)", border, 9))) + [
-            "", "The darts beside the edges, and with them the direction rule that Algorithm 1 lacks, are compared in "
+            "", "The darts next to the edges, and with them the direction rule that is missing in Algorithm 1, "
+            "are compared in "
             "C++ (`CompactCombinatorialMap.EdgesOfTheThreeCells`)."]
 
 
@@ -235,7 +237,7 @@ def memory():
     return table(("model", "the thesis' estimate, 4 (8.7 n3 + nb)", "tables and coordinates, 4 (4 n0 + 8 n3 + nb)",
                   "genus from the counts (from the text)"), rows) + [
         "", "From the printed numbers of vertices, edges, faces on the boundary and cells; the meshes are not "
-        "available. The estimate is exact. The measured column holds what the process took besides. The "
+        "available. The estimate is exact. The measured column contains the additional memory of the process. The "
         "counts of David cannot be right: a genus of 47 instead of 5."]
 
 
@@ -285,9 +287,10 @@ def voronoi():
     return statistics(isthmus.vtkSurfaceCurvature.Voronoi, (
         (1, 10, (1.003238, 0.010534, 1.000030, 0.002627)), (2, 14, (0.500804, 0.007382, 0.707107, 0.003701)),
         (3, 17, (0.333684, 0.007158, 0.577343, 0.005481)))) + [
-        "", "Means are weighted by area (which the thesis does not say; its means times its areas give 4 pi), "
-        "deviations are over the points. They depend on the mesh: the points of the thesis do not lie on the sphere "
-        "(its last H is below 1/sqrt(3), which no points on the sphere can give), these do."]
+        "", "Means are weighted by area (the thesis does not state this, but its means times its areas give 4 "
+        "pi); deviations are unweighted over the points. They depend on the mesh: the points used in the thesis "
+        "do not lie on the sphere (the last H is below 1/sqrt(3), which is impossible for points on the sphere), "
+        "whereas the points used here do."]
 
 
 def sheet(count):
@@ -324,8 +327,9 @@ def patches():
         f"{errors[r][k]:.2e} ({wanted[k]:.2e})" + (f", order {ours[k][r]:.2f} ({theirs[k][r]:.2f})" if r else "")
         for k in range(4))) for r, (longest, wanted) in enumerate(printed.items())]
     return table(("longest edge", "K, largest error", "K, rms", "H, largest error", "H, rms"), rows) + [
-        "", "On a regular mesh: that of the thesis is not described, and no mesh tried has its errors. Orders of K can "
-        "be compared, sizes cannot. With Voronoi areas H is almost exact where all points lie on a sphere, as here."]
+        "", "The values are for a regular mesh: the mesh of the thesis is not described, and none of the meshes "
+        "tried has the same errors. The orders of convergence of K can be compared, but not the magnitudes of the "
+        "errors. With Voronoi areas H is almost exact where all points lie on a sphere, as here."]
 
 
 def lysozyme():
@@ -359,9 +363,10 @@ def lysozyme_once():
 
 LYSOZYME_NOTE = (
     "1HEW by *Molecular Flow Surface* with its defaults, which are the thesis' (enlarged 1.3 times, the time of 100 "
-    "steps), at 0.5 angstrom; curvature by the edge tensor over 1.5 angstrom. The area below 0 agrees, that of "
-    "strong curvature does not: the surface of the thesis is smoother, or its curvature averaged over more; it does "
-    "not say which mesh and which averaging. Rows add up to the whole area, in both.")
+    "steps), at 0.5 angstrom; curvature by the edge tensor over 1.5 angstrom. The area below 0 agrees, but that "
+    "of strong curvature does not: the surface of the thesis is smoother, or its curvature is averaged over a "
+    "larger region; the thesis states neither the mesh nor the averaging. In both columns the rows add up to the "
+    "whole area.")
 
 
 def areas_between(array, thresholds, second=None, second_thresholds=()):
@@ -398,8 +403,9 @@ def areas_by_potential():
         (0.0, 1.0, 318.3, 1034.6, 3505.0), (0.0, 0.0, 318.3, 0.0, 4539.6)))
     return table(("thresholds", "below", "between", "above", "sum (thesis: 4857.9)"), rows) + [
         "", "Corrected: the column below is missing in print and follows from the sum; the last area above is printed "
-        "as 4616.1 and must be 4539.6. Ours is the potential at the surface, in water without salt, with "
-        "dielectrics 2 and 80; the thesis names no salt, charges or unit. The areas below and above 0 agree, those "
+        "as 4616.1 and must be 4539.6. Our values are for the potential at the surface, in water without salt, "
+        "with dielectric constants 2 and 80; the thesis does not state salt, charges or unit. The areas below and "
+        "above 0 agree, those "
         "beyond 1 do not."]
 
 
@@ -445,7 +451,7 @@ def counts():
         here = measures(made)
         rows.append((name, f"{here[0]} ({v})", f"{here[1]} ({t})", f"{here[4]} (0)", f"{here[2]:.0f}"))
     return table(("1HEW", "points", "triangles", "genus", "area"), rows) + [
-        "", "The counts follow from the spacing of the grid, which the thesis does not say. In both, triangles are "
+        "", "The counts depend on the spacing of the grid, which the thesis does not state. In both, triangles are "
         "twice the points less 4, as for every closed surface of genus 0. EMD-1590 (14170 points and 28360 "
         "triangles, so genus 6) is not available."]
 
@@ -469,7 +475,8 @@ def crossings():
     for row, here, theirs in zip(rows, orders(found), orders([7.985e-4, 2.651e-4, 7.265e-5, 1.979e-5])):
         row.append("" if math.isnan(here) else f"{here:.2f} ({theirs:.2f})")
     return table(("h", "crossings", "mean error", "order"), rows) + [
-        "", "The error is that of the triangles, not of the grid: it stays where it is when only h falls. Stand-ins: "
+        "", "The error is that of the triangles, not of the grid: it does not decrease if only h is reduced. "
+        "Stand-ins: "
         "icosahedral spheres whose triangles are refined with h; the thesis must have done the same."]
 
 
@@ -579,7 +586,7 @@ def tangle(n=60):
 
 
 def open_to_water(path, spacing):
-    """The molecule's converged flow surface; what a probe of 1.4 can enter stays open."""
+    """The molecule's converged flow surface; regions that a probe of radius 1.4 can enter stay open."""
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(path)
     flow = isthmus.vtkMolecularFlowSurface()
@@ -669,9 +676,10 @@ def choking_loops():
                   "persistence in percent of the largest radius allowed", "of its death", "no largest radius",
                   "seconds (the thesis' stages together)"), rows) + [
         "", "Thresholds of the thesis: the largest radius and the least persistence, both in percent of the largest "
-        "distance inside (A12 of the corrected specification, since the thesis does not say of what). The columns "
-        "behind have the alternatives: the persistence in percent of the largest radius allowed, or of the death of "
-        "the same bar, and no largest radius. The meshes are others of the same models. Simplified to half "
+        "distance inside (A12 of the corrected specification, since the thesis does not say of what). The "
+        "following columns show the alternatives: the persistence in percent of the largest radius allowed, or of "
+        "the death of "
+        "the same bar, and no largest radius. The meshes are different ones of the same models. Simplified to half "
         "of the triangles, additional loops: " + ", ".join(halved) + ". With 100,000 samples instead of about "
         "20,000: " + ", ".join(denser) + "."]
 
@@ -728,7 +736,8 @@ def resolutions():
                      f"{field(loops.GetOutput(), 'ReferenceLength'):.3f}"))
     return table(("points, thousands", "handles", "additional loops", "largest distance inside"), rows) + [
         "", ("1MAG" if fetched("1MAG") else "1GRM, another structure of the same channel, for 1MAG") +
-        ", with the thresholds of the thesis, 70 % and 25 %. What can be compared is whether the counts stay the same from resolution to resolution."]
+        ", with the thresholds of the thesis, 70 % and 25 %. The comparison shows whether the counts are the same "
+        "at each resolution."]
 
 
 @reproduces("6.12", "Figure 6.12: C60 at growing distances")
@@ -758,7 +767,8 @@ def growth():
         rows.append((f"{d:g}", genus, int(numpy.sum((births <= d) & (d < deaths))), f"{area:.1f}"))
     return table(("distance", "genus of the isosurface", "beta_1 by persistence", "area"), rows) + [
         "", "The thesis has pictures here. The genus of the isosurface on a grid of 0.1 angstrom is the number of "
-        "bars, but for distances close to those at which rings close (0.73) or are filled (1.24 for pentagons, 1.4 for "
+        "bars, except at distances close to those at which rings close (0.73) or are filled (1.24 for pentagons, "
+        "1.4 for "
         "hexagons): there the grid joins or fills some too early. The bars are exact, in one computation for all."]
 
 
@@ -778,9 +788,9 @@ def fullerene_grids():
                          f"{found['FilteredIntegral']:.3f} ({filtered})", f"{found['Bars']:.0f}",
                          f"{exact['Integral']:.3f}"))
     return table(("molecule", "h", "all bars", "bars of at least 0.2", "their number", "exact"), rows) + [
-        "", "The thesis prints curves, no numbers. In parentheses: its algorithms programmed once more, on atoms "
-        "placed by bond lengths. Its two claims hold: as the grid gets finer, the integral without the filter "
-        "grows past the exact value, with it the integral comes to that value from below."]
+        "", "The thesis shows curves but no numbers. Values in parentheses are from a reimplementation of its "
+        "algorithms, on atoms placed by bond lengths. Its two claims hold: as the grid gets finer, the integral "
+        "without the filter exceeds the exact value, and with the filter it approaches that value from below."]
 
 
 @reproduces("6.15", "Figure 6.15: the indicator beside energies")
@@ -804,7 +814,8 @@ def fullerene_energies():
     lines.append(("all sizes", len(rows), "-integral / N and energy per atom",
                   f"{correlation(rows, 'EnergyProxy', True):+.3f}"))
     return table(("molecules", "number", "correlation of", "r"), lines) + [
-        "", "Energies: GFN2-xTB of the same geometries, **not MP2**, whose values are not in the thesis' text. Within "
+        "", "Energies are from GFN2-xTB at the same geometries instead of MP2, whose values are not printed in "
+        "the thesis. Within "
         "one size the indicator follows the energy; over all sizes most of it is 1/N."]
 
 
@@ -866,7 +877,7 @@ def draw_surface(source, picture):
 
 
 def draw(folder):
-    """Figures 5.6 to 5.8, six descriptors of curvature, and the maps of 4.7, of what is there."""
+    """Figures 5.6 to 5.8, six descriptors of curvature, and the maps of 4.7, for the available data."""
     from paraview import servermanager, simple
     folder.mkdir(parents=True, exist_ok=True)
     atoms = simple.OpenDataFile(fetched("1PPL") or data("molecules/1hew/1hew.pqr"))

@@ -2,11 +2,10 @@
 
     python3 thesis_entries.py FOLDER [--from URL] [ID ...]
 
-Each entry becomes a file of FOLDER; what is there already is not downloaded again. FOLDER/checksums.tsv has the SHA-256
-of each: a file that differs from it is an error, and is left alone. Where the checksum of the copy is recorded below
-that the guide's page was made with, a difference is named: archives revise entries.
---from URL  takes the files from URL/NAME instead, as a mirror or a folder (file:///...) has them.
-Exit status: 0, or 1 where an entry is missing or differs.
+Each entry becomes a file in FOLDER; existing files are not downloaded again. FOLDER/checksums.tsv has the SHA-256
+of each: a file with another checksum is an error and is not changed. If the checksum used for the guide's page is
+recorded below, a difference is reported, since archives revise entries. --from URL  takes the files from URL/NAME
+instead, as a mirror or a folder (file:///...) has them. Exit status: 0, or 1 where an entry is missing or differs.
 """
 import gzip
 import hashlib
@@ -65,7 +64,7 @@ def write_lock(folder, sums):
 
 
 def is_whole(name, content):
-    """Whether a download is what its name says: archives answer with pages of HTML, too."""
+    """Whether a download has the expected type, since archives sometimes return an HTML page."""
     if name.endswith(".gz"):
         try:
             return len(gzip.decompress(content)) > 1024
@@ -75,7 +74,7 @@ def is_whole(name, content):
 
 
 def download(entry, folder, base):
-    """The file of an entry, written whole or not at all. Raises OSError with a reason."""
+    """Downloads the file of an entry; on failure nothing is written. Raises OSError with a reason."""
     name = ENTRIES[entry][0]
     url = url_of(entry, base)
     try:
@@ -104,7 +103,7 @@ def check(entry, path, sums):
 
 
 def fetch(folder, base=None, entries=None):
-    """Downloads what is missing; the exit status."""
+    """Downloads the missing entries and returns the exit status."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     sums, failed, reasons = locked(folder), 0, {}
@@ -128,7 +127,7 @@ def fetch(folder, base=None, entries=None):
 
 
 def path_of(entry, folder):
-    """The file of an entry, if it is there."""
+    """The file of an entry, if it exists."""
     path = pathlib.Path(folder) / ENTRIES[entry][0] if folder else None
     return str(path) if path and path.exists() else None
 

@@ -1,16 +1,16 @@
-"""Trains the site model of Molecular Pockets, and says how good it is on families that it has not seen.
+"""Trains the site model of Molecular Pockets and measures its performance on unseen families.
 
     /usr/bin/python3 train_site_model.py describe FOLDER OUT.npz     # needs isthmus (PV_PLUGIN_PATH)
     python3 train_site_model.py train OUT.npz ... [--test OUT.npz] [--table SiteModelTable.cxx]
 
-FOLDER is one for evaluate_pockets.py, with a column `family` in its ligands.csv. `train` needs numpy,
-scipy, scikit-learn and lightgbm (4.7.0 made the shipped table), and no Isthmus. Places are the
-tetrahedra of pockets; a place is right if an atom of the ligand lies within 3 angstrom. Every family
-of proteins has the same weight, and of each at most 4 complexes from each file take part.
+FOLDER has the same layout as for evaluate_pockets.py, with a column family in ligands.csv. train needs numpy,
+scipy, scikit-learn and lightgbm (4.7.0 made the shipped table), and no Isthmus. Places are the tetrahedra of
+pockets; a place is positive if an atom of the ligand lies within 3 angstrom. Every family of proteins has the same
+weight, and at most 4 complexes per family are used from each file.
 
-Printed: cross-validation over families (with --nested, the kernel's reach and the number of trees are
-chosen inside of each outer fold), intervals by resampling families, with --curve the learning curve,
-and calibration on left-out families. --table writes the C++ source of the model that is trained on everything.
+Printed: cross-validation over families (with --nested, the kernel's reach and the number of trees are chosen within
+each outer fold), intervals by resampling families, with --curve the learning curve, and calibration on left-out
+families. --table writes the C++ source of the model trained on all data.
 """
 
 import argparse
@@ -36,7 +36,7 @@ PARAMETERS = {"objective": "binary", "num_leaves": 12, "learning_rate": 0.06, "m
 # ---------------------------------------------------------------------------- descriptors, by Isthmus
 
 def atoms_of(lines):
-    """Places of the heavy atoms of a polymer, numbers of their residues (the same for copies of a chain)
+    """Positions of the heavy atoms of a polymer, numbers of their residues (the same for copies of a chain)
     and of their chains (by name)."""
     atoms = [line for line in lines if line.startswith("ATOM") and line[76:78].strip() not in ("H", "D")
              and line[12:16].strip("0123456789 ")[:1] not in ("H", "D")]
@@ -137,7 +137,7 @@ def family_weights(complexes):
 
 
 def propensity_of(complexes, column):
-    """How much more often each residue is near right places than near others: logarithm of the ratio."""
+    """Enrichment of each residue near positive places compared with others: logarithm of the ratio."""
     near, others = numpy.zeros(40), numpy.zeros(40)
     for one, weight in zip(complexes, family_weights(complexes)):
         shares = one.residues / numpy.maximum(one.residues.sum(axis=1, keepdims=True), 1e-9)
@@ -173,7 +173,7 @@ def predict(model, one, column, trees=None):
 
 
 def sites_of(places, probabilities, reach, most=None):
-    """Densities and modes of the first sites, as PocketSites.h has them."""
+    """Densities and modes of the first sites, computed as in PocketSites.h."""
     from scipy.spatial import cKDTree
 
     tree = cKDTree(places)
@@ -212,7 +212,8 @@ def sites_of(places, probabilities, reach, most=None):
 
 
 def weights_around(one, centre):
-    """Weights of the residues around: by number and name, and by chain too; the chain that has most."""
+    """Weights of the surrounding residues, by number and name and also by chain, and the chain with the largest
+    weight."""
     weights = 1.0 - numpy.linalg.norm(one.atoms - centre, axis=1) / AROUND
     of_all, by_chain, chains = defaultdict(float), defaultdict(float), Counter()
     for i in numpy.flatnonzero(weights >= 0.0):
@@ -230,7 +231,8 @@ def likeness(a, b):
 
 
 def with_copies(one, density, centres):
-    """Copies of a site follow each other by their chains, with the mean of their densities (SiteCopies.h)."""
+    """Copies of a site follow each other in the order of their chains, with the mean of their densities
+    (SiteCopies.h)."""
     around = [weights_around(one, centre) for centre in centres]
     groups = []
     for i, (of_all, by_chain, _) in enumerate(around):
@@ -265,7 +267,7 @@ def first_and_three(hits):
 # ---------------------------------------------------------------------------- figures
 
 def interval(values, families, weights=None, rounds=2000):
-    """95 % interval of the mean over complexes, families resampled."""
+    """95 % interval of the mean over complexes, from resampling families."""
     random = numpy.random.default_rng(0)
     names = sorted(set(families))
     rows = {name: numpy.flatnonzero(families == name) for name in names}
@@ -370,7 +372,7 @@ def write_table(path, model, calibration):
             return at
 
         if visit(tree["tree_structure"]) != 0:
-            raise SystemExit("A tree is a single leaf: too little data.")
+            raise SystemExit("A tree consists of a single leaf: there is too little data.")
         nodes += mine
     number = lambda value: f"{float(value):.9g}"
     real = lambda value: number(value) + ("f" if "." in number(value) or "e" in number(value) else ".0f")

@@ -3,8 +3,8 @@
     from isthmus import pipelines                 # or: import isthmus_pipelines, with the plugin loaded
     pipelines.figure(view, width_mm=85, dpi=300, path="loops.png")
 
-A PNG file and, beside it, an SVG file: text and lines of legends as vectors over the same picture; of charts all is
-vectors.
+A PNG file and, beside it, an SVG file: text and lines of legends are vectors over the same picture; charts consist
+of vectors only.
 """
 
 import base64

@@ -355,7 +355,7 @@ def persistence_diagram(source):
 
 
 def _upstream(source, fits):
-    """The nearest source that fits, from `source` back to the files; `source` itself where none does."""
+    """The nearest suitable source upstream of source (or source itself); source if none is suitable."""
     waiting, met, selected = [source.SMProxy], set(), source.SMProxy
     while waiting:
         proxy = waiting.pop(0)

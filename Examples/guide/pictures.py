@@ -1,7 +1,8 @@
-"""Makes the pictures of the guide's filter pages that the gallery does not have: one scene for each filter.
+"""Makes those pictures of the guide's filter pages that are not in the gallery: one scene for each filter.
 
-Usage: pvpython pictures.py [FOLDER [NAME...]]. FOLDER: where the pictures go, filters/ beside this file by default.
-NAME: only these (SurfaceCurvature, ...). Takes the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
+Usage: pvpython pictures.py [FOLDER [NAME...]]. FOLDER: output folder; default: filters/ beside this file.
+NAME: only these (SurfaceCurvature, ...). Reads the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the
+clone.
 """
 
 import os
@@ -39,7 +40,7 @@ def plain(source, view, colour=BLUE, opacity=1.0):
 
 
 def coloured(source, view, association, array, title, symmetric=None, preset=None):
-    """Colours by an array; `symmetric`: the range is from -symmetric to it."""
+    """Colours by an array; with symmetric, the range is from -symmetric to symmetric."""
     display = simple.Show(source, view)
     simple.ColorBy(display, (association, array))
     table = simple.GetColorTransferFunction(array)
@@ -171,7 +172,7 @@ def nonpolar_solvation(view):
 
 
 def feature_tracks(view):
-    """Pockets of lysozyme while its two halves move against each other, as a made trajectory."""
+    """Pockets of lysozyme while its two halves move against each other, in an artificial trajectory."""
     folder = os.environ.get("ISTHMUS_DATA_DIR") or str(HERE.parents[2] / "shared" / "data")
     lines = [line for line in (Path(folder) / "molecules/1hew.pdb").read_text().split("\n")
              if line.startswith("ATOM") and line[16] in " A"]

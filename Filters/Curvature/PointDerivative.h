@@ -27,11 +27,11 @@ namespace isthmus
 {
 
 /**
- * Derivatives at `index`, a position in node units from the grid's first node, into `place` of
- * `rows`. Returns false, and writes nothing, if the stencil would leave the grid: if the index is
- * NaN, lies outside the grid or closer than StencilRadius(accuracy) nodes to its border (with a
- * tolerance of 1e-4 nodes for rounded coordinates), or if the grid has fewer than 4R nodes on some
- * axis.
+ * Computes the derivatives at `index`, a position in node units from the grid's first node, and
+ * stores them at `place` of `rows`. Returns false, and writes nothing, if the stencil would leave
+ * the grid: if the index is NaN, lies outside the grid or closer than StencilRadius(accuracy) nodes
+ * to its border (with a tolerance of 1e-4 nodes for rounded coordinates), or if the grid has fewer
+ * than 4R nodes on some axis.
  *
  * A NaN at any of the (4R)^3 nodes read makes the derivatives NaN. Cost: 64 or 512 values read.
  */

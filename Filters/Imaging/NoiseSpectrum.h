@@ -6,9 +6,9 @@
  * the discrete Laplacian. Power is averaged over bins of equal width in the square root of s =
  * -L/b, which is in proportion to the frequency.
  *
- * **White noise has the same power at all waves, and a map has little power at the finest ones, so
- * the level is a low quantile of that power over the blocks. The level is corrected for the
- * statistical spread of the power of noise (chi squared, with the approximation of Wilson and
+ * **White noise has the same power at all wave numbers, and a map has little power at the highest
+ * ones, so the level is a low quantile of that power over the blocks. The level is corrected for
+ * the statistical spread of the power of noise (chi squared, with the approximation of Wilson and
  * Hilferty). It is therefore independent of the map if a quarter of the blocks has no detail at the
  * finest waves.
  *
@@ -53,8 +53,8 @@ NoiseSpectrum WhiteNoise(double deviation);
 VTKISTHMUSFILTERSIMAGING_EXPORT NoiseSpectrum EstimateNoiseSpectrum(
   const VolumeSample& sample, const std::array<double, 3>& spacing);
 
-/// Values of s along each axis, whose combinations are the modes of a grid; at most 64 for each
-/// axis, with which longer axes are sampled as densely.
+/// Values of s along each axis, whose combinations are the modes of a grid. At most 64 per axis are
+/// used; longer axes are sampled by 64 evenly spaced values.
 std::array<std::vector<double>, 3> ModesOf(
   const Index3& whole, const std::array<double, 3>& spacing);
 

@@ -1,4 +1,4 @@
-"""The class comments of the headers as Markdown, and what the modules of the repository depend on."""
+"""The class comments of the headers as Markdown, and the dependencies of the modules."""
 
 import re
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ class ClassComment:
 
 
 def comment_lines(header):
-    """The first documentation comment of a header, without its frame."""
+    """The text of the first documentation comment of a header."""
     found = re.search(r"/\*\*(.*?)\*/", header, re.DOTALL)
     if not found:
         return []
@@ -25,7 +25,7 @@ def comment_lines(header):
 
 
 def escaped(line):
-    """A line of running text in which < and $ are no markup."""
+    """A line of text in which < and $ are escaped."""
     parts = re.split(r"(`[^`]*`)", line)
     for i in range(0, len(parts), 2):
         parts[i] = parts[i].replace("<", "&lt;").replace("$", "\\$")
@@ -78,7 +78,7 @@ def declared_modules(root):
 
 
 def uses_cgal(root, declared):
-    """The modules that are GPL as built: those that find CGAL and those that depend on them."""
+    """The modules that are under the GPL when built: those that use CGAL and those that depend on them."""
     found = {folder for folder in declared
              if "CGAL" in (root / folder / "CMakeLists.txt").read_text()}
     while True:

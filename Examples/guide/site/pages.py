@@ -1,8 +1,8 @@
-"""The source folder of the guide, from the hand-written pages and from what the repository says.
+"""Creates the source folder of the guide from the hand-written pages and from texts of the repository.
 
-Pages of Examples/guide keep their places. Every other .md file of the repository becomes a page below
-repository/, and links between all of them are turned accordingly. A page of filters/ consists of its
-hand-written part, then of what the panel, the header and the module say.
+Pages of Examples/guide keep their paths. Every other .md file of the repository becomes a page below
+repository/, and the links between all of them are adapted. A page of filters/ consists of its hand-written part and
+of the texts of the panel, the header and the module.
 """
 
 import ast
@@ -32,7 +32,7 @@ def outside_code(text, change):
 
 
 class Site:
-    """The pages of the guide and where they come from."""
+    """The pages of the guide and their sources."""
 
     def __init__(self, root, version, scenes=()):
         """`scenes`: (name of the page, title) of those that Examples/scenes.py wrote."""
@@ -56,8 +56,8 @@ class Site:
         return str(Path("repository") / str(relative).replace(".github", "github"))
 
     def turned_link(self, link, page, place):
-        """A link of `page` of the repository, from its place on the site; None: a folder without a page.
-        One that leads nowhere stays, for Sphinx to warn about."""
+        """A link on a page of the repository, adapted to the site; None for a folder without a page.
+        A broken link is kept, so that Sphinx warns about it."""
         if re.match(r"[a-z]+:", link) or link.startswith("#"):
             return link
         name, mark, fragment = link.partition("#")
@@ -74,7 +74,7 @@ class Site:
         return os.path.relpath(there, Path(place).parent) + mark + fragment
 
     def turned(self, text, page, place):
-        """A page of the repository with its links turned; those to folders without a page are text."""
+        """A page of the repository with adapted links; links to folders without a page become plain text."""
         def change(match):
             link = self.turned_link(match.group(2), page, place)
             if link is None:
@@ -89,7 +89,7 @@ class Site:
     # Pages.
 
     def page_of_class(self, name):
-        """The page of the panel of a class: the one of the same name, else the first."""
+        """The panel page of a class: the one with the same name, or else the first."""
         found = [panel for panel in self.panels.values() if panel.vtk_class == name]
         same = [panel for panel in found if "vtk" + panel.name == name]
         return (same or found or [None])[0]
@@ -178,7 +178,7 @@ class Site:
         return "\n\n".join(parts) + "\n"
 
     def add_guide(self):
-        """The hand-written pages, and those of the panels with what is generated."""
+        """Writes the hand-written pages, and those of the panels with their generated parts."""
         for path in sorted((self.root / GUIDE).rglob("*.md")):
             if path.parent.name == "site":  # the main page of the C++ reference
                 continue
@@ -196,7 +196,7 @@ class Site:
             raise SystemExit("No hand-written part in Examples/guide/filters/ for: " + ", ".join(missing))
 
     def add_repository(self):
-        """All other pages of the repository, and a list of them."""
+        """Writes all other pages of the repository, and a list of them."""
         for path in sorted(self.root.rglob("*.md")):
             relative = path.relative_to(self.root)
             shown = str(relative) in COMMUNITY or not HIDDEN.search(str(relative))
@@ -208,8 +208,8 @@ class Site:
         names = sorted(name for name in self.pages if name.startswith("repository/"))
         self.pages["repository/index.md"] = "\n".join([
             "# Manuals of the modules", "",
-            "The pages that lie beside the sources: what each module contains, its formulas and sources, "
-            "and what was measured.", "",
+            "These pages are stored beside the source code: the contents of each module, its formulas and "
+            "references, and measurements.", "",
             "```{toctree}", ":maxdepth: 1", "",
             *(name.removeprefix("repository/") for name in names), "```", ""])
 
@@ -227,9 +227,9 @@ class Site:
         return [*lines, "```{toctree}", ":hidden:", "", *names, "```"]
 
     def scene_lines(self):
-        """Links to the scenes that were made, or how to make them."""
+        """Links to the scenes, or instructions for making them."""
         if not self.scenes:
-            return ["They were not made with this copy of the guide: build the target `scenes`, then `guide` again."]
+            return ["This copy of the guide does not include them: build the target scenes, then guide again."]
         return [f'- <a href="scenes/{name}.html">{headers.escaped(title)}</a>' for name, title in self.scenes]
 
     def python_lines(self):
@@ -254,7 +254,7 @@ class Site:
         return lines
 
     def drawing(self):
-        """The modules and what they depend on, for graphviz; direct dependencies only."""
+        """The modules and their direct dependencies, for graphviz."""
         def reached(folder):
             return {folder}.union(*(reached(needed) for needed in self.modules[folder]))
         lines = ["digraph modules {", "  rankdir=BT; ranksep=0.5; nodesep=0.25;",
@@ -269,7 +269,7 @@ class Site:
         return "\n".join([*lines, "}", ""])
 
     def write(self, folder):
-        """All pages and the files that they show, below `folder`."""
+        """Writes all pages and the files that they show to folder."""
         self.add_guide()
         self.add_repository()
         for place, text in self.pages.items():

@@ -25,7 +25,7 @@ class Property:
 
 @dataclass
 class Panel:
-    """A proxy that users find in a menu or in a file dialog."""
+    """A proxy that users can choose in a menu or in a file dialog."""
 
     name: str
     label: str
@@ -40,7 +40,7 @@ class Panel:
 
     @property
     def python_name(self):
-        """The name under which paraview.simple has the proxy."""
+        """The name of the proxy in paraview.simple."""
         return re.sub(r"\W", "", self.label)
 
 
@@ -49,7 +49,7 @@ def words(text):
 
 
 def shown_number(text):
-    """A number of a domain as people write it."""
+    """A number of a domain in readable form."""
     try:
         number = float(text)
     except ValueError:
@@ -70,7 +70,7 @@ def range_of(domain):
 
 
 def values_and_default(element):
-    """What a property may be, and its default in the same words."""
+    """The allowed values of a property, and its default in the same form."""
     defaults = (element.get("default_values") or "").strip()
     if element.find("BooleanDomain") is not None:
         return "on, off", {"1": "on", "0": "off"}.get(defaults, defaults)
@@ -119,7 +119,7 @@ def elements_of(folder):
 
 
 def property_elements(element, known):
-    """Those of a proxy and of the proxy it is derived from, by name."""
+    """The properties of a proxy and of its base proxy, by name."""
     found = {}
     base = known.get((element.get("base_proxygroup"), element.get("base_proxyname")))
     if base is not None:
@@ -142,7 +142,7 @@ def property_elements(element, known):
 
 
 def class_of(element, known):
-    """The VTK class that does the work; readers of series name it in the reader of one file."""
+    """The VTK class of the proxy; for readers of file series, that of the reader of a single file."""
     if element.get("class") != "vtkFileSeriesReader" and element.get("class"):
         return element.get("class")
     for inner in element.findall("SubProxy/Proxy"):
@@ -162,7 +162,7 @@ def outputs_of(element, known):
 def read_panels(folder):
     """All panels of the menu, the readers and the writers, by name.
 
-    Left out are readers that declare one of ParaView's own names again, to replace it: they have no
+    Readers that redefine one of ParaView's own names in order to replace it are omitted, since they have no
     extensions of their own.
     """
     everything = list(elements_of(folder))
