@@ -7,10 +7,10 @@ MAP is read, denoised by High-Order Diffusion and written as OUTPUT.mrc (floats,
 there is signal and noise, and are used for every block. With --level the surface of the result is written as well,
 with one file per block in the folder OUTPUT_surface, and OUTPUT_surface.vtm to open them all.
 
-A block is read with a margin, which is discarded afterwards. What changes at a distance r changes a node by the
-part of a Gaussian of variance 2 Time that lies beyond r (edge stopping only slows that down), and the
-Gaussians of PreSmoothing and ResidualSmoothing reach on from there, so the margin is MARGIN standard
-deviations of all three: the result is that of one piece to a few millionths of the map's deviation.
+A block is read with a margin, which is discarded afterwards. The influence of a node at a distance r is the part of
+a Gaussian of variance 2 Time that lies beyond r (edge stopping only reduces it), and the Gaussians of PreSmoothing
+and ResidualSmoothing add to the range. The margin is therefore MARGIN standard deviations of all three combined,
+and the result equals that of a single piece to a few millionths of the map's deviation.
 
 After an interruption (power failure, queue limit, Ctrl-C), the same command resumes the work: OUTPUT.mrc.blocks
 lists the finished blocks. Unpack compressed maps first: otherwise each block would unpack everything before it.

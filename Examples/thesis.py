@@ -451,9 +451,9 @@ def counts():
         here = measures(made)
         rows.append((name, f"{here[0]} ({v})", f"{here[1]} ({t})", f"{here[4]} (0)", f"{here[2]:.0f}"))
     return table(("1HEW", "points", "triangles", "genus", "area"), rows) + [
-        "", "The counts depend on the spacing of the grid, which the thesis does not state. In both, triangles are "
-        "twice the points less 4, as for every closed surface of genus 0. EMD-1590 (14170 points and 28360 "
-        "triangles, so genus 6) is not available."]
+        "", "The counts depend on the spacing of the grid, which the thesis does not state. In both, the number of "
+        "triangles is twice the number of points minus 4, as for every closed surface of genus 0. EMD-1590 (14170 "
+        "points and 28360 triangles, so genus 6) is not available."]
 
 
 # ------------------------------------------------------------------------------------------ chapter 5

@@ -331,7 +331,7 @@ def calibrated(c, x):
 
 
 def reliability(probability, hit, families, bins=8):
-    """Bins of about equal numbers: mean probability, observed share and its interval, number."""
+    """Bins with about equal numbers of places, each with its mean probability, observed share, interval and number."""
     order = numpy.argsort(probability, kind="stable")
     edges = [0, *(len(order) - numpy.cumsum([max(50, len(order) // 60)] * (bins - 1)))[::-1], len(order)]
     error = 0.0

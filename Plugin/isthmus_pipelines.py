@@ -5,7 +5,7 @@
     pipelines.show(surface, loops)
 
 Each of the functions takes a source and returns a tuple of the last proxies, the main one last;
-all are ordinary filters, to be changed as one likes. They use proxies only, so that the data stays
+all are ordinary filters whose properties can be changed. They use proxies only, so that the data stays
 on the server, wherever that is. What cannot be done raises a ValueError with one sentence.
 
 The buttons of the toolbar are run(); first_look() is what the window calls for each result

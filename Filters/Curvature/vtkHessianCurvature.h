@@ -35,7 +35,7 @@
  * epsilon x |value| / spacing. At points, the stencil consists of all (4 R)^3 surrounding nodes,
  * with R = Accuracy / 2.
  *
- * **Sign.** A sphere has positive curvature, 1/r: like all surfaces that bend away from the outward
+ * **Sign.** A sphere has positive curvature, 1/r, like all surfaces that bend away from the outward
  * normal. The inside is where the scalar is higher; for fields that grow outwards, such as signed
  * distances, switch InsideIsHigher off. kappa_1 is always the maximum.
  *

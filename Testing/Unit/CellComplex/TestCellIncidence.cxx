@@ -157,7 +157,7 @@ TEST(CellIncidence, RefusesWithASentenceAndEmptyOutputs)
   grid = GridOf(Tetrahedra(1));
   const vtkIdType open[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3 };
   grid->InsertNextCell(VTK_POLYHEDRON, 3, open);
-  EXPECT_NE(refusal(grid).find("Cell 6 is refused"), std::string::npos);
+  EXPECT_NE(refusal(grid).find("Cell 6 is not valid"), std::string::npos);
 }
 
 TEST(CellIncidence, StopsWhenAskedTo)

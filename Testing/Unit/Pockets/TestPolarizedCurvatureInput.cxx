@@ -27,7 +27,7 @@ TEST(PolarizedCurvature, PointsOffTheGridAreMarkedNotZero)
   const auto sphere = Ellipsoid(5.0, 5.0, 5.0, 30);
   Trial run(sphere, Image(4.0, 20, [](const double*) { return 1.0; }));
   vtkPolyData* output = run.Update();
-  EXPECT_NE(run.Observer->GetWarningMessage().find("lie off the grid"), std::string::npos);
+  EXPECT_NE(run.Observer->GetWarningMessage().find("lie outside the grid"), std::string::npos);
   vtkIdType off = 0;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
