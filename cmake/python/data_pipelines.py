@@ -147,7 +147,7 @@ def map_to_surface(volume, level=None):
     Raises
     ------
     TypeError, ValueError
-        It is no volume, it is empty, or nothing is above the level.
+        The input is not a volume, is empty, or has nothing above the level.
 
     Examples
     --------
@@ -162,12 +162,12 @@ MapToCurvature = collections.namedtuple("MapToCurvature", "surface curvature")
 
 
 def map_to_curvature(volume, level=None):
-    """The surface of a density map with the curvature of the map there, smoothed over one and a half nodes.
+    """The surface of a density map with the curvature of the map there, smoothed by the automatic scale.
 
     Parameters
     ----------
     volume, level
-        As those of map_to_surface().
+        As in map_to_surface().
 
     Returns
     -------
@@ -219,7 +219,7 @@ def map_to_loops(volume, level=None, denoise=None):
     Parameters
     ----------
     volume, level
-        As those of map_to_surface().
+        As in map_to_surface().
     denoise : bool, optional
         Whether the map is denoised first, as by high_order_diffusion(). By default it is if its noise asks for it:
         at least half a percent of the map's range, and an estimated gain of at least 3 dB. The field arrays
@@ -256,7 +256,7 @@ def _loops(pipeline, surface):
 
 
 def surface_to_loops(surface):
-    """The choking loops of a closed surface; one with holes is capped.
+    """The choking loops of a closed surface; holes are closed first.
 
     Parameters
     ----------
@@ -271,7 +271,7 @@ def surface_to_loops(surface):
     Raises
     ------
     TypeError, ValueError
-        It is no surface, it is empty or cannot be analysed.
+        The input is not a surface, is empty, or cannot be analysed.
 
     Examples
     --------
@@ -312,7 +312,7 @@ def protein_to_surface(atoms):
     Raises
     ------
     TypeError, ValueError
-        They are no atoms, there are none, or they have no radii.
+        The input has no atoms, or they have no radii.
 
     Examples
     --------
@@ -340,7 +340,7 @@ def protein_to_pockets(atoms):
     Parameters
     ----------
     atoms
-        As those of protein_to_surface().
+        As in protein_to_surface().
 
     Returns
     -------
@@ -390,7 +390,7 @@ def protein_to_pores(atoms):
     Parameters
     ----------
     atoms
-        As those of protein_to_surface().
+        As in protein_to_surface().
 
     Returns
     -------
