@@ -74,6 +74,8 @@ make_root()
   mount --make-rslave "$root/sys"
   mount --bind -o ro "$data" "$root/shared/data"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  # debootstrap makes none; tests connect to localhost.
+  [ -e "$root/etc/hosts" ] || echo "127.0.0.1 localhost" >"$root/etc/hosts"
   launcher=()
   if [ "${CMAKE_CXX_COMPILER_LAUNCHER:-}" = ccache ] && [ -n "${ISTHMUS_ROOTS:-}" ]; then
     mkdir -p "$roots/ccache" "$root/ccache"
