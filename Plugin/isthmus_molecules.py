@@ -12,8 +12,9 @@ Residues are lists of names (HIS), numbers (57) or numbers with a chain (A:57).
 
 try:
     from paraview import servermanager, simple
+    from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = vtkSMSelectionHelper = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
     import isthmus_messages as messages  # with the plugin loaded
@@ -246,8 +247,11 @@ def _select(cartoon, rows, ports):
             continue
         query = "in1d(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
         source = servermanager.sources.SelectionQuerySource(
-            QueryString=query, FieldType="POINT" if port == RESIDUES else "CELL")
-        cartoon.SMProxy.SetSelectionInput(port, source.SMProxy, 0)
+            QueryString=query, ElementType="Point Data" if port == RESIDUES else "Cell Data")
+        # The window takes what is selected for a list of selections, and crashes where it is a single one.
+        several = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source.SMProxy)
+        cartoon.SMProxy.SetSelectionInput(port, several, 0)
+        several.UnRegister(None)
 
 
 _followed = {}
@@ -271,6 +275,7 @@ def follow(cartoon):
                     _select(cartoon, rows, [other for other in (CARTOON, STICKS, RESIDUES) if other != port])
                     for each in (CARTOON, STICKS, RESIDUES):
                         _last[number, each] = selected(cartoon, each)
+                    simple.RenderAllViews()  # the window draws the one that was clicked
                     break
         except Exception:  # a click is never worth a failure
             messages.fault("Selecting a residue in all outputs")

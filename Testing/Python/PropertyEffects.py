@@ -60,6 +60,7 @@ VALUES = {
     ("ChokingLoops", "MaximumDistance"): [1.0, 5.0],
     ("ChokingLoops", "MaximumNumberOfLoops"): [1, 2],
     ("HandleFilling", "FillHandlesBelow"): [0.1, 3.0],
+    ("MoleculeCartoon", "Sides"): [4, 6],
     ("HandleFilling", "SampleSpacing"): [0.4, 1.0],
     ("MapHandles", "MinimumPersistence"): [0.05, 0.3],
     ("MapSurface", "MinimumComponentArea"): [20.0, 60.0],
