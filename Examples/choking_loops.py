@@ -258,7 +258,7 @@ def main(surface, picture=None, distance=100.0, persistence=5.0, side="Both"):
     found = choking_picture(source, picture, distance, persistence, side)
     print(told(found))
     loops, numbers = Path(picture).with_suffix(".vtp"), Path(picture).with_suffix(".txt")
-    simple.SaveData(str(loops), simple.OutputPort(found["proxy"], 0))
+    simple.SaveData(str(loops), simple.OutputPort(found["proxy"], 0), DataMode="Binary")
     numbers.write_text(told(found) + "\n")
     print("picture, loops, these numbers:", picture, loops, numbers)
 

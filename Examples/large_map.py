@@ -28,7 +28,7 @@ import find_isthmus  # noqa: F401
 import isthmus
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLWriter
 
 try:
     import mrcfile
@@ -245,7 +245,8 @@ def contour(output, level, most):
         edges.Update()
         triangles += edges.GetOutput().GetNumberOfCells()
         piece = folder / f"{block:05}.vtp"
-        writer = made(vtkXMLPolyDataWriter, FileName=str(piece))
+        # Not appended: VTK 9.2 cannot read appended data where libexpat defers parsing (2.6, Debian 12 since deb12u2).
+        writer = made(vtkXMLPolyDataWriter, FileName=str(piece), DataMode=vtkXMLWriter.Binary)
         writer.SetInputData(edges.GetOutput())
         writer.Write()
         entries.append(f'    <DataSet index="{block}" file="{folder.name}/{piece.name}"/>')

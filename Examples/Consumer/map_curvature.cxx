@@ -32,6 +32,7 @@ int main(int argc, char* argv[])
   curvature->SetInputConnection(1, isosurface->GetOutputPort());
 
   vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary();
   writer->SetInputConnection(curvature->GetOutputPort());
   writer->SetFileName(argv[3]);
   if (!writer->Write())

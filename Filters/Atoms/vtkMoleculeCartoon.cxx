@@ -62,12 +62,16 @@ using isthmus::operator+;
 
 using Indices = std::vector<std::size_t>;
 
+/// Widths in angstrom, factors of radii: larger than any molecule.
+constexpr double greatestSize = 1e6;
+
 void RequirePositive(double value, const char* name, bool zeroToo = false)
 {
-  if (!(value > 0.0 || (zeroToo && value == 0.0)) || std::isinf(value))
+  if (!(value > 0.0 || (zeroToo && value == 0.0)) || value > greatestSize)
   {
     throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
-      ": give " + (zeroToo ? "0 or " : "") + "a positive number.");
+      ": give " + (zeroToo ? "0 or " : "") + "a positive number of at most " +
+      isthmus::FormatNumber(greatestSize) + ".");
   }
 }
 

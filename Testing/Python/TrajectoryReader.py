@@ -52,7 +52,7 @@ with tempfile.TemporaryDirectory() as folder:
         with MDAnalysis.Writer(str(path), n_atoms=len(still), dt=2.0) as writer:
             for _ in moving.trajectory:
                 writer.write(moving.atoms)
-        assert "beside it there is none" in sentence_of(str(path)), sentence_of(str(path))
+        assert "its folder has none of these" in sentence_of(str(path)), sentence_of(str(path))
         molecule.atoms.write(str(path.with_suffix(".pdb")))
         reader = simple.OpenDataFile(str(path))
         assert reader.SMProxy.GetXMLName() == "TrajectoryReader"
