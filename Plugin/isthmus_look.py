@@ -53,7 +53,7 @@ TITLES = {
     "PolarizedCurvature": "Polarized curvature (kT/(e Å))", "Kind": "Choking loops",
     "BindingSite": "Binding sites", "SiteClass": "Kind of site",
     "Exposed": "Faces", "WidthClass": "Room in the pore"}
-# Okabe and Ito's colours, which all eyes tell apart.
+# The colours of Okabe and Ito, suitable for colour-blind readers.
 VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
     (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))

@@ -23,7 +23,7 @@ except ImportError:
 
 CARTOON, STICKS, RESIDUES = 0, 1, 2  # the ports
 MOST_NAMES = 12  # of chains in a legend
-# Okabe and Ito's colours, which all eyes tell apart, then lighter ones; further chains begin again.
+# The colours of Okabe and Ito, suitable for colour-blind readers, then lighter ones; more chains repeat them.
 CHAINS = ((0.0, 0.447, 0.698), (0.902, 0.624, 0.0), (0.0, 0.620, 0.451), (0.800, 0.475, 0.655), (0.337, 0.706, 0.914),
           (0.835, 0.369, 0.0), (0.941, 0.894, 0.259), (0.55, 0.55, 0.55), (0.45, 0.30, 0.15), (0.40, 0.80, 0.75))
 STRUCTURE = (("0", "coil", (0.78, 0.78, 0.78)), ("1", "helix", (0.835, 0.369, 0.0)),

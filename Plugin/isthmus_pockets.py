@@ -248,7 +248,7 @@ def follow(features, source=None):
 # ---------------------------------------------------------------------------- what is shown
 
 def look(display, view, port):
-    """Initial display of an output that the window shows by itself: only coloured shapes."""
+    """The display that an output gets when the window first shows it: only coloured shapes."""
     features = display.Input
     kind = FEATURES[features.SMProxy.GetXMLName()]
     follow(features)

@@ -102,7 +102,7 @@ def surface_to_grid(draw):
     yield "inside", (inside != (exact < 0)) & (numpy.abs(exact) > error), 0
     found = array(output, "SignedDistance")
     beyond = (numpy.abs(exact) > 2 * grid.h) & (not exact_everywhere)
-    # The nearest point of the box, and whether a face goes on around it for a spacing.
+    # The nearest point of the box, and whether it is at least one spacing from the edges of its face.
     local = pose.local(grid.points)
     foot = numpy.clip(local, -sides / 2, sides / 2)
     within = exact < 0

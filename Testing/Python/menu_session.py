@@ -9,14 +9,14 @@ import isthmus_look as look  # there once paraview.simple has loaded the plugin
 import isthmus_pipelines as pipelines
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "views.txt"
-told = []
+reported = []
 
 
 def titles(view):
     return [bar.Title for bar in view.Representations if bar.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation"]
 
 
-def tell(*more):
+def report(*more):
     views = sorted(view.SMProxy.GetXMLName() for view in simple.GetViews())
     words = [title for view in simple.GetViews() if hasattr(view, "HiddenLineRemoval") for title in titles(view)]
     with path.open("a", encoding="utf-8") as file:
@@ -41,11 +41,11 @@ def watched(function):
     def called(*arguments):
         result = function(*arguments)
         source = simple.GetActiveSource()
-        if not told and source is not None and source.SMProxy.GetXMLName() == "CurvatureOnSurface":
-            told.append(source)
-            tell("second view:", *second_view())
+        if not reported and source is not None and source.SMProxy.GetXMLName() == "CurvatureOnSurface":
+            reported.append(source)
+            report("second view:", *second_view())
         else:
-            tell()
+            report()
         return result
     return called
 
