@@ -162,7 +162,7 @@ struct ChokingAnalysis
   }
 
   /// Handles and tunnels that the samples did not settle, from tetrahedra that keep `surface`.
-  void Complete(const SurfaceView& surface, const ProgressCallback& progress)
+  void Complete(const SurfaceView& surface, ConformingMesh* mesh, const ProgressCallback& progress)
   {
     if (AllResolved(this->Found))
     {
@@ -170,7 +170,7 @@ struct ChokingAnalysis
     }
     try
     {
-      CompleteGenerators(this->Context, surface, this->Found, progress);
+      CompleteGenerators(this->Context, surface, this->Found, progress, mesh);
       this->Remark = "Some handles or tunnels are narrower than the sampling error: they are "
                      "marked as not trusted, and their radius is an upper bound. Lower the sample "
                      "spacing to measure it.";
@@ -271,6 +271,19 @@ AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   return cost;
 }
 
+/// Does `before` leave handles or tunnels that the next round may not settle either? Mostly it does
+/// not, so TetGen begins beside it, where memory allows both.
+bool MayNeedCompletion(
+  const ChokingAnalysis& before, AnalysisCost cost, std::size_t own, double memoryLimit)
+{
+  if (cost.Own == 0)
+  {
+    cost.ExpectCompletion(own);
+  }
+  std::string tooMuch;
+  return CountUnresolved(before.Found) > 0 && FitsMemory(cost, memoryLimit, tooMuch);
+}
+
 }
 
 ChokingLoops::ChokingLoops(
@@ -293,7 +306,8 @@ ChokingLoops::ChokingLoops(
     surface = {};
   }
   std::string tooMuch;
-  std::size_t before = 0; // places that the previous round left unresolved
+  std::optional<ConformingMesh> conforming; // made while a finer sampling is analysed
+  std::size_t before = 0;                   // places that the previous round left unresolved
   AnalysisCost cost = CostOf(samples);
   if (!FitsMemory(cost, parameters.MemoryLimit, tooMuch))
   {
@@ -326,15 +340,20 @@ ChokingLoops::ChokingLoops(
     {
       break; // too expensive: unresolved features stay marked as not trusted
     }
+    if (!conforming && MayNeedCompletion(*this->State, cost, own, parameters.MemoryLimit))
+    {
+      conforming.emplace(surface);
+    }
   }
-  this->Complete(parameters, surface, own, times, Between(progress, 0.96, 1.0));
+  this->Complete(parameters, surface, own, conforming ? &*conforming : nullptr, times,
+    Between(progress, 0.96, 1.0));
   this->State->Times = times;
   this->State->Repairs = std::move(repairs);
   Report(progress, 1.0);
 }
 
 void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,
-  std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress)
+  std::size_t own, ConformingMesh* mesh, ChokingLoopTimes& times, const ProgressCallback& progress)
 {
   AnalysisCost& cost = this->State->Cost;
   if (cost.Own == 0 && !AllResolved(this->State->Found))
@@ -348,7 +367,7 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Surfa
   }
   Stopwatch watch;
   this->State->Complete(
-    surface.Points.empty() ? SurfaceView(this->State->Samples) : surface, progress);
+    surface.Points.empty() ? SurfaceView(this->State->Samples) : surface, mesh, progress);
   const double took = watch.Lap();
   times.Features += took;
   times.LastRound += took;

@@ -106,6 +106,7 @@ struct ChokingLoopParameters
   std::function<void(const AnalysisCost& cost)> Estimated;
 };
 
+class ConformingMesh;
 struct ChokingAnalysis;
 
 /**
@@ -206,7 +207,8 @@ private:
     const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
     const ProgressCallback& progress);
   void Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,
-    std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress);
+    std::size_t own, ConformingMesh* mesh, ChokingLoopTimes& times,
+    const ProgressCallback& progress);
 
   std::unique_ptr<ChokingAnalysis> State;
 };

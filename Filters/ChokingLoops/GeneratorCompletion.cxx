@@ -6,6 +6,7 @@
 #include "Tetrahedra/TetrahedralMesher.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -129,16 +130,46 @@ private:
 
 }
 
-std::vector<ConformingGenerator> ConformingGenerators(
-  const SurfaceView& surface, const ProgressCallback& progress)
+ConformingMesh::ConformingMesh(const SurfaceView& surface)
+  : Mesh(std::async(
+      [this, surface]
+      {
+        TetrahedralParameters parameters;
+        parameters.Side = MeshedSide::Both;
+        parameters.TetGen.RadiusEdgeRatio = 0.0; // no refinement: M's own points and those of a box
+        parameters.TetGen.Limits.Seconds = MostSeconds;
+        return MeshTetrahedra(surface, parameters,
+          [this](double done)
+          {
+            this->Done = done;
+            return !this->Stopped;
+          });
+      }))
 {
-  TetrahedralParameters parameters;
-  parameters.Side = MeshedSide::Both;
-  parameters.TetGen.RadiusEdgeRatio = 0.0; // no refinement: M's own points and those of a box
-  parameters.TetGen.Limits.Seconds = MostSeconds;
+}
+
+ConformingMesh::~ConformingMesh()
+{
+  this->Stopped = true;
+}
+
+TetrahedralMesh ConformingMesh::Take(const ProgressCallback& progress)
+{
+  constexpr auto pause = std::chrono::milliseconds(20);
+  while (this->Mesh.wait_for(pause) == std::future_status::timeout)
+  {
+    Report(progress, this->Done);
+  }
+  return this->Mesh.get();
+}
+
+std::vector<ConformingGenerator> ConformingGenerators(
+  const SurfaceView& surface, const ProgressCallback& progress, ConformingMesh* mesh)
+{
+  std::optional<ConformingMesh> made;
   TriangleMesh embedded = CopyOf(surface);
-  const CellFiltration f =
-    FiltrationByBalls(MeshTetrahedra(surface, parameters, Between(progress, 0.0, 0.6)), embedded);
+  const CellFiltration f = FiltrationByBalls(
+    (mesh ? *mesh : made.emplace(surface)).Take(Between(progress, 0.0, 0.6)), embedded);
   const Renamer renamer(surface, embedded);
   const FiltrationPairs pairs(f, Between(progress, 0.6, 0.8));
   const SurfaceAdjacency adjacency(embedded);
@@ -157,13 +188,13 @@ std::vector<ConformingGenerator> ConformingGenerators(
     feature.Side = SpaceRegions::SideOf(regions.OfTriangle(generator.Filler));
     feature.Sum = generator.Sum;
     const auto t = f.TrianglePoints(generator.Filler);
-    ConformingGenerator made;
-    made.Side = feature.Side;
-    made.Radius = std::sqrt(f.TriangleValue[generator.Filler]);
-    made.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
-    made.Shape = FeatureMembrane(context, regions, feature, &span);
-    renamer.Rename(made.Shape);
-    found.push_back(std::move(made));
+    ConformingGenerator conforming;
+    conforming.Side = feature.Side;
+    conforming.Radius = std::sqrt(f.TriangleValue[generator.Filler]);
+    conforming.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
+    conforming.Shape = FeatureMembrane(context, regions, feature, &span);
+    renamer.Rename(conforming.Shape);
+    found.push_back(std::move(conforming));
   }
   return found;
 }
@@ -294,9 +325,9 @@ std::size_t CountUnresolved(const LocatedFeatures& features)
 }
 
 void CompleteGenerators(const FeatureContext& context, const SurfaceView& surface,
-  LocatedFeatures& features, const ProgressCallback& progress)
+  LocatedFeatures& features, const ProgressCallback& progress, ConformingMesh* mesh)
 {
-  const std::vector<ConformingGenerator> conforming = ConformingGenerators(surface, progress);
+  const std::vector<ConformingGenerator> conforming = ConformingGenerators(surface, progress, mesh);
   const SplitSurface split(surface, context.Surface);
   std::vector<Membrane> shapes;
   std::array<HomologySpan, 2> bounding; // the classes that bound on each side

@@ -7,8 +7,11 @@
 #define isthmus_GeneratorCompletion_h
 
 #include "ChokingLoops/FeatureMembrane.h"
+#include "Core/TetrahedralMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
+#include <atomic>
+#include <future>
 #include <optional>
 
 namespace isthmus
@@ -27,6 +30,31 @@ struct ConformingGenerator
 };
 
 /**
+ * TetGen's mesh of the space inside and outside a surface M, without points added on M. It is made
+ * on a thread of its own, so that the caller can do other work meanwhile. Destroying the object
+ * stops TetGen.
+ * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h) and outlives this object.
+ */
+class ConformingMesh
+{
+public:
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit ConformingMesh(const SurfaceView& surface);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ~ConformingMesh();
+  ConformingMesh(const ConformingMesh&) = delete;
+  ConformingMesh& operator=(const ConformingMesh&) = delete;
+
+  /// Waits for the mesh and returns it; can be called once.
+  /// @throws std::runtime_error or std::invalid_argument with a message when TetGen is missing,
+  /// fails or takes longer than two minutes; Cancelled.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TetrahedralMesh Take(const ProgressCallback& progress);
+
+private:
+  std::atomic<double> Done{ 0.0 }; ///< what TetGen has done, in [0, 1]
+  std::atomic<bool> Stopped{ false };
+  std::future<TetrahedralMesh> Mesh;
+};
+
+/**
  * Finds exactly g handles and g tunnels, however close sheets of the surface M are: TetGen
  * tetrahedralizes the space without adding points on M; the simplices of M enter the filtration
  * first, the others by the radius of the smallest ball around their corners; then the loops of M
@@ -38,12 +66,13 @@ struct ConformingGenerator
  * bound.
  *
  * Results are sorted by Radius on each side; loops of one side are independent in H1(M).
+ * @param mesh the mesh of `surface`, if it was begun earlier; made here without it.
  * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h).
- * @throws std::runtime_error or std::invalid_argument with a message when TetGen is missing, fails
- * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
+ * @throws what ConformingMesh::Take() throws. Time and memory: see MeshTetrahedra().
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
-  const SurfaceView& surface, const ProgressCallback& progress = {});
+  const SurfaceView& surface, const ProgressCallback& progress = {},
+  ConformingMesh* mesh = nullptr);
 
 /**
  * Transfers a loop and membrane of `surface` to the same surface after SplitLongEdges()
@@ -87,10 +116,12 @@ inline bool AllResolved(const LocatedFeatures& features)
  * are independent of those kept. The replacements are not trusted: their true radius lies between 0
  * and Radius().
  *
+ * @param mesh as for ConformingGenerators().
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CompleteGenerators(const FeatureContext& context,
-  const SurfaceView& surface, LocatedFeatures& features, const ProgressCallback& progress = {});
+  const SurfaceView& surface, LocatedFeatures& features, const ProgressCallback& progress = {},
+  ConformingMesh* mesh = nullptr);
 
 }
 

@@ -4,12 +4,13 @@
 set(ENV{VTK_SMP_BACKEND_IN_USE} STDThread)
 set(ENV{VTK_SMP_MAX_THREADS} 4)
 set(folder "${WORK_DIR}/sanitized-threads")
-# All parallel code goes through ParallelFor. These have locks, atomics or shared arrays of their own,
+# Most parallel code goes through ParallelFor. These have threads, locks, atomics or shared arrays of their own,
 # or write neighbouring rows; with ISTHMUS_LONG_TESTS=1 all programs are built.
 set(only "")
 if (NOT whole)
   set(only TestParallelFor TestGradientPaths TestSimplexOrder TestStarMatching TestStarDefects
-    TestSurfaceToGrid TestDiffusionRows TestCompactCombinatorialMap TestCubicalPersistence)
+    TestSurfaceToGrid TestDiffusionRows TestCompactCombinatorialMap TestCubicalPersistence
+    TestParallelDrawing TestConformingMesh)
   list(JOIN only " " only)
 endif ()
 build_sanitized("${folder}" -DISTHMUS_UNIT_SHARE=0 "-DISTHMUS_UNIT_ONLY=${only}"

@@ -11,6 +11,7 @@ SUITE-plain.json. Tables of suites without these files say so. What is between t
 
 import json
 import pathlib
+import re
 import sys
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "guide" / "tested_versions.md"
@@ -34,6 +35,15 @@ def table(head, rows):
     return lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]
 
 
+def skipped_lines(skipped):
+    """One line for each reason, with the tests without the parameters of their cases."""
+    tests = {}
+    for test, reason in skipped.items():
+        tests.setdefault(reason.strip(), []).append(re.sub(r"^\w+/|/.*", "", test) if "/" in test else test)
+    for reason, names in tests.items():
+        yield f"skipped, {reason}: {', '.join(sorted(set(names)))} ({len(names)})"
+
+
 def versions_table(logs):
     rows, skips = [], []
     for suite, system in SUITES.items():
@@ -50,8 +60,7 @@ def versions_table(logs):
             rows.append([what, *(versions.get(key, "") for key in VERSIONS), summary["tests"], summary["passed"],
                          len(summary["skipped"]), len(summary["failed"]),
                          f"{summary['date']} ({summary['commit']})"])
-            for test, reason in summary["skipped"].items():
-                skips.append(f"- {what}, skipped: {test}: {reason}")
+            skips += [f"- {what}, {line}" for line in skipped_lines(summary["skipped"])]
             skips += [f"- {what}, failed: {test}" for test in summary["failed"]]
     head = ["system", *VERSIONS, "tests", "passed", "skipped", "failed", "date and commit"]
     return table(head, rows) + ([""] + skips if skips else [])
