@@ -34,6 +34,7 @@
 #ifndef vtkMolecularDensity_h
 #define vtkMolecularDensity_h
 
+#include "Core/ArrayProperty.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 
@@ -52,6 +53,9 @@ public:
   static vtkMolecularDensity* New();
   vtkTypeMacro(vtkMolecularDensity, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
+  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
 
   enum Forms
   {

@@ -46,6 +46,7 @@
 #define vtkMolecularFlowSurface_h
 
 #include "Atoms/AtomProperties.h"
+#include "Core/ArrayProperty.h"
 #include "Core/Deprecation.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
@@ -68,6 +69,9 @@ public:
   static vtkMolecularFlowSurface* New();
   vtkTypeMacro(vtkMolecularFlowSurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
+  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
 
   enum Presets
   {

@@ -30,6 +30,7 @@
 #define vtkNonpolarSolvation_h
 
 #include "Atoms/AtomProperties.h"
+#include "Core/ArrayProperty.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
@@ -40,6 +41,9 @@ public:
   static vtkNonpolarSolvation* New();
   vtkTypeMacro(vtkNonpolarSolvation, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
+  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
 
   ///@{
   /// rho_0, molecules per cubic angstrom, at least 0. Default 0.033428 (water).

@@ -44,6 +44,7 @@
 #ifndef vtkBindingSites_h
 #define vtkBindingSites_h
 
+#include "Core/ArrayProperty.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -66,6 +67,10 @@ public:
   static vtkBindingSites* New();
   vtkTypeMacro(vtkBindingSites, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the amplitudes, as ParaView's panel sets it; see ArrayProperty.h. Default
+  /// `PolarizedCurvature`.
+  ISTHMUS_ARRAY_PROPERTY(RankedArray, 0);
 
   ///@{
   /// The molecule's atoms, optional: input 1.

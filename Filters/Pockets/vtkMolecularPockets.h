@@ -57,6 +57,7 @@
 #ifndef vtkMolecularPockets_h
 #define vtkMolecularPockets_h
 
+#include "Core/ArrayProperty.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -74,6 +75,9 @@ public:
   static vtkMolecularPockets* New();
   vtkTypeMacro(vtkMolecularPockets, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
+  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
 
   ///@{
   /// The surface with polarized curvature, optional: input 1.

@@ -42,6 +42,7 @@
 #ifndef vtkPolarizedCurvature_h
 #define vtkPolarizedCurvature_h
 
+#include "Core/ArrayProperty.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -58,6 +59,10 @@ public:
   static vtkPolarizedCurvature* New();
   vtkTypeMacro(vtkPolarizedCurvature, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the potential, as ParaView's panel sets it; see ArrayProperty.h. Default
+  /// `Potential`.
+  ISTHMUS_ARRAY_PROPERTY(PotentialArray, 2);
 
   ///@{
   /// The image of the potential, optional: input 1.

@@ -41,6 +41,7 @@
 #ifndef vtkPoreProfile_h
 #define vtkPoreProfile_h
 
+#include "Core/ArrayProperty.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -55,6 +56,9 @@ public:
   static vtkPoreProfile* New();
   vtkTypeMacro(vtkPoreProfile, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
+  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
 
   enum Modes
   {

@@ -21,6 +21,9 @@ import xml.etree.ElementTree as ElementTree
 # Commands of panels that differ from the setters of the class, which Python calls.
 PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetPanelLevel": "SetLevel",
                   "SetPanelAutomaticLevel": "SetAutomaticLevel"}
+# Setters of arrays with a name by default (ArrayProperty.h), with the number of the array.
+NAMED_ARRAYS = {"SetPotentialArray": 2, "SetRadiusArray": 0, "SetRankedArray": 0}
+PANEL_COMMANDS.update(dict.fromkeys(NAMED_ARRAYS, "SetInputArrayToProcess"))
 # Proxies of the same class under another name, of ParaView's own readers, and those that are no filter of ours.
 SKIPPED = {"MRCSeriesReader", "DensityMapReader", "pdbreader", "xyzreader", "TrajectoryReader"}
 # Names of proxies that differ from those of their class without a reason for Python.
@@ -64,9 +67,11 @@ def describe_input(element):
 
 def array_property(element, described):
     """Property that names an array: SetInputArrayToProcess(index, port, connection, association, name)."""
-    words = (element.get("default_values") or "").split()
+    words = (element.get("default_values") or "").split(element.get("default_values_delimiter"))
     described["kind"] = "array"
-    described["index"] = int(words[0]) if words and words[0].isdigit() else 0
+    described["index"] = NAMED_ARRAYS.get(element.get("command"), 0)
+    if words and words[0].isdigit():
+        described["index"] = int(words[0])
     described["default"] = words[-1] if words and not words[-1].isdigit() else None
     domain = element.find("ArrayListDomain")
     attribute = domain.get("attribute_type") if domain is not None else None
@@ -81,7 +86,7 @@ def describe_property(element):
     label = element.get("label") or name
     setter = PANEL_COMMANDS.get(command, command)
     described = {"xml": name, "command": setter, "text": text_of(element)}
-    if command == "SetInputArrayToProcess":
+    if setter == "SetInputArrayToProcess":
         described["name"] = keyword_of_choice(label) if " " in label else snake_case(label)
         array_property(element, described)
     else:
