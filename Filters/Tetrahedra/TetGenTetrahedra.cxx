@@ -218,7 +218,7 @@ TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::s
 // TetGen as a child process.
 
 /// TetGen's switches: p surface in, A regions, z ids from 0, F no files of faces and edges.
-std::string Switches(const TetGenCriteria& criteria)
+std::string Switches(const TetGenCriteria& criteria, bool smooths)
 {
   std::string text = "-pAzF";
   if (criteria.KeepSurface)
@@ -234,6 +234,10 @@ std::string Switches(const TetGenCriteria& criteria)
   {
     // TetGen's parser of switches does not understand exponents.
     text += "a" + FixedNumber(criteria.MaximumVolume, 17);
+  }
+  if (smooths)
+  {
+    text += "s0/0"; // no iteration of it; 1.5 has no such switch, and fails
   }
   return text;
 }
@@ -309,6 +313,23 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
     throw std::runtime_error("TetGen failed on this surface" + Complaint(result.Output) +
       "; memory limit " + memory + "." + advice);
   }
+}
+
+/// Whether TetGen smooths the mesh after refining it, which moves points until tetrahedra exceed
+/// the bounds, and takes longer than the refinement: so it does from 1.6 on. The program prints its
+/// version only on a terminal, but 1.6 improves meshes where 1.5 optimises them, as the output on
+/// a single tetrahedron says.
+bool Smooths(const TetGenCriteria& criteria, const std::filesystem::path& folder,
+  const ProgressCallback& progress)
+{
+  const std::vector<Point3> corners{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const std::vector<Triangle> faces{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+  const auto input = folder / "probe.smesh";
+  WriteTetGenSurface(input, { SurfaceView{ corners, faces } }, {}, {});
+  const ChildResult result = RunChild({ criteria.Command, "-pzF", input.string() }, criteria.Limits,
+    folder / "probe.log", Between(progress, 0.0, 0.0));
+  CheckResult(result, criteria);
+  return result.Output.find("Improving mesh") != std::string::npos;
 }
 
 }
@@ -423,7 +444,10 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   const TemporaryFolder folder;
   const auto input = folder.Path() / "surface.smesh";
   WriteTetGenSurface(input, surfaces, holes, wanted);
-  CheckResult(RunChild({ criteria.Command, Switches(criteria), input.string() }, criteria.Limits,
+  const bool isBounded = criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0;
+  const std::string switches =
+    Switches(criteria, isBounded && Smooths(criteria, folder.Path(), progress));
+  CheckResult(RunChild({ criteria.Command, switches, input.string() }, criteria.Limits,
                 folder.Path() / "log", Between(progress, 0.0, 0.8)),
     criteria);
   Report(progress, 0.8);
