@@ -1,7 +1,8 @@
 // From a density map to its choking loops with the default parameters, by stage, on one thread and
 // on more: EMD-5170 and EMD-5043 on more nodes, and a phantom with noise. Run by hand.
 //
-// Only VTK classes of the modules are used, so that an older library can be measured beside it.
+// Only VTK classes of the modules are used, so that an older library can be measured beside it; one
+// without the automatic level gets it as ISTHMUS_BENCH_LEVEL.
 
 #include "PeakMemory.h"
 #include "vtkMRCMapReader.h"
@@ -165,6 +166,10 @@ void MapToLoops(benchmark::State& state)
   {
     vtkNew<vtkMapChokingLoops> filter;
     filter->SetInputData(image);
+    if (const char* level = std::getenv("ISTHMUS_BENCH_LEVEL"))
+    {
+      filter->SetLevel(std::atof(level));
+    }
     ResetPeakMemory();
     const double before = PeakMemory(), started = Now(), used = ProcessorSeconds();
     filter->Update();
