@@ -72,7 +72,9 @@ def main(folder):
                               ResultArrayName="Ball", ResultArrayType="Double")
     contour = simple.Contour(Input=field, ContourBy=["POINTS", "Ball"], Isosurfaces=[0.5],
                              ComputeNormals=0, ComputeScalars=0)
-    ghosts = simple.GhostCellsGenerator(Input=contour, BuildIfRequired=0)
+    # Renamed in ParaView 5.12.
+    add_ghosts = simple.GhostCells if hasattr(simple, "GhostCells") else simple.GhostCellsGenerator
+    ghosts = add_ghosts(Input=contour, BuildIfRequired=0)
     proxies = {}
     for name, surface in (("pieces", contour), ("ghosts", ghosts)):
         proxies[f"SurfaceMeasures, {name}"] = simple.SurfaceMeasures(Input=surface)
