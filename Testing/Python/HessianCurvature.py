@@ -62,8 +62,10 @@ def load(case, ranks):
     return {name: numpy.concatenate([part[name] for part in parts]) for name in parts[0].files}
 
 
-def compare(case, ranks, exact):
-    """Every point of every rank has the values of one rank at its place, and none is missing."""
+def compare(case, ranks):
+    """Every point of every rank has the values of one rank at its place, and none is missing. The scale is the same
+    in every bit; values may differ by rounding, since positions count from the first node of the rank's piece, and a
+    point's place in its block decides whether the vectorised loop or its remainder computes it."""
     whole, parts = load(case, 1), load(case, ranks)
     places = [tuple(p) for p in numpy.round(whole["positions"], 4)]
     index = {place: i for i, place in enumerate(places)}
@@ -72,12 +74,13 @@ def compare(case, ranks, exact):
     worst = 0.0
     for name in whole.keys() - {"positions"}:
         expected, found = whole[name][match].astype(float), parts[name].astype(float)
+        assert name != "CurvatureScale" or (found == expected).all(), (case, ranks)
         relative = numpy.abs(found - expected) / numpy.maximum(numpy.abs(expected), 1e-300)
         worst = max(worst, relative.max())
     valid = int(whole["CurvatureValid"].sum())
     print(f"{case}, {ranks} ranks: {len(index)} places, {valid} valid, "
           f"largest relative difference {worst:.1e}")
-    assert valid > 0 and worst <= (0.0 if exact else 1e-10), (case, ranks, worst)
+    assert valid > 0 and worst <= 1e-10, (case, ranks, worst)
 
 
 def check_ranks():
@@ -89,7 +92,7 @@ def check_ranks():
         for place in ("nodes", "contour", "sphere"):
             for accuracy in (2, 4):
                 for scale in (0.0, 1.2, -1.0):  # -1: automatic
-                    compare(f"{place}_{accuracy}_{scale}", ranks, exact=scale < 0.0)
+                    compare(f"{place}_{accuracy}_{scale}", ranks)
 
 
 check_pipeline()
