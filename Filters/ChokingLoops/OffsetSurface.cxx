@@ -1,6 +1,7 @@
 #include "ChokingLoops/OffsetSurface.h"
 
 #include "Core/Geometry.h"
+#include "Core/MemoryBudget.h"
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
 #include "Surfaces/GridDistance.h"
@@ -89,6 +90,16 @@ void MakeExact(
   }
 }
 
+/// For GridOfDistances(), the copy that is contoured, and the contour.
+void RequireMemory(const Bounds3& box, std::int64_t cells)
+{
+  constexpr double bytes = 40.0; // for each node
+  const Point3 size = box.Max - box.Min;
+  const double h = std::max({ size[0], size[1], size[2] }) / static_cast<double>(cells);
+  MemoryBudget().Require(bytes * (size[0] / h + 1.0) * (size[1] / h + 1.0) * (size[2] / h + 1.0),
+    "A grid with a Resolution of " + std::to_string(cells), "choose a lower Resolution");
+}
+
 }
 
 DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, OffsetSide side,
@@ -116,6 +127,7 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
     return grid;
   }
   const Bounds3 box = BoxAround(surface, distance, cells);
+  RequireMemory(box, cells);
   DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.5));
   if (distance > 2.0 * grid.Spacing)
   {

@@ -9,6 +9,7 @@
 #include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/PolyDataTriangles.h"
@@ -111,6 +112,9 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
     throw std::invalid_argument("The surface has no size, or the spacing results in more than two "
                                 "thousand million nodes: choose a larger spacing.");
   }
+  constexpr double bytesPerNode = 60.0;
+  isthmus::MemoryBudget().Require(bytesPerNode * nodes,
+    "A grid with a Spacing of " + isthmus::FormatNumber(h), "choose a larger Spacing");
   moved.Points = isthmus::PointsFrom(moved.Origin, surface);
   moved.View = { moved.Points, surface.Triangles };
   return moved;

@@ -73,7 +73,7 @@ enum class CurvatureNeighbourhood
 /// Which side is outside.
 enum class SurfaceOrientation
 {
-  Automatic = 0, ///< closed surfaces: the side that makes the volume positive; others: as wound
+  Automatic = 0, ///< closed parts outward, cavities in them inward (TurnOutward); others as wound
   AsWound = 1,   ///< the side from which triangles are counter-clockwise
   Reversed = 2   ///< the other
 };

@@ -115,9 +115,9 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
 
-  ///@{ Which side is outside: Automatic (default: for closed surfaces the side that makes the
-  /// enclosed volume positive, for others as wound), AsWound (the side from which triangles are
-  /// counter-clockwise) or Reversed (the other side).
+  ///@{ Which side is outside: Automatic (default: closed components face outward and cavities in
+  /// them inward, whichever way their triangles are wound; open components are as wound), AsWound
+  /// (the side from which triangles are counter-clockwise) or Reversed (the other side).
   vtkSetClampMacro(Orientation, int, Automatic, Reversed);
   vtkGetMacro(Orientation, int);
   ///@}

@@ -225,7 +225,10 @@ vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const Grid
 {
   RequireWish(wish);
   double box[6];
-  surface->GetBounds(box);
+  if (!BoxOfPolygons(surface, box))
+  {
+    throw std::invalid_argument("The surface has no polygons, so it has no inside.");
+  }
   Point3 origin;
   std::array<double, 3> nodes;
   for (std::size_t a = 0; a < 3; ++a)

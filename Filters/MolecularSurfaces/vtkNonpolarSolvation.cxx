@@ -6,6 +6,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/NumberText.h"
+#include "MolecularSurfaces/AtomsInside.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/NonpolarEnergy.h"
 
@@ -219,6 +220,17 @@ int vtkNonpolarSolvation::RequestData(
       const isthmus::SolventParameters solvent{ this->SurfaceTension, this->Pressure,
         this->SolventDensity, this->SolventRadius, this->SolventWellDepth };
       const std::vector<float> distances = DistancesOf(image);
+      std::vector<isthmus::Point3> centres;
+      for (const isthmus::Ball& atom : atoms.Balls)
+      {
+        centres.push_back(atom.Centre);
+      }
+      const std::string outside =
+        isthmus::CheckAtomsInside(image, distances, centres, "atoms");
+      if (!outside.empty())
+      {
+        vtkWarningMacro(<< outside);
+      }
       const NonpolarEnergies energies =
         isthmus::NonpolarEnergy(atoms.Balls, isthmus::DispersionAtomsOf(input, atoms),
           GridOf(image), distances.data(), solvent, isthmus::ProgressOf(this));

@@ -1,7 +1,7 @@
 #include "Persistence/AtomDistanceGrid.h"
 
+#include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
-
 #include "Persistence/FastMarching.h"
 
 #include <algorithm>
@@ -65,6 +65,9 @@ AtomDistances GridAround(const std::vector<Point3>& atoms, double reach, double 
     grid.Origin[axis] = low;
     grid.Dimensions[axis] = static_cast<std::int64_t>(cells) + 1;
   }
+  constexpr double bytes = 16.0; // for each node, with the pairs of its persistence
+  MemoryBudget().Require(bytes * nodes, "The grid with a Spacing of " + FormatNumber(spacing),
+    "choose a larger Spacing");
   return grid;
 }
 

@@ -1,5 +1,6 @@
 #include "Remeshing/SurfaceRemesh.h"
 
+#include "Core/MemoryBudget.h"
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
@@ -83,6 +84,9 @@ double ExpectedTriangles(const SurfaceView& mesh, double length)
     throw std::invalid_argument("An edge length of " + FormatNumber(length) +
       " is so small that more than 50 million triangles would result: choose a larger one.");
   }
+  constexpr double bytesPerTriangle = 450.0;
+  MemoryBudget().Require(bytesPerTriangle * expected,
+    "A surface of about " + FormatNumber(expected, 2) + " triangles", "choose a larger edge length");
   return expected;
 }
 

@@ -1,6 +1,7 @@
 #include "Solvation/ChannelSolution.h"
 
 #include "Core/PolyDataTriangles.h"
+#include "MolecularSurfaces/AtomsInside.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "Solvation/IonTransportOutput.h"
 #include "Surfaces/GridDistance.h"
@@ -19,10 +20,10 @@ namespace
 {
 
 /// The distance from each node to closed triangles, angstrom, negative within, cut at 4.5 spacings.
-/// Parallel.
-/// @throws std::invalid_argument where they are not closed, Cancelled.
-std::vector<float> DistanceToClosed(
-  const TransportDomain& domain, vtkPolyData* surface, const ProgressCallback& progress)
+/// Parallel. Sets `warning` if charges lie outside.
+/// @throws std::invalid_argument where they are not closed or most charges lie outside, Cancelled.
+std::vector<float> DistanceToClosed(const TransportDomain& domain, vtkPolyData* surface,
+  const std::vector<ChargedAtom>& charges, std::string& warning, const ProgressCallback& progress)
 {
   if (surface->GetNumberOfPoints() == 0)
   {
@@ -43,6 +44,15 @@ std::vector<float> DistanceToClosed(
   {
     to[node] = static_cast<float>(inside[node] != 0 ? -distance[node] : distance[node]);
   }
+  std::vector<Point3> centres;
+  for (const ChargedAtom& atom : charges)
+  {
+    if (atom.Charge != 0.0)
+    {
+      centres.push_back(atom.Position);
+    }
+  }
+  warning = CheckAtomsInside(image, to, centres, "charged atoms");
   return to;
 }
 
@@ -59,7 +69,7 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   }
   const auto first = Between(progress, 0.0, 0.15);
   const std::vector<float> distances = problem.Surface
-    ? DistanceToClosed(room, problem.Surface, first)
+    ? DistanceToClosed(room, problem.Surface, problem.Charges, this->SurfaceWarning, first)
     : DistanceToAtoms(room, problem.Balls, p.ProbeRadius, first);
   if (problem.Moves)
   {

@@ -10,6 +10,7 @@
 #include "Solvation/MovingChannel.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -40,11 +41,14 @@ public:
   {
     return this->Moving ? this->Moving->GetPassage() : this->Passage;
   }
+  /// About the given surface; empty if there is nothing to say (AtomsInside.h).
+  const std::string& GetSurfaceWarning() const { return this->SurfaceWarning; }
   /// Null if the surface is fixed.
   const MovingChannel* GetMoving() const { return this->Moving.get(); }
 
 private:
   const TransportDomain Domain;
+  std::string SurfaceWarning;
   ChannelPassage Passage;
   std::unique_ptr<TransportGrid> Grid;
   std::unique_ptr<PoissonNernstPlanck> Fixed;

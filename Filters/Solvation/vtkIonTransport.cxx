@@ -67,13 +67,17 @@ std::string SurfaceNotConverged(const MovingChannel& moving)
     "UpdateTolerance, or a smaller FieldRelaxation.";
 }
 
-/// Atoms that were left out, a channel narrower than a spacing, the first point that has not
+/// Atoms that were left out or lie outside the surface, a channel narrower than a spacing, the first point that has not
 /// converged or has lost ions on their way, a surface that has not come to rest.
 std::vector<std::string> Warnings(const isthmus::MoleculeAtoms& atoms,
   isthmus::ChannelSolution& channel, const std::vector<TransportPoint>& points)
 {
   std::vector<std::string> sentences = atoms.Warnings;
   const isthmus::IonTransportParameters& parameters = channel.Get().GetParameters();
+  if (!channel.GetSurfaceWarning().empty())
+  {
+    sentences.push_back(channel.GetSurfaceWarning());
+  }
   if (channel.GetPassage().Radius < parameters.Spacing)
   {
     sentences.push_back(NarrowChannel(channel.GetPassage()));

@@ -3,6 +3,9 @@
 #include "Core/ArrayMemory.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
+#include "Core/MemoryBudget.h"
+#include "Core/PolyDataTriangles.h"
+#include "Surfaces/ShellNesting.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -79,13 +82,66 @@ PlaceInWorld WorldOf(vtkImageData* grid)
   };
 }
 
+bool BoxOfPolygons(vtkPolyData* surface, double box[6])
+{
+  const PolyDataTriangles triangles(surface);
+  if (triangles.View().NumberOfTriangles() == 0)
+  {
+    return false;
+  }
+  const Bounds3 bounds = BoundsOf(triangles.View());
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    box[2 * a] = bounds.Min[a];
+    box[2 * a + 1] = bounds.Max[a];
+  }
+  return true;
+}
+
+void RequireGridMemory(const GridShape& grid, double bytes, const std::string& remedy)
+{
+  double needed = bytes;
+  std::string size;
+  for (const std::int64_t n : grid.Dimensions)
+  {
+    needed *= static_cast<double>(n);
+    size += (size.empty() ? "" : " x ") + std::to_string(n);
+  }
+  MemoryBudget().Require(needed, "A grid of " + size + " nodes", remedy);
+}
+
+namespace
+{
+
+/// `scalars` in a type that vtkFlyingEdges3D supports: it finds no contour of bits, and takes
+/// differences of values in their own type, which wrap around for unsigned int and larger ones.
+vtkSmartPointer<vtkDataArray> Contourable(vtkDataArray* scalars)
+{
+  const int type = scalars->GetDataType();
+  const bool isWide = scalars->GetDataTypeSize() > 2 && type != VTK_FLOAT && type != VTK_DOUBLE;
+  if (type != VTK_BIT && !isWide)
+  {
+    return scalars;
+  }
+  auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
+  SizeArray(doubles, scalars->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    doubles->SetValue(i, scalars->GetComponent(i, 0));
+  }
+  return doubles;
+}
+
+}
+
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   vtkImageData* image, vtkDataArray* scalars, double level)
 {
+  const vtkSmartPointer<vtkDataArray> values = Contourable(scalars);
   vtkNew<vtkImageData> plain;
   plain->SetDimensions(image->GetDimensions());
   plain->SetSpacing(image->GetSpacing());
-  plain->GetPointData()->SetScalars(scalars);
+  plain->GetPointData()->SetScalars(values);
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(plain);
   contour->SetValue(0, level);

@@ -9,6 +9,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -30,7 +31,14 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
 /// while `grid` exists.
 PlaceInWorld WorldOf(vtkImageData* grid);
 
-/// The isosurface of the image, in lengths along its axes from its first node.
+/// Box of the points that polygons of `surface` use: minimum and maximum of x, y and z. Points that
+/// no polygon uses, e.g. what other filters left over, do not count. @return false if there are none.
+bool BoxOfPolygons(vtkPolyData* surface, double box[6]);
+
+/// Throws unless a grid fits that needs `bytes` for each node, with `remedy` (MemoryBudget).
+void RequireGridMemory(const GridShape& grid, double bytes, const std::string& remedy);
+
+/// The isosurface of the image, in lengths along its axes from its first node. Scalars of any type.
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   vtkImageData* image, vtkDataArray* scalars, double level);
 

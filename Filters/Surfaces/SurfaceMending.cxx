@@ -362,13 +362,12 @@ bool IsInside(const SurfaceView& surface, const Shell& inner, Shell& outer)
   return true;
 }
 
-}
-
-std::vector<Triangle> TurnShells(const SurfaceView& surface, SurfaceMending& done)
+/// `outward`: whether the outermost shells face outward even if all of them faced inward.
+std::vector<Triangle> TurnNested(const SurfaceView& surface, bool outward, SurfaceMending& done)
 {
   std::vector<Triangle> triangles = CornersOf(surface);
   std::vector<Shell> shells = ShellsOf(surface);
-  if (shells.size() < 2)
+  if (shells.size() < 2 && !outward)
   {
     return triangles;
   }
@@ -378,7 +377,6 @@ std::vector<Triangle> TurnShells(const SurfaceView& surface, SurfaceMending& don
   std::stable_sort(order.begin(), order.end(),
     [&shells](std::size_t a, std::size_t b)
     { return std::abs(shells[a].Volume) > std::abs(shells[b].Volume); });
-  bool outward = false;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     Shell& shell = shells[order[i]];
@@ -412,6 +410,19 @@ std::vector<Triangle> TurnShells(const SurfaceView& surface, SurfaceMending& don
     }
   }
   return triangles;
+}
+
+}
+
+std::vector<Triangle> TurnShells(const SurfaceView& surface, SurfaceMending& done)
+{
+  return TurnNested(surface, false, done);
+}
+
+std::vector<Triangle> TurnOutward(const SurfaceView& surface)
+{
+  SurfaceMending done;
+  return TurnNested(surface, true, done);
 }
 
 std::string SurfaceMending::Message() const

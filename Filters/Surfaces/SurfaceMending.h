@@ -61,6 +61,10 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnShells(
   const SurfaceView& surface, SurfaceMending& done);
 
+/// The same with the outermost shells facing outward, whichever way they faced. Open components are
+/// not changed.
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnOutward(const SurfaceView& surface);
+
 }
 
 #endif

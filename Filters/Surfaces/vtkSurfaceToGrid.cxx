@@ -41,6 +41,9 @@ using isthmus::GridCrossing;
 using isthmus::GridShape;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+/// Of the arrays of the output and of the distance while it is computed.
+constexpr double BytesPerNode = 45.0;
+
 /// Nodes a grid may have: more could not be numbered by the extents of a vtkImageData.
 constexpr double MostNodesAlongAnAxis = 2147483000.0;
 
@@ -85,7 +88,10 @@ void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
       ", but it is a length: give a positive one, or 0 for 1/64 of the surface's longest side.");
   }
   double box[6];
-  surface->GetBounds(box);
+  if (!isthmus::BoxOfPolygons(surface, box))
+  {
+    surface->GetBounds(box); // vertices and lines
+  }
   const double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
   const double h = this->Spacing > 0.0 ? this->Spacing : longest / 64.0;
   if (!(h > 0.0) || std::isinf(h))
@@ -239,6 +245,7 @@ void vtkSurfaceToGrid::FromSurface(
   vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings)
 {
   const GridShape shape = isthmus::ShapeOf(output);
+  isthmus::RequireGridMemory(shape, BytesPerNode, "choose a larger Spacing or a coarser grid");
   const isthmus::PolyDataTriangles triangles(isthmus::InGridAxes(surface, output));
   const isthmus::SurfaceView mesh = triangles.View();
   const auto progress = isthmus::ProgressOf(this);
@@ -286,6 +293,7 @@ std::vector<double> vtkSurfaceToGrid::Distance(const isthmus::SurfaceView& mesh,
 void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings)
 {
   const GridShape shape = isthmus::ShapeOf(image);
+  isthmus::RequireGridMemory(shape, BytesPerNode, "crop or subsample the volume");
   vtkSmartPointer<vtkDataArray> scalars = isthmus::ChosenScalars(this, image);
   if (scalars->GetDataType() == VTK_BIT) // VTK finds no range and no contour of bits
   {

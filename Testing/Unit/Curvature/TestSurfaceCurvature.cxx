@@ -134,6 +134,47 @@ TEST(SurfaceCurvature, OrientationDecidesTheSign)
   }
 }
 
+// Each closed component is oriented by what it lies in, not by the volume of the whole: a ball beside
+// another, a cavity, a ball in the cavity, whichever way each is wound, and beside an open sheet.
+TEST(SurfaceCurvature, NestedShellsAreOrientedByNesting)
+{
+  const Vector places[] = { { 0.0, 0.0, 0.0 }, { 0.1, 0.2, 0.0 }, { 0.1, 0.1, 0.1 }, { 9.0, 1.0, 0.0 } };
+  const double radii[] = { 4.0, 2.5, 1.0, 2.0 };
+  const double signs[] = { 1.0, -1.0, 1.0, 1.0 };
+  const Model cap = Sheet(6,
+    [](double u, double v) {
+      return Vector{ u, v, std::sqrt(4.0 - u * u - v * v) };
+    });
+  for (const auto estimate : { CurvatureEstimate::AngleDefect, CurvatureEstimate::EdgeTensor })
+  {
+    for (unsigned turned = 0; turned < 16; ++turned)
+    {
+      Model all;
+      std::vector<std::size_t> first;
+      for (unsigned s = 0; s < 4; ++s)
+      {
+        Model shell = Icosphere(4, radii[s]);
+        if ((turned >> s) & 1u)
+        {
+          TurnInsideOut(shell);
+        }
+        first.push_back(all.Points.size());
+        Append(all, shell, places[s]);
+      }
+      const std::size_t sheet = all.Points.size();
+      Append(all, cap, { -9.0, 0.0, 0.0 });
+      SurfaceCurvatureOptions options;
+      options.Estimate = estimate;
+      const auto result = CurvatureOfSurface(all.View(), options);
+      for (unsigned s = 0; s < 4; ++s)
+      {
+        EXPECT_NEAR(result.Mean[first[s] + 5] * radii[s], signs[s], 0.1) << turned << " " << s;
+      }
+      EXPECT_GT(result.Mean[sheet + 24], 0.4);
+    }
+  }
+}
+
 TEST(SurfaceCurvature, InvariantUnderMotionScaleAndOrder)
 {
   const Model torus = Torus(48, 24, 2.0, 0.7);

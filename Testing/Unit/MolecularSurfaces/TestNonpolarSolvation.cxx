@@ -68,6 +68,42 @@ TEST(NonpolarSolvation, ArraysAndTableAddUp)
   EXPECT_EQ(atoms->GetPointData()->GetArray("Area"), nullptr); // the input stays as it was
 }
 
+// A volume in nanometres or moved lies where the atoms are, but it is not theirs.
+TEST(NonpolarSolvation, VolumesThatLeaveAtomsOutsideAreRefusedOrWarnedAbout)
+{
+  const std::vector<Ball> balls = RandomBalls(40, 9.0);
+  const auto atoms = WithDepths(balls, 0.1);
+  vtkNew<vtkMolecularFlowSurface> flow;
+  flow->SetInputData(atoms);
+  flow->Update();
+  vtkNew<vtkTest::ErrorObserver> said;
+  vtkNew<vtkNonpolarSolvation> energy;
+  energy->AddObserver(vtkCommand::ErrorEvent, said);
+  energy->AddObserver(vtkCommand::WarningEvent, said);
+  energy->SetInputData(0, atoms);
+  const auto moved = [&](double scale, double shift)
+  {
+    vtkNew<vtkImageData> image;
+    image->DeepCopy(flow->GetImage());
+    const double* const h = image->GetSpacing();
+    image->SetSpacing(scale * h[0], scale * h[1], scale * h[2]);
+    const double* const o = image->GetOrigin();
+    image->SetOrigin(scale * o[0] + shift, scale * o[1] + shift, scale * o[2] + shift);
+    said->Clear();
+    energy->SetInputData(1, image);
+    energy->Update();
+  };
+  moved(1.0, 0.0);
+  EXPECT_FALSE(said->GetError() || said->GetWarning());
+  moved(0.1, 0.0);
+  EXPECT_NE(said->GetErrorMessage().find("of 40 atoms lie outside the surface"), std::string::npos);
+  EXPECT_EQ(energy->GetOutput()->GetNumberOfPoints(), 0);
+  moved(1.0, 1.5);
+  EXPECT_FALSE(said->GetError()) << said->GetErrorMessage();
+  EXPECT_NE(said->GetWarningMessage().find("lie outside the surface"), std::string::npos);
+  EXPECT_EQ(energy->GetOutput()->GetNumberOfPoints(), 40);
+}
+
 TEST(NonpolarSolvation, BadInputIsToldInASentence)
 {
   const std::vector<Ball> balls{ { { 0.0, 0.0, 0.0 }, 1.7 } };

@@ -209,3 +209,35 @@ TEST(IonTransport, SurfacesThatCrossAreRefusedWithTheirPlace)
     << said->GetErrorMessage();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
+
+// The surface of the same tube in nanometres lies within the tube, so the overlap is complete, but
+// the charges are in the water: this gave the current of the membrane's hole.
+TEST(IonTransport, SurfacesThatLeaveChargesOutsideAreRefusedOrWarnedAbout)
+{
+  const auto filter = TubeInSalt(-0.05, 0.1, 0.1);
+  const auto surface = [](double low, double high)
+  {
+    TriangleMesh box;
+    for (int i = 0; i < 8; ++i)
+    {
+      box.Points.push_back({ i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low });
+    }
+    for (const Triangle& t :
+      { Triangle{ 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+        { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } })
+    {
+      box.Triangles.push_back(t);
+    }
+    auto result = vtkSmartPointer<vtkPolyData>::New();
+    SetMesh(box, result);
+    return result;
+  };
+  vtkNew<vtkTest::ErrorObserver> said;
+  filter->AddObserver(vtkCommand::ErrorEvent, said);
+  filter->AddObserver(vtkCommand::WarningEvent, said);
+  filter->SetInputData(1, surface(-1.0, 1.0));
+  filter->Update();
+  EXPECT_NE(said->GetErrorMessage().find("charged atoms lie outside the surface"), std::string::npos)
+    << said->GetErrorMessage();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}

@@ -158,6 +158,62 @@ TEST(vtkSurfaceToGrid, LevelOfAnImage)
   EXPECT_LT(irregular, image->GetNumberOfPoints() / 2);
 }
 
+// vtkFlyingEdges3D takes differences in the type of the scalars, where those of unsigned int wrap.
+TEST(vtkSurfaceToGrid, LevelsOfAnyScalarType)
+{
+  std::vector<double> expected;
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_INT,
+         VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(12, 11, 13);
+    image->AllocateScalars(type, 1);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double* x = image->GetPoint(i);
+      const double distance = std::hypot(x[0] - 5.0, x[1] - 5.0, x[2] - 6.0);
+      image->GetPointData()->GetScalars()->SetComponent(i, 0, std::floor(200.0 / (1.0 + distance)));
+    }
+    vtkNew<vtkSurfaceToGrid> filter;
+    filter->SetInputData(image);
+    filter->SetLevel(50.0);
+    filter->Update();
+    vtkDataArray* distance = Nodes(filter, "SignedDistance");
+    ASSERT_EQ(distance->GetNumberOfTuples(), image->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < distance->GetNumberOfTuples(); ++i)
+    {
+      const double value = distance->GetComponent(i, 0);
+      if (type == VTK_DOUBLE)
+      {
+        expected.push_back(value);
+      }
+      ASSERT_NEAR(value, expected[static_cast<std::size_t>(i)], 1e-6) << "type " << type;
+    }
+  }
+}
+
+// Points that no triangle uses do not count: one far away made a grid that filled the memory.
+TEST(vtkSurfaceToGrid, UnusedPointsDoNotCount)
+{
+  const auto sphere = ToPolyData(Icosphere(6, 1.0));
+  vtkNew<vtkSurfaceToGrid> filter;
+  filter->SetInputData(sphere);
+  filter->Update();
+  double expected[6];
+  filter->GetOutput()->GetBounds(expected);
+  sphere->GetPoints()->InsertNextPoint(1e6, -2e6, 3e6);
+  sphere->Modified();
+  filter->Modified();
+  filter->Update();
+  double bounds[6];
+  filter->GetOutput()->GetBounds(bounds);
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    EXPECT_DOUBLE_EQ(bounds[i], expected[i]);
+  }
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 69 * 69 * 69);
+}
+
 TEST(vtkSurfaceToGrid, SameBitsOnAnyNumberOfThreads)
 {
   const auto surface = ToPolyData(Torus(120, 60, 2.0, 0.7));
@@ -201,6 +257,8 @@ TEST(vtkSurfaceToGrid, BadInputIsToldInASentence)
   filter->GenerateInsideOn();
   filter->SetSpacing(-1.0);
   EXPECT_NE(messageFor(sphere).find("Spacing is -1"), std::string::npos);
+  filter->SetSpacing(1e-5);
+  EXPECT_NE(messageFor(sphere).find("nodes needs about "), std::string::npos);
   filter->SetSpacing(1e-12);
   EXPECT_NE(messageFor(sphere).find("more than 2^31 nodes"), std::string::npos);
   filter->SetSpacing(0.0);
