@@ -42,7 +42,8 @@ double ValueBetween(
       node += stride * std::min<std::int64_t>(low[a] + (high ? 1 : 0), dimensions[a] - 1);
       stride *= dimensions[a];
     }
-    sum += weight > 0.0 ? weight * static_cast<double>(values[static_cast<std::size_t>(node)]) : 0.0;
+    sum +=
+      weight > 0.0 ? weight * static_cast<double>(values[static_cast<std::size_t>(node)]) : 0.0;
   }
   return sum;
 }
@@ -76,8 +77,8 @@ std::string CheckAtomsInside(vtkImageData* grid, const std::vector<float>& dista
       " lie outside the surface, the first at (", first[0], ", ", first[1], ", ", first[2], "). ");
   if (2 * outside > centres.size())
   {
-    throw std::invalid_argument(text +
-      "Is it the surface of these atoms, at their place and in the same unit (angstrom)?");
+    throw std::invalid_argument(
+      text + "Is it the surface of these atoms, at their place and in the same unit (angstrom)?");
   }
   return text + "The result is that of the surface as it is: use one farther out, or of all atoms.";
 }

@@ -225,8 +225,7 @@ int vtkNonpolarSolvation::RequestData(
       {
         centres.push_back(atom.Centre);
       }
-      const std::string outside =
-        isthmus::CheckAtomsInside(image, distances, centres, "atoms");
+      const std::string outside = isthmus::CheckAtomsInside(image, distances, centres, "atoms");
       if (!outside.empty())
       {
         vtkWarningMacro(<< outside);

@@ -24,8 +24,9 @@
  *
  * **Errors** (message, empty outputs): those of the atoms; an image at a different place than the
  * atoms (InputOverlap.h), or with more than half of the atoms outside (fewer are a warning; a
- * volume in nanometres lies within the molecule); no `SignedDistance`; cells that are not cubes; parameters that are not
- * finite, negative densities or depths. Cost: atoms x nodes inside within 12 angstrom.
+ * volume in nanometres lies within the molecule); no `SignedDistance`; cells that are not cubes;
+ * parameters that are not finite, negative densities or depths. Cost: atoms x nodes inside within
+ * 12 angstrom.
  */
 #ifndef vtkNonpolarSolvation_h
 #define vtkNonpolarSolvation_h

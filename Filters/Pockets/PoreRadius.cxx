@@ -2,6 +2,9 @@
 
 #include "Core/Geometry.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace isthmus
@@ -17,6 +20,31 @@ std::vector<Point3> CentresOf(const std::vector<Ball>& atoms)
     centres.push_back(atom.Centre);
   }
   return centres;
+}
+
+/// 4 angstrom for molecules; more for balls farther apart (another unit, coarse models), whose
+/// clearances would span thousands of bins. A stray ball far away does not count.
+double BinSizeFor(const std::vector<Ball>& atoms)
+{
+  double size = 4.0;
+  std::vector<std::array<double, 3>> bins(atoms.size());
+  const auto areFew = [&]()
+  {
+    std::transform(atoms.begin(), atoms.end(), bins.begin(),
+      [size](const Ball& atom)
+      {
+        return std::array<double, 3>{ std::floor(atom.Centre[0] / size),
+          std::floor(atom.Centre[1] / size), std::floor(atom.Centre[2] / size) };
+      });
+    std::sort(bins.begin(), bins.end());
+    const auto occupied = std::unique(bins.begin(), bins.end()) - bins.begin();
+    return 3 * static_cast<std::size_t>(occupied) <= 2 * atoms.size() + 2;
+  };
+  while (!areFew())
+  {
+    size *= 2.0;
+  }
+  return size;
 }
 
 /// value + slope . d, a linear model over the plane's two coordinates.
@@ -144,7 +172,7 @@ std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place
 
 AtomField::AtomField(const std::vector<Ball>& atoms)
   : Atoms(atoms)
-  , Bins(CentresOf(atoms), 4.0)
+  , Bins(CentresOf(atoms), BinSizeFor(atoms))
 {
   for (const Ball& atom : atoms)
   {

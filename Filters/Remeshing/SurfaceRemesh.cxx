@@ -86,7 +86,8 @@ double ExpectedTriangles(const SurfaceView& mesh, double length)
   }
   constexpr double bytesPerTriangle = 450.0;
   MemoryBudget().Require(bytesPerTriangle * expected,
-    "A surface of about " + FormatNumber(expected, 2) + " triangles", "choose a larger edge length");
+    "A surface of about " + FormatNumber(expected, 2) + " triangles",
+    "choose a larger edge length");
   return expected;
 }
 

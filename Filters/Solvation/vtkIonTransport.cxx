@@ -67,8 +67,9 @@ std::string SurfaceNotConverged(const MovingChannel& moving)
     "UpdateTolerance, or a smaller FieldRelaxation.";
 }
 
-/// Atoms that were left out or lie outside the surface, a channel narrower than a spacing, the first point that has not
-/// converged or has lost ions on their way, a surface that has not come to rest.
+/// Atoms that were left out or lie outside the surface, a channel narrower than a spacing, the
+/// first point that has not converged or has lost ions on their way, a surface that has not come to
+/// rest.
 std::vector<std::string> Warnings(const isthmus::MoleculeAtoms& atoms,
   isthmus::ChannelSolution& channel, const std::vector<TransportPoint>& points)
 {

@@ -39,8 +39,9 @@
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
  * its radius there), a surface that is not closed, has parts that cross (ShellCrossings.h), lies
  * elsewhere than the atoms (InputOverlap.h) or leaves more than half of the charged atoms outside
- * (fewer are a warning; a surface in nanometres lies within the molecule), a grid that does not fit into memory. Cost: about 20
- * microseconds for each node and each point of a sweep. All atoms are needed on one rank.
+ * (fewer are a warning; a surface in nanometres lies within the molecule), a grid that does not fit
+ * into memory. Cost: about 20 microseconds for each node and each point of a sweep. All atoms are
+ * needed on one rank.
  */
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h

@@ -32,7 +32,8 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
 PlaceInWorld WorldOf(vtkImageData* grid);
 
 /// Box of the points that polygons of `surface` use: minimum and maximum of x, y and z. Points that
-/// no polygon uses, e.g. what other filters left over, do not count. @return false if there are none.
+/// no polygon uses, e.g. what other filters left over, do not count. @return false if there are
+/// none.
 bool BoxOfPolygons(vtkPolyData* surface, double box[6]);
 
 /// Throws unless a grid fits that needs `bytes` for each node, with `remedy` (MemoryBudget).

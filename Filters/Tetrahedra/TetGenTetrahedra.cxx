@@ -414,6 +414,36 @@ double EdgeOnBox(const TetrahedralTask& task)
   return edge;
 }
 
+/// `surface` without points that no triangle uses, which TetGen would make vertices of the mesh or
+/// drop, so that its points were not numbered as those of the surface; `ids`: of the points left.
+TriangleMesh WithUsedPoints(const SurfaceView& surface, std::vector<std::int64_t>& ids)
+{
+  std::vector<std::int64_t> number(surface.Points.size(), -1);
+  for (const Triangle& corners : surface.Triangles)
+  {
+    for (const vtkIdType point : corners)
+    {
+      number[static_cast<std::size_t>(point)] = 0;
+    }
+  }
+  TriangleMesh used;
+  for (std::size_t i = 0; i < number.size(); ++i)
+  {
+    if (number[i] == 0)
+    {
+      number[i] = static_cast<std::int64_t>(ids.size());
+      ids.push_back(static_cast<std::int64_t>(i));
+      used.Points.push_back(surface.Points[i]);
+    }
+  }
+  for (const Triangle& corners : surface.Triangles)
+  {
+    used.Triangles.push_back({ number[static_cast<std::size_t>(corners[0])],
+      number[static_cast<std::size_t>(corners[1])], number[static_cast<std::size_t>(corners[2])] });
+  }
+  return used;
+}
+
 }
 
 TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCallback& progress)
@@ -431,7 +461,9 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   {
     (task.IsWanted(region.Id) ? wanted : holes).push_back(region);
   }
-  std::vector<SurfaceView> surfaces{ task.Surface };
+  std::vector<std::int64_t> ids;
+  const TriangleMesh used = WithUsedPoints(task.Surface, ids);
+  std::vector<SurfaceView> surfaces{ used };
   TriangleMesh box;
   if (boxed)
   {
@@ -463,11 +495,7 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
     region = wanted[static_cast<std::size_t>(region - 1)].Id;
   }
   mesh.OriginalPoints.assign(mesh.Points.size(), -1);
-  const std::size_t kept = std::min(task.Surface.Points.size(), mesh.Points.size());
-  for (std::size_t i = 0; i < kept; ++i)
-  {
-    mesh.OriginalPoints[i] = static_cast<std::int64_t>(i);
-  }
+  std::copy_n(ids.begin(), std::min(ids.size(), mesh.Points.size()), mesh.OriginalPoints.begin());
   return mesh;
 }
 

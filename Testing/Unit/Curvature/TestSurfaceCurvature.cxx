@@ -134,11 +134,13 @@ TEST(SurfaceCurvature, OrientationDecidesTheSign)
   }
 }
 
-// Each closed component is oriented by what it lies in, not by the volume of the whole: a ball beside
-// another, a cavity, a ball in the cavity, whichever way each is wound, and beside an open sheet.
+// Each closed component is oriented by what it lies in, not by the volume of the whole: a ball
+// beside another, a cavity, a ball in the cavity, whichever way each is wound, and beside an open
+// sheet.
 TEST(SurfaceCurvature, NestedShellsAreOrientedByNesting)
 {
-  const Vector places[] = { { 0.0, 0.0, 0.0 }, { 0.1, 0.2, 0.0 }, { 0.1, 0.1, 0.1 }, { 9.0, 1.0, 0.0 } };
+  const Vector places[] = { { 0.0, 0.0, 0.0 }, { 0.1, 0.2, 0.0 }, { 0.1, 0.1, 0.1 },
+    { 9.0, 1.0, 0.0 } };
   const double radii[] = { 4.0, 2.5, 1.0, 2.0 };
   const double signs[] = { 1.0, -1.0, 1.0, 1.0 };
   const Model cap = Sheet(6,

@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 
 using namespace isthmus;
 using isthmus::testing::AtomsOf;
@@ -164,6 +165,26 @@ TEST(PoreProfile, ClosedShellAndFewAtomsHaveNone)
   EXPECT_TRUE(FindPores({}, {}).empty());
   EXPECT_TRUE(FindPores({ { { 0, 0, 0 }, 1.0 } }, {}).empty());
   EXPECT_TRUE(FindPores({ { { 0, 0, 0 }, 1.0 }, { { 0, 0, 0 }, 1.0 } }, {}).empty());
+}
+
+// Atoms far apart, as in picometres: each search passed millions of empty bins, and Automatic did
+// not end in ten minutes.
+TEST(PoreProfile, ClearanceAmongAtomsFarApart)
+{
+  std::vector<Ball> atoms;
+  for (int i = 0; i < 1000; ++i)
+  {
+    atoms.push_back({ { 4000.0 * (i % 10), 4000.0 * (i / 10 % 10), 4000.0 * (i / 100) }, 170.0 });
+  }
+  atoms.push_back({ { 1e8, 0.0, 0.0 }, 170.0 }); // a stray one
+  const AtomField field(atoms);
+  const std::clock_t began = std::clock();
+  for (int i = 0; i < 200; ++i)
+  {
+    const auto found = field.At({ 2000.0 + 4000.0 * (i % 9), 2000.0, 18000.0 });
+    EXPECT_NEAR(found.Radius, 2000.0 * std::sqrt(3.0) - 170.0, 1e-9);
+  }
+  EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 1.0);
 }
 
 TEST(PoreProfile, TimeOfTheTriangulationIsPredictedOnce)

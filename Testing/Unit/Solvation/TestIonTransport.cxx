@@ -237,7 +237,8 @@ TEST(IonTransport, SurfacesThatLeaveChargesOutsideAreRefusedOrWarnedAbout)
   filter->AddObserver(vtkCommand::WarningEvent, said);
   filter->SetInputData(1, surface(-1.0, 1.0));
   filter->Update();
-  EXPECT_NE(said->GetErrorMessage().find("charged atoms lie outside the surface"), std::string::npos)
+  EXPECT_NE(
+    said->GetErrorMessage().find("charged atoms lie outside the surface"), std::string::npos)
     << said->GetErrorMessage();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }

@@ -165,6 +165,36 @@ TEST(MeshingFilters, ASoupIsTheSurfaceItWasMadeOf)
   }
 }
 
+// TetGen makes vertices of points that no triangle uses, or drops them, and numbers the rest anew:
+// a point that it had added was given the id of an unused point.
+TEST(MeshingFilters, UnusedPointsAreNotMeshed)
+{
+  const auto sphere = Sphere();
+  const vtkIdType expected = sphere->GetNumberOfPoints();
+  for (const double place : { 0.0, 1e5 }) // within and far away
+  {
+    const auto surface = Sphere();
+    surface->GetPoints()->InsertNextPoint(place, 0.01, 0.02);
+    surface->GetPointData()->Initialize();
+    vtkNew<vtkTetrahedralMesher> mesher;
+    const Observer observer = Watch(mesher);
+    mesher->SetInputData(surface);
+    mesher->SetLibrary(vtkTetrahedralMesher::TetGen);
+    mesher->Update();
+    EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
+    vtkUnstructuredGrid* mesh = mesher->GetOutput();
+    vtkDataArray* original = mesh->GetPointData()->GetArray("OriginalPointId");
+    vtkIdType kept = 0;
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(original->GetTuple1(i));
+      kept += id >= 0;
+      ASSERT_LT(id, expected);
+    }
+    EXPECT_EQ(kept, expected);
+  }
+}
+
 TEST(MeshingFilters, ASoupIsRemeshedWithItsPointData)
 {
   const auto soup = Soup(Sphere());

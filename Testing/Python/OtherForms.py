@@ -1,0 +1,130 @@
+"""The same data in another form, each filter and each of its ports, gives the same numbers: volumes of whole
+numbers in every type that holds them, surfaces and meshes with a point that no cell uses, far away.
+Outputs may keep that point. Points are atoms where cells do not matter, so ports for any points are left out.
+"""
+
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_BIT, vtkDataArray, vtkPoints
+
+import robustness_trials
+from good_data import INPUTS, filters, made, sound
+
+TYPES = ("SignedChar", "UnsignedChar", "Short", "UnsignedShort", "Int", "UnsignedInt", "Long", "UnsignedLong",
+         "LongLong", "UnsignedLongLong", "Float")
+BITS = 1e-4  # of the largest number of an array: outputs may be of single precision
+FAR = 1e5
+
+
+def in_type(image, name):
+    """A copy with the scalars from 0 to 120, rounded, in that type ('Double': to compare with)."""
+    result = image.NewInstance()
+    result.DeepCopy(image)
+    scalars = result.GetPointData().GetScalars()
+    values = vtk_to_numpy(scalars).astype(float)
+    values = numpy.round(120.0 * (values - values.min()) / (values.max() - values.min()))
+    array = vtkDataArray.CreateDataArray({
+        "Double": 11, "Float": 10, "SignedChar": 15, "UnsignedChar": 3, "Short": 4, "UnsignedShort": 5, "Int": 6,
+        "UnsignedInt": 7, "Long": 8, "UnsignedLong": 9, "LongLong": 16, "UnsignedLongLong": 17}[name])
+    array.SetName(scalars.GetName())
+    array.SetNumberOfTuples(len(values))
+    vtk_to_numpy(array)[:] = values
+    result.GetPointData().SetScalars(array)
+    return result
+
+
+def with_unused_point(data):
+    result = data.NewInstance()
+    result.DeepCopy(data)
+    points = vtkPoints()
+    points.SetDataType(data.GetPoints().GetDataType())
+    points.DeepCopy(data.GetPoints())
+    points.InsertNextPoint(3.0 * FAR, -2.0 * FAR, FAR)
+    result.SetPoints(points)
+    arrays = result.GetPointData()
+    for i in range(arrays.GetNumberOfArrays()):
+        array = arrays.GetArray(i)
+        array.InsertNextTuple(array.GetTuple(0))
+    return result
+
+
+def numbers(proxy):
+    """{what: array} of all outputs."""
+    algorithm = proxy.GetClientSideObject()
+    listener = robustness_trials.Listener(algorithm)
+    proxy.SMProxy.UpdatePipeline()
+    found = {"errors": numpy.array([float(len(listener.errors))])}
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        for number, leaf in enumerate(robustness_trials.leaves(algorithm.GetOutputDataObject(port))):
+            where = f"{port}.{number}"
+            near = slice(None)
+            if leaf.IsA("vtkDataSet"):
+                found[f"{where} cells"] = numpy.array([float(leaf.GetNumberOfCells())])
+            if leaf.IsA("vtkPointSet") and leaf.GetPoints():
+                points = vtk_to_numpy(leaf.GetPoints().GetData()).astype(float)
+                near = numpy.abs(points).max(axis=1, initial=0.0) < FAR
+                found[f"{where} points"] = points[near]
+            for kind in ("GetPointData", "GetCellData", "GetRowData", "GetFieldData"):
+                fields = getattr(leaf, kind)() if hasattr(leaf, kind) else None
+                for i in range(fields.GetNumberOfArrays() if fields else 0):
+                    array = fields.GetArray(i)
+                    if array and array.GetDataType() != VTK_BIT:
+                        values = vtk_to_numpy(array).astype(float)
+                        found[f"{where} {kind} {array.GetName()}"] = (
+                            values[near] if kind == "GetPointData" else values)
+    return found
+
+
+def differences(expected, found):
+    for what in sorted(set(expected) | set(found)):
+        if what not in expected or what not in found:
+            yield f"{what} only once"
+            continue
+        first, second = expected[what], found[what]
+        if first.shape != second.shape:
+            yield f"{what}: {len(second)} instead of {len(first)}"
+            continue
+        size = numpy.abs(first[numpy.isfinite(first)]).max(initial=0.0)
+        if not numpy.allclose(first, second, rtol=BITS, atol=BITS * size + 1e-12, equal_nan=True):
+            yield f"{what}: off by {numpy.nanmax(numpy.abs(first - second)):.3g} of {size:.3g}"
+
+
+def compared(name, port, kind, first, second):
+    number = [p[0] for p in INPUTS[name]].index(port)
+    of_kind = kind if number == 0 else None
+    expected = numbers(made(name, of_kind, replaced={port: first}))
+    found = numbers(made(name, of_kind, replaced={port: second}))
+    return "; ".join(differences(expected, found))
+
+
+def trials(name):
+    """(name of the form, port, kind, sound data, the same in that form)."""
+    for port, accepted, _ in INPUTS[name]:
+        for kind in accepted:
+            data = sound(name, port, kind)
+            if data is None:
+                continue
+            if data.IsA("vtkImageData") and data.GetPointData().GetScalars():
+                for type_name in TYPES:
+                    yield type_name, port, kind, in_type(data, "Double"), in_type(data, type_name)
+            elif data.IsA("vtkPointSet") and kind in ("vtkPolyData", "vtkUnstructuredGrid"):
+                yield "unused point", port, kind, data, with_unused_point(data)
+
+
+def main(names):
+    wrong, count = [], 0
+    for name in names or filters():
+        for form, port, kind, first, second in trials(name):
+            word, said, _ = robustness_trials.run(
+                lambda a=(name, port, kind, first, second): compared(*a), 30)
+            count += 1
+            if word != "done" or said:
+                wrong.append(f"{name}, {port} ({kind}), {form}: {word} {said[-300:]}")
+    print(f"{count} trials")
+    print("\n".join(wrong))
+    return 1 if wrong or count < 100 else 0
+
+
+sys.exit(main(sys.argv[1:]))
