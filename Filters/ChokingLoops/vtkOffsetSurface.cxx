@@ -67,14 +67,17 @@ int vtkOffsetSurface::RequestData(
       vtkNew<vtkDoubleArray> values;
       values->SetName("DistanceToSurface");
       isthmus::SizeArray(values, static_cast<vtkIdType>(grid.Values.size()));
-      std::copy(grid.Values.begin(), grid.Values.end(), values->GetPointer(0));
+      // vtkFlyingEdges3D orients triangles towards lower values, and these are to be outside.
+      const double sign = this->Side == Inside ? 1.0 : -1.0;
+      std::transform(grid.Values.begin(), grid.Values.end(), values->GetPointer(0),
+        [sign](double value) { return sign * value; });
       vtkNew<vtkImageData> image;
       image->SetDimensions(static_cast<int>(grid.Dimensions[0]),
         static_cast<int>(grid.Dimensions[1]), static_cast<int>(grid.Dimensions[2]));
       image->GetPointData()->SetScalars(values);
       vtkNew<vtkFlyingEdges3D> contour;
       contour->SetInputData(image);
-      contour->SetValue(0, this->Distance);
+      contour->SetValue(0, sign * this->Distance);
       contour->ComputeNormalsOn();
       contour->ComputeScalarsOff(); // the distance everywhere, which would be the colour
       isthmus::UpdateInner(contour);

@@ -14,11 +14,9 @@ namespace
 
 std::vector<Point3> CentresOf(const std::vector<Ball>& atoms)
 {
-  std::vector<Point3> centres;
-  for (const Ball& atom : atoms)
-  {
-    centres.push_back(atom.Centre);
-  }
+  std::vector<Point3> centres(atoms.size());
+  std::transform(
+    atoms.begin(), atoms.end(), centres.begin(), [](const Ball& atom) { return atom.Centre; });
   return centres;
 }
 
@@ -290,7 +288,7 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   constexpr int around = 6;
   for (int i = 0; i < 2 * around && best.Radius < enough; ++i)
   {
-    const double angle = Pi / around * (i % around * 2 + i / around);
+    const double angle = Pi / around * (2 * (i % around) + (i < around ? 0 : 1));
     const double r = (i < around ? 0.5 : 0.9) * std::max(width, 0.0);
     offer(starts.front() + r * std::cos(angle) * axes[0] + r * std::sin(angle) * axes[1]);
   }

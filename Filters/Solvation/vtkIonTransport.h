@@ -40,8 +40,8 @@
  * its radius there), a surface that is not closed, has parts that cross (ShellCrossings.h), lies
  * elsewhere than the atoms (InputOverlap.h) or leaves more than half of the charged atoms outside
  * (fewer are a warning; a surface in nanometres lies within the molecule), a grid that does not fit
- * into memory. Cost: about 20 microseconds for each node and each point of a sweep. All atoms are
- * needed on one rank.
+ * into memory. Cost: about 40 to 75 microseconds for each node and each point of a sweep. All atoms
+ * are needed on one rank.
  */
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h

@@ -2,10 +2,13 @@
 
 #include "ChokingLoops/OffsetSurface.h"
 #include "ChokingSurfaces.h"
+#include "Core/PolyDataTriangles.h"
+#include "Surfaces/SurfaceTopology.h"
 #include "vtkOffsetSurface.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkTestErrorObserver.h>
 
@@ -141,6 +144,33 @@ TEST(OffsetSurface, BothSidesAreInsideAndOutside)
   Offset choked(torus, 0.45, vtkOffsetSurface::Inside);
   EXPECT_EQ(choked.Result()->GetNumberOfCells(), 0);
   EXPECT_EQ(choked.Error(), "");
+}
+
+// Outward from what the offset encloses, so that its volume is positive, and normals likewise.
+TEST(OffsetSurface, FacesOutward)
+{
+  const TriangleMesh sphere =
+    Revolution([](double z) { return std::sqrt(std::max(0.0, 1.0 - z * z)); }, -1.0, 1.0, 100, 50);
+  const auto ball = [](double radius) { return 4.0 / 3.0 * M_PI * radius * radius * radius; };
+  for (const auto& [side, volume] : { std::make_pair(vtkOffsetSurface::Inside, ball(0.7)),
+         std::make_pair(vtkOffsetSurface::Outside, ball(1.3)),
+         std::make_pair(vtkOffsetSurface::Both, ball(1.3) - ball(0.7)) })
+  {
+    Offset offset(sphere, 0.3, side, 50);
+    vtkPolyData* surface = offset.Result();
+    const PolyDataTriangles triangles(surface);
+    EXPECT_NEAR(SignedVolume(triangles.View()), volume, 0.02 * volume) << side;
+    vtkDataArray* normals = surface->GetPointData()->GetNormals();
+    ASSERT_NE(normals, nullptr);
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const double* p = surface->GetPoint(i);
+      const double* n = normals->GetTuple3(i);
+      const double outward = p[0] * n[0] + p[1] * n[1] + p[2] * n[2];
+      const bool isInner = side == vtkOffsetSurface::Both && std::hypot(p[0], p[1], p[2]) < 1.0;
+      ASSERT_EQ(outward > 0.0, !isInner);
+    }
+  }
 }
 
 // The other way to the same number: by brute force over all triangles' nearest points in a tree.
