@@ -1,10 +1,11 @@
-"""Figures of a view for print: sized in millimetres, light, with legends that can be read and a scale bar.
+"""Figures of a view for print: sized in millimetres, light, with legends that can be read, a scale bar, soft shadows and
+silhouettes.
 
     from isthmus import pipelines                 # or: import isthmus_pipelines, with the plugin loaded
     pipelines.figure(view, width_mm=85, dpi=300, path="loops.png")
 
 A PNG file and, beside it, an SVG file: text and lines of legends are vectors over the same picture; charts consist
-of vectors only.
+of vectors only. paper_look() gives the view itself that look, as the button of the window does.
 """
 
 import base64
@@ -19,6 +20,12 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 try:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+except ImportError:
+    numpy = None  # figures without silhouettes
+
+try:
     from paraview import servermanager, simple
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
@@ -26,16 +33,27 @@ except ImportError:
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
 WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
 BAR_SHARE = 0.25  # of the width, at most, is the scale bar
+NANOMETRES = 100.0  # angstrom, the shortest bar that is given in nanometres
+# Ambient occlusion: the distance at which surfaces shade each other, in diagonals of what is shown, and how much farther
+# (in that distance) a surface must be to be shaded at all, so that it does not shade itself.
+REACH, BIAS, SAMPLES = 0.12, 0.08, 32
+# Silhouettes: where the depth changes by more than this (in diagonals of what is shown) from one pixel to the next; their
+# width in print, in points.
+JUMP, LINE_POINTS = 0.02, 0.6
 
 
-def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True):
+def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True, shadows=True,
+           silhouettes=True):
     """Writes the view as a PNG file of that width (mm) and resolution, and as an SVG file of the same name; returns
     their paths.
 
     path: of the PNG file; None: a new one in the folder for temporary files.
     font_points: size of all text in print.
     background: red, green, blue from 0 to 1. Text is black on a light one, white on a dark one.
-    scale_bar: of a round length in angstrom, as it is in the plane of the focal point; no chart has one.
+    scale_bar: of a round length, in angstrom below 100 angstrom, else in nanometres. With parallel projection it holds
+    everywhere; with perspective in the plane of the focal point, which its text then says. No chart has one.
+    shadows: ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
+    silhouettes: black lines where the depth jumps. Opaque surfaces only; none where a server renders.
     The view itself is not changed."""
     view = view or simple.GetActiveView()
     if view is None or not hasattr(view, "ViewSize") or view.SMProxy.GetXMLName() == "SpreadSheetView":
@@ -45,18 +63,22 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
     width = max(1, round(width_mm / MM_PER_INCH * dpi))
     across, up = view.ViewSize
     size = [width, max(1, round(width * up / across))]
+    is_render_view = view.SMProxy.GetXMLName() == "RenderView"
     path = path or os.path.join(tempfile.mkdtemp(prefix="isthmus-figure-"), "figure.png")
     vector = os.path.splitext(path)[0] + ".svg"
     pixels = max(1, round(font_points * dpi / POINTS_PER_INCH))  # height of text in the picture
     scale = across / width  # from there to the view, which is what the vectors are made of
     change = _Changes()
     try:
-        if view.SMProxy.GetXMLName() == "RenderView":
+        if is_render_view:
+            lines = _Silhouettes(view, size, LINE_POINTS * dpi / POINTS_PER_INCH) if silhouettes else None
             _prepare(view, change, background, scale_bar)
+            if shadows:
+                _occlude(view, change)
             _set_fonts(view, change, pixels, 2.5 / MM_PER_INCH * dpi)
-            _save(path, view, size)
+            _save(path, view, size, lines)
             _set_fonts(view, change, max(1, round(pixels * scale)), 2.5 / MM_PER_INCH * dpi * scale)
-            _vectors(vector, view, change, size)
+            _vectors(vector, view, change, size, lines)
         else:
             _set_chart_fonts(view, change, pixels)
             _save(path, view, size)
@@ -78,7 +100,7 @@ class _Changes:
 
     def set(self, proxy, **values):
         for name, value in values.items():
-            if proxy.SMProxy.GetProperty(name) is None:
+            if proxy.GetProperty(name) is None:
                 continue  # of another version of ParaView
             was = getattr(proxy, name)
             self.before.append((proxy, name, was[:] if hasattr(was, "__len__") and not isinstance(was, str) else was))
@@ -138,28 +160,139 @@ def _set_fonts(view, change, size, thickness):
 
 
 def _add_scale_bar(view, change, ink):
-    """A line at the lower left, in the plane of the focal point, and its length."""
-    camera = view.GetActiveCamera()
-    across, up = view.ViewSize
-    height = (2.0 * camera.GetParallelScale() if camera.GetParallelProjection() else
-              2.0 * camera.GetDistance() * math.tan(math.radians(0.5 * camera.GetViewAngle())))
-    unit = height / up  # of the data, for a pixel
-    length = round_length(BAR_SHARE * across * unit)
-    ahead, above = camera.GetDirectionOfProjection(), camera.GetViewUp()
-    right = _unit(_cross(ahead, above))
-    above = _cross(right, ahead)
-    focus = camera.GetFocalPoint()
-    x, y = (-0.46 * across) * unit, (-0.44 * up) * unit
-    start = [focus[i] + x * right[i] + y * above[i] for i in range(3)]
-    end = [start[i] + length * right[i] for i in range(3)]
+    """A line at the lower left, of a round length in the plane of the focal point, and its length."""
+    start, end, words = scale_bar_of(view)
     line = _source("LineSource", Point1=start, Point2=end)
     change.add(view, "GeometryRepresentation", line, AmbientColor=ink, DiffuseColor=ink, LineWidth=4.0,
                Ambient=1.0, Diffuse=0.0)
-    label = _source("TextSource", Text=f"{length:g} \u00c5")
-    place = change.add(view, "TextSourceRepresentation", label, Justification="Left")
-    names = place.GetProperty("WindowLocation").Available
-    place.WindowLocation = "Any Location" if "Any Location" in names else "AnyLocation"
-    place.Position = [0.04, 0.07]
+    place_label(change.add(view, "TextSourceRepresentation", _source("TextSource", Text=words)))
+
+
+def place_label(display):
+    """The text of a scale bar, above its line."""
+    names = display.GetProperty("WindowLocation").Available
+    display.WindowLocation = "Any Location" if "Any Location" in names else "AnyLocation"
+    display.Justification, display.Position = "Left", [0.04, 0.07]
+
+
+def scale_bar_of(view):
+    """(start, end, words) of a scale bar at the lower left of a view: at the depth of the focal point it has a round
+    length. It is drawn in front of what is shown, shortened by perspective."""
+    camera = view.GetActiveCamera()
+    across, up = view.ViewSize
+    distance, is_parallel = camera.GetDistance(), camera.GetParallelProjection()
+    height = (2.0 * camera.GetParallelScale() if is_parallel else
+              2.0 * distance * math.tan(math.radians(0.5 * camera.GetViewAngle())))
+    unit = height / up  # of the data, for a pixel
+    length = round_length(BAR_SHARE * across * unit)
+    eye, focus, ahead = camera.GetPosition(), camera.GetFocalPoint(), camera.GetDirectionOfProjection()
+    right = _unit(_cross(ahead, camera.GetViewUp()))
+    above = _cross(right, ahead)
+    depth = _depth_in_front(view, eye, ahead, distance)
+    factor = 1.0 if is_parallel else depth / distance
+    x, y = -0.46 * across * unit * factor, -0.44 * up * unit * factor
+    start = [eye[i] + depth * ahead[i] + x * right[i] + y * above[i] for i in range(3)]
+    end = [start[i] + length * factor * right[i] for i in range(3)]
+    words = f"{length / 10.0:g} nm" if length >= NANOMETRES else f"{length:g} \u00c5"
+    return start, end, words if is_parallel else words + " at the focal plane"
+
+
+def _depth_in_front(view, eye, ahead, distance):
+    """A depth in front of all that is shown; at least a tenth of the way to the focal point."""
+    bounds = _bounds_of(view)
+    if bounds is None:
+        return distance
+    corners = [[bounds[2 * i + (n >> i & 1)] for i in range(3)] for n in range(8)]
+    nearest = min(sum((corner[i] - eye[i]) * ahead[i] for i in range(3)) for corner in corners)
+    return max(min(distance, nearest - 0.01 * _diagonal(bounds)), 0.1 * distance)
+
+
+def _bounds_of(view):
+    """The bounds of all visible shapes; None without any."""
+    found = None
+    for display in view.Representations:
+        source = getattr(display, "Input", None)
+        if source is None or not display.Visibility or not hasattr(display, "Opacity"):
+            continue
+        low_high = source.GetDataInformation().GetBounds()
+        if low_high[0] > low_high[1]:
+            continue
+        found = list(low_high) if found is None else [
+            (min, max)[i % 2](found[i], low_high[i]) for i in range(6)]
+    return found
+
+
+def _diagonal(bounds):
+    return sum((bounds[2 * i + 1] - bounds[2 * i]) ** 2 for i in range(3)) ** 0.5
+
+
+def _occlude(view, change):
+    """Ambient occlusion at the size of what is shown."""
+    bounds = _bounds_of(view)
+    if bounds is None:
+        return
+    reach = REACH * _diagonal(bounds)
+    change.set(view, UseAmbientOcclusion=1, UseSSAODefaultPresets=0, Radius=reach, Bias=BIAS * reach,
+               KernelSize=SAMPLES, Blur=1)
+
+
+class _Silhouettes:
+    """The pixels of a picture at which the depth jumps, as shares of black."""
+
+    def __init__(self, view, size, width):
+        self.mask = None
+        bounds = _bounds_of(view)
+        if numpy is None or bounds is None or not hasattr(view.SMProxy, "CaptureDepthBuffer"):
+            return
+        change = _Changes()
+        try:
+            for each in (*_legends(view), *_texts(view)):
+                change.set(each, Visibility=0)
+            change.set(view, OrientationAxesVisibility=0, CenterAxesVisibility=0)
+            change.set(view, ViewSize=size)  # ignored where the window decides on it
+            simple.Render(view)
+            depths = view.SMProxy.CaptureDepthBuffer()
+            across, up = view.SMProxy.GetRenderWindow().GetSize()
+            low, high = view.GetActiveCamera().GetClippingRange()
+        finally:
+            change.undo()
+        if depths is None or depths.GetNumberOfTuples() != across * up:
+            return
+        depth = vtk_to_numpy(depths).reshape(up, across).astype(float)
+        if view.GetActiveCamera().GetParallelProjection():
+            depth = low + depth * (high - low)
+        else:
+            depth = low * high / (high - depth * (high - low))
+        # What is far behind counts as little behind: a line belongs to the surface in front.
+        mask = numpy.zeros(depth.shape, dtype=bool)
+        jump = JUMP * _diagonal(bounds)
+        mask[:, 1:] |= depth[:, 1:] - depth[:, :-1] > jump
+        mask[:, :-1] |= depth[:, :-1] - depth[:, 1:] > jump
+        mask[1:] |= depth[1:] - depth[:-1] > jump
+        mask[:-1] |= depth[:-1] - depth[1:] > jump
+        rows = numpy.minimum((numpy.arange(size[1]) + 0.5) * up / size[1], up - 1).astype(int)
+        columns = numpy.minimum((numpy.arange(size[0]) + 0.5) * across / size[0], across - 1).astype(int)
+        self.mask = _blurred(mask[rows][:, columns].astype(float), max(1.0, width))
+
+    def draw(self, pixels):
+        """The picture (rows from below, columns, channels) with the lines."""
+        if self.mask is None or not self.mask.any():
+            return pixels
+        return numpy.rint(pixels * (1.0 - self.mask[..., None])).astype(numpy.uint8)
+
+
+def _blurred(mask, width):
+    """Lines of one pixel as soft lines of that width."""
+    reach = int(math.ceil(0.5 * width))
+    padded = numpy.pad(mask, reach)
+    found = numpy.zeros_like(mask)
+    for dy in range(-reach, reach + 1):
+        for dx in range(-reach, reach + 1):
+            share = min(1.0, max(0.0, 0.5 * width + 0.5 - math.hypot(dx, dy)))
+            if share:
+                part = padded[reach + dy:reach + dy + mask.shape[0], reach + dx:reach + dx + mask.shape[1]]
+                numpy.maximum(found, share * part, out=found)
+    return found
 
 
 def _source(name, **values):
@@ -191,30 +324,42 @@ def _set_chart_fonts(view, change, size):
     simple.Render(view)
 
 
-def _save(path, view, size):
-    """A picture of exactly that size: ParaView makes one of a multiple of a smaller one, which is then cut."""
+def _save(path, view, size, lines=None):
+    """A picture of exactly that size. Where the view cannot have it, ParaView makes one of a multiple of a smaller one,
+    which is then cut."""
+    change = _Changes()
+    change.set(view, ViewSize=size)
     times = max(1, *(-(-size[axis] // max(1, view.ViewSize[axis])) for axis in range(2)))
     made = [-(-size[axis] // times) * times for axis in range(2)]
-    simple.SaveScreenshot(path, view, ImageResolution=made, FontScaling="Do not scale fonts", TransparentBackground=0)
-    if made != size:
-        reader, cut, writer = vtkPNGReader(), vtkExtractVOI(), vtkPNGWriter()
+    try:
+        simple.SaveScreenshot(path, view, ImageResolution=made, FontScaling="Do not scale fonts", TransparentBackground=0)
+    finally:
+        change.undo()
+    if made != size or lines is not None and lines.mask is not None:
+        reader, cut = vtkPNGReader(), vtkExtractVOI()
         reader.SetFileName(path)
         cut.SetInputConnection(reader.GetOutputPort())
         cut.SetVOI(0, size[0] - 1, 0, size[1] - 1, 0, 0)
         cut.Update()
-        writer.SetInputConnection(cut.GetOutputPort())
+        picture = cut.GetOutput()
+        if lines is not None and lines.mask is not None:
+            pixels = vtk_to_numpy(picture.GetPointData().GetScalars())
+            drawn = lines.draw(pixels.reshape(size[1], size[0], -1)[..., :3])
+            picture.GetPointData().SetScalars(numpy_to_vtk(drawn.reshape(-1, 3), deep=1))
+        writer = vtkPNGWriter()
+        writer.SetInputData(picture)
         writer.SetFileName(path)
         writer.Write()
 
 
-def _vectors(path, view, change, size):
+def _vectors(path, view, change, size, lines=None):
     """Text, legends and lines as ParaView exports them, over a picture without."""
     simple.ExportView(path, view=view)
     for each in (*_legends(view), *_texts(view)):
         change.set(each, Visibility=0)
     with tempfile.TemporaryDirectory() as folder:
         picture = os.path.join(folder, "picture.png")
-        _save(picture, view, size)
+        _save(picture, view, size, lines)
         with open(picture, "rb") as file:
             data = base64.b64encode(file.read()).decode()
     across, up = view.ViewSize

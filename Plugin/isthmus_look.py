@@ -569,9 +569,7 @@ def _show_sites(sites, display, view, beside):
     potential.SetScalarBarVisibility(other, True)
     _face(sites, found, other)
     simple.AddCameraLink(view, other, f"Isthmus{other.SMProxy.GetGlobalID()}")
-    sheet = pockets_and_pores.new_view("SpreadSheetView", view, "below", 0.7)
-    sheet.HiddenColumnLabels = HIDDEN
-    simple.Show(simple.OutputPort(sites, 1), sheet, "SpreadSheetRepresentation")
+    pockets_and_pores.show_table(sites, 1, HIDDEN, view, "below", 0.7)
     simple.SetActiveView(view)
     simple.Render(other)
     return display

@@ -40,6 +40,10 @@ HIDDEN_COLUMNS = {
         "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "CopyOf", "LiningAtoms", "MeanPolarized",
         "MeanPotential", "MouthArea", "MouthRadius", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
+# Units of columns of tables, which their headers show.
+UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "MouthRadius": "Å", "Length": "Å", "Span": "Å",
+         "CenterX": "Å", "CenterY": "Å", "CenterZ": "Å", "BottleneckX": "Å", "BottleneckY": "Å", "BottleneckZ": "Å",
+         "MeanDepth": "Å", "MeanPotential": "kT/e", "MeanPolarized": "kT/(e Å)"}
 WATERS = ("1.15", "2.30")  # smallest radii that let one and two water molecules pass (as in HOLE)
 ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
             ("8", "O", (0.835, 0.2, 0.1)), ("16", "S", (0.902, 0.75, 0.1)),
@@ -479,12 +483,32 @@ def close_empty_views():
         simple.Delete(view)
 
 
+def show_table(source, port, hidden, beside, kind, share):
+    """Opens a table with units in the headers of its columns, and without the columns `hidden`; returns its view and the
+    source that it shows."""
+    table = simple.RenameArrays(simple.OutputPort(source, port), registrationName=name_of(source, "table"))
+    table.RowArrays = [name for column in _columns(source, port) if column in UNITS
+                       for name in (column, _with_unit(column))]
+    sheet = new_view("SpreadSheetView", beside, kind, share)
+    sheet.HiddenColumnLabels = [_with_unit(column) for column in hidden]
+    simple.Show(table, sheet, "SpreadSheetRepresentation")
+    return sheet, table
+
+
+def _with_unit(column):
+    return f"{column} ({UNITS[column]})" if column in UNITS else column
+
+
+def _columns(source, port):
+    source.UpdatePipeline()
+    rows = source.SMProxy.GetDataInformation(port).GetAttributeInformation(ROW)
+    return [rows.GetArrayInformation(i).GetName() for i in range(rows.GetNumberOfArrays())]
+
+
 def _show_table(features, beside, kind, share):
     name = features.SMProxy.GetXMLName()
-    table = simple.OutputPort(features, FEATURES[name]["table"])
-    sheet = new_view("SpreadSheetView", beside, kind, share)
-    sheet.HiddenColumnLabels = HIDDEN_COLUMNS[name]
-    simple.Show(table, sheet, "SpreadSheetRepresentation")
+    sheet, table = show_table(features, FEATURES[name]["table"], HIDDEN_COLUMNS[name], beside, kind, share)
+    follow(features, table)
     return sheet
 
 

@@ -224,13 +224,22 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
 std::vector<double> AtomCharges(
   vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name)
 {
+  const std::string advice =
+    ". Apply Force Field Charges to the atoms of a PDB or mmCIF file (it needs the program "
+    "pdb2pqr), read a PQR file, or choose another array.";
   vtkDataArray* values = AtomData(input)->GetArray(name.c_str());
   if (!values || values->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument("The atoms have no point array " + name +
-      " with one charge for each; they have:" + ArrayNames(AtomData(input)) +
-      ". Apply Force Field Charges to the atoms of a PDB or mmCIF file (it needs the program "
-      "pdb2pqr), read a PQR file, or choose another array.");
+      " with one charge for each; they have:" + ArrayNames(AtomData(input)) + advice);
+  }
+  const auto unknown = std::count_if(atoms.Kept.begin(), atoms.Kept.end(),
+    [&](vtkIdType point) { return std::isnan(values->GetComponent(point, 0)); });
+  if (2 * static_cast<std::size_t>(unknown) > atoms.Kept.size())
+  {
+    // PDB and mmCIF files have no charges, or formal ones of a few atoms only.
+    throw std::invalid_argument("The point array " + name + " has no charge for " +
+      std::to_string(unknown) + " of " + std::to_string(atoms.Kept.size()) + " atoms" + advice);
   }
   std::vector<double> charges;
   for (const vtkIdType point : atoms.Kept)

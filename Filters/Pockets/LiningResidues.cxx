@@ -88,6 +88,22 @@ std::vector<LiningResidue> LiningResiduesOf(
   return residues;
 }
 
+std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms)
+{
+  if (!atoms.HasNames)
+  {
+    return {};
+  }
+  std::stable_sort(residues.begin(), residues.end(),
+    [](const LiningResidue& a, const LiningResidue& b) { return a.Area > b.Area; });
+  std::string text;
+  for (const LiningResidue& residue : residues)
+  {
+    text += (text.empty() ? "" : ", ") + LabelOf(AtomAt(atoms, residue.Points.front()));
+  }
+  return text;
+}
+
 LiningTable::LiningTable(const char* featureName)
 {
   this->Feature->SetName(featureName);

@@ -11,6 +11,8 @@
 #include <vtkNew.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 class vtkDoubleArray;
 class vtkIdTypeArray;
@@ -34,6 +36,10 @@ struct LiningResidue
 /// The residues in the order of the file.
 std::vector<LiningResidue> LiningResiduesOf(
   const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms);
+
+/// Their names, those with the largest area first: "TRP 62 A, ASP 52 A"; empty if the atoms have no
+/// names.
+std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms);
 
 /// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names
 /// between blanks), AtomIds (points of the input), NumberOfAtoms, Area.

@@ -249,6 +249,12 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   { return report.Means.empty() ? unknown : report.Means[i].*member; };
   add("MeanPotential", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Potential); });
   add("MeanPolarized", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Polarized); });
+  auto residues = NamedArray<vtkStringArray>("Residues");
+  for (const Pocket& pocket : report.Pockets)
+  {
+    residues->InsertNextValue(NamesOf(LiningResiduesOf(pocket.Lining, report.Atoms), report.Atoms));
+  }
+  output->AddColumn(residues);
 }
 
 void FillMouths(const PocketReport& report, vtkPolyData* output)

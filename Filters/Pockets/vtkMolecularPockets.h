@@ -32,8 +32,8 @@
  *   `LiningAtoms`, `Cells`, `Parent` (of a site; 0: in no pocket), `CopyOf` (rank of the first of
  *   the sites at this place in copies of the chain, or the site's own rank if it is the first; 0
  *   without sites; SiteCopies.h), `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the
- *   absolute value); NaN if not known. Field data: `AccessibleArea`, `AccessibleVolume` of the
- *   whole molecule.
+ *   absolute value); NaN if not known; `Residues` (names of the lining residues, those with the
+ *   largest area first). Field data: `AccessibleArea`, `AccessibleVolume` of the whole molecule.
  * - **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
  * - **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
  *   `Burial`.

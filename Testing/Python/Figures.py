@@ -1,5 +1,5 @@
 """pipelines.figure: pictures for print of a render view and of a chart, each as PNG and as SVG of the width, resolution,
-size of text and scale bar asked for; the view is afterwards what it was.
+size of text, scale bar, shadows and silhouettes asked for; the view is afterwards what it was.
 """
 
 import base64
@@ -76,7 +76,7 @@ def check_view():
     camera.SetParallelProjection(True)
     camera.SetParallelScale(140.0)  # so that a pixel of the view is half an angstrom
     before = settings_of(view)
-    png, svg = map(Path, pipelines.figure(view, WIDTH_MM, DPI, str(FOLDER / "view.png")))
+    png, svg = map(Path, pipelines.figure(view, WIDTH_MM, DPI, str(FOLDER / "view.png"), shadows=False, silhouettes=False))
     assert settings_of(view) == before, (before, settings_of(view))
     pixels, texts = check_sizes(png, svg, view)
     assert (pixels[-20:, :200] == 255).all(), "the background is not white"
@@ -96,6 +96,65 @@ def check_view():
                                    scale_bar=False)
     dark_pixels = pixels_of(dark_png)
     assert (dark_pixels[-20:, :200] == 0).all() and (dark_pixels.min(axis=2) > 200).any(), "no white text on black"
+
+
+def two_plates():
+    """A square plate of 60 x 60, and one of 20 x 20 that is 5 nearer to the viewer, in a view of 1 angstrom a pixel."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [200, 160]
+    for half, depth in ((30.0, 0.0), (10.0, 5.0)):
+        plate = simple.Plane(Origin=[-half, -half, depth], Point1=[half, -half, depth], Point2=[-half, half, depth])
+        shown = simple.Show(plate, view)
+        shown.DiffuseColor = shown.AmbientColor = [0.9, 0.9, 0.9]
+    simple.Render(view)  # the first one sets the camera
+    camera = view.GetActiveCamera()
+    camera.SetParallelProjection(True)
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetPosition(0.0, 0.0, 300.0)
+    camera.SetParallelScale(80.0)
+    return view
+
+
+def check_silhouettes_and_shadows():
+    """Lines where the depth jumps and nowhere else; shadows beside the nearer plate only."""
+    view = two_plates()
+    dpi = 254  # of 85 mm 850 pixels: 4.25 for an angstrom
+    made = {}
+    for name, more in (("plain", {}), ("lines", {"silhouettes": True}), ("shadows", {"shadows": True})):
+        options = {"shadows": False, "silhouettes": False, "scale_bar": False, **more}
+        before = settings_of(view)
+        png, _ = pipelines.figure(view, WIDTH_MM, dpi, str(FOLDER / f"{name}.png"), **options)
+        assert settings_of(view) == before
+        made[name] = pixels_of(png).min(axis=2)
+        assert made[name].shape == (680, 850)
+    row = made["lines"][340]
+    dark = numpy.flatnonzero(row < 60)
+    edges = [425 + 4.25 * x for x in (-30, -10, 10, 30)]
+    assert max(min(abs(x - edge) for edge in edges) for x in dark) < 6, dark
+    assert all(min(abs(dark - edge)) < 3 for edge in edges), (dark, edges)
+    away = numpy.ones(850, bool)
+    away[[x for edge in edges for x in range(round(edge) - 6, round(edge) + 7)]] = False
+    assert (abs(row - made["plain"][340])[away] < 3).all(), "lines elsewhere, too"
+    darker = made["plain"].astype(int) - made["shadows"]
+    beside = darker[340, round(425 + 4.25 * 11):round(425 + 4.25 * 16)].mean()  # on the farther plate, near the edge
+    middle, outside = darker[340, 415:435].mean(), darker[340, 30:200].mean()
+    assert beside > middle + 5 and abs(outside) < 1, (beside, middle, outside)
+
+
+def check_scale_bar():
+    """A bar of perspective has its length at the focal plane, says so, and is in front of all; long ones are in nm."""
+    view = two_plates()
+    camera = view.GetActiveCamera()
+    start, end, words = figures.scale_bar_of(view)
+    assert words == "50 \u00c5" and abs(end[0] - start[0] - 50.0) < 1e-9 and start[2] > 5.0, (start, end, words)
+    camera.SetParallelScale(800.0)
+    assert figures.scale_bar_of(view)[2] == "50 nm"
+    camera.SetParallelProjection(False)
+    camera.SetViewAngle(30.0)
+    start, end, words = figures.scale_bar_of(view)
+    assert words == "50 \u00c5 at the focal plane" and start[2] > 5.0, (start, words)
+    # At the focal plane, the eye sees it as 50 angstrom.
+    assert abs((end[0] - start[0]) * 300.0 / (300.0 - start[2]) - 50.0) < 1e-6, (start, end)
 
 
 def check_chart():
@@ -125,6 +184,8 @@ def check_refusals():
 for most, expected in ((9.99, 5.0), (10.0, 10.0), (49.0, 20.0), (87.5, 50.0), (0.021, 0.02)):
     assert abs(figures.round_length(most) - expected) < 1e-12 * expected, (most, figures.round_length(most))
 check_view()
+check_silhouettes_and_shadows()
+check_scale_bar()
 check_chart()
 check_refusals()
 print("figures of a view and of a chart")

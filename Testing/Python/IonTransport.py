@@ -113,6 +113,15 @@ assert "memory" in said(lambda it: (it.SetSpacing(0.002), it.SetPadding(100.0)))
 assert "Charge" in said(lambda it: it.GetInput().GetPointData().RemoveArray("Charge"))
 
 
+def lose_charges(it):  # as the atoms of PDB and mmCIF files have them
+    vtk_to_numpy(it.GetInput().GetPointData().GetArray("Charge"))[1:] = numpy.nan
+
+
+uncharged = said(lose_charges)
+print(uncharged)
+assert "Apply Force Field Charges" in uncharged and "atom 0" not in uncharged, uncharged
+
+
 def lose(it):  # a barrier before a well, in hardly any salt
     charges = vtk_to_numpy(it.GetInput().GetPointData().GetArray("Charge"))
     charges[:] = numpy.where(numpy.arange(len(charges)) < len(charges) / 2, 1.0, -1.0)

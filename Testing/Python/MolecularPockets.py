@@ -3,6 +3,7 @@
 import numpy
 from paraview import servermanager, simple
 
+import isthmus_pockets  # there once paraview.simple has loaded the plugin
 import pocket_tools as tools
 from shared_data import shared_data
 
@@ -78,6 +79,48 @@ pockets.UpdatePipeline()
 lining = servermanager.Fetch(pockets, idx=5)
 assert lining.GetPointData().GetArray("PocketId").GetRange() == (2.0, 2.0)
 assert lining.GetNumberOfLines() > 0
+
+# The residues of each pocket in the table, those with the largest area first.
+areas = {}
+for row in range(residues.GetNumberOfRows()):
+    name = " ".join(residues.GetValueByName(row, column).ToString() for column in ("ResidueName", "ResidueId", "Chain"))
+    areas.setdefault(residues.GetValueByName(row, "PocketId").ToInt(), {})[name] = (
+        residues.GetValueByName(row, "Area").ToDouble())
+for row in range(count):
+    named = table.GetValueByName(row, "Residues").ToString().split(", ")
+    assert named == sorted(areas[row + 1], key=lambda name: -areas[row + 1][name]), (row, named)
+
+# The window: headers with units; a chosen row shows its pocket; Shown Pocket hides the others.
+view = simple.CreateView("RenderView")
+simple.AssignViewToLayout(view)
+isthmus_pockets.show(pockets, view)
+(headed,) = [source for source in simple.GetSources().values() if source.SMProxy.GetXMLName() == "RenameArrays"]
+shown = servermanager.Fetch(headed)
+headers = {shown.GetColumnName(i) for i in range(shown.GetNumberOfColumns())}
+assert {"Rank", "Volume (\u00c5\u00b3)", "Area (\u00c5\u00b2)", "MeanPotential (kT/e)", "Residues"} <= headers, headers
+(sheet,) = [other for other in simple.GetViews() if other.SMProxy.GetXMLName() == "SpreadSheetView"]
+assert "MouthArea (\u00c5\u00b2)" in sheet.HiddenColumnLabels and "Residues" not in sheet.HiddenColumnLabels
+
+
+def opacities():
+    """Opacity of each shown surface of pockets, by the pockets that it has."""
+    found = {}
+    for display in view.Representations:
+        part = getattr(display, "Input", None)
+        if part is not None and display.Visibility and part.SMProxy.GetXMLName() == "Threshold" and (
+                part.CellData["PocketId"] is not None):
+            found[part.CellData["PocketId"].GetRange()] = display.Opacity
+    return found
+
+
+assert opacities() == {(1.0, 3.0): isthmus_pockets.FAINT, (1.0, 1.0): isthmus_pockets.STRONG}, opacities()
+isthmus_pockets.show_only(pockets, 2)
+assert opacities() == {(2.0, 2.0): isthmus_pockets.STRONG}, opacities()
+isthmus_pockets.show_only(pockets, 0)
+assert opacities() == {(1.0, 3.0): isthmus_pockets.FAINT, (1.0, 1.0): isthmus_pockets.STRONG}, opacities()
+headed.SMProxy.SetSelectionInput(0, simple.IDSelectionSource(FieldType="ROW", IDs=[-1, 3]).SMProxy, 0)
+chosen = isthmus_pockets.residues_of(pockets)
+assert chosen.LowerThreshold == 4.0, chosen.LowerThreshold
 
 # Numbers of one kind come from one place: what cells, balls and table say is the same.
 finder = tools.pockets(tools.read(tools.lines_of(shared_data("molecules/1hew.pdb"))))

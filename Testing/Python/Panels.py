@@ -1,6 +1,9 @@
-"""Every panel of the plugin: it loads, every property is explained and bounded where it should be."""
+"""Every panel of the plugin: it loads, every property is explained and bounded where it should be, and its label has the
+unit that the help names.
+"""
 
 import os
+import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -21,6 +24,14 @@ BESIDE = {("BindingSites", 1), ("CellIncidence", 1), ("FeatureTracks", 2), ("Map
 ICONS = {":/Isthmus/" + file.get("alias") for file in ElementTree.parse(
     Path(os.environ["ISTHMUS_PANELS_DIR"]) / "Isthmus.qrc").getroot().iter("file")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
+
+# Units in a help text, the first that fits, and how the label shows them. Where the unit depends on the input, the label
+# has none.
+UNITS = (("kcal/mol per square angstrom", "kcal/(mol Å²)"), ("kcal/mol per cubic angstrom", "kcal/(mol Å³)"),
+         (r"kT/\(e angstrom\)", "kT/(e Å)"), ("per cubic angstrom", "1/Å³"), ("kcal/mol", "kcal/mol"),
+         (r"angstrom\^3", "Å³"), (r"angstrom\^2|square angstrom", "Å²"), ("angstrom", "Å"), (r"\bmV\b", "mV"),
+         ("kelvin", "K"), ("mol/l", "mol/l"), ("in degrees", "°"), ("kT/e", "kT/e"), ("seconds", "s"), ("MiB", "MiB"))
+DEPENDS = re.compile("for molecular|for curvatures|for potentials|angstrom for|no unit|percent|unit of the array")
 
 
 def is_shown(element):
@@ -70,6 +81,27 @@ def complaints_about(proxy_element):
                 yield f"{label}: shown, but ignored in some modes (mode is not visibility)"
         if element.tag in NUMERIC and not any(child.tag.endswith("Domain") for child in element):
             yield f"{label}: a number without a range"
+        shown, said = unit_of_label(element), unit_of_help(element)
+        if shown != said:
+            yield f"{label}: the unit of the label is {shown or 'missing'}, that of the help is {said or 'missing'}"
+
+
+def unit_of_label(element):
+    """The unit behind the label, which the decorator IsthmusUnitLabel writes; "" without one."""
+    found = [decorator.get("unit") for decorator in element.iter("PropertyWidgetDecorator")
+             if decorator.get("type") == "isthmus_unit"]
+    return found[0] if found else ""
+
+
+def unit_of_help(element):
+    """The unit in the help of a number, as the label should show it; "" without one, or if it depends on the input."""
+    text = " ".join((element.findtext("Documentation") or "").split())
+    is_number = element.tag in ("IntVectorProperty", "DoubleVectorProperty") and (
+        element.get("repeat_command") != "1" and element.find("BooleanDomain") is None and
+        element.find("EnumerationDomain") is None)
+    if not is_number or DEPENDS.search(text):
+        return ""
+    return next((unit for words, unit in UNITS if re.search(words, text)), "")
 
 
 def check_live(group, name):
