@@ -10,6 +10,8 @@ A residue that is selected, in the view or as a row of the table of residues, is
 Residues are lists of names (HIS), numbers (57) or numbers with a chain (A:57).
 """
 
+from vtkmodules.vtkCommonCore import vtkIdList
+
 try:
     from paraview import servermanager, simple
     from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
@@ -166,6 +168,28 @@ def rows_of(cartoon, residues):
         if wanted & {name, number, f"{chain}:{number}"}:
             found.append(i)
     return found
+
+
+def atoms_of(model, residues):
+    """The atoms of those residues of a molecule, with their bonds: names, numbers, or numbers with a chain (A:57)."""
+    wanted = set(residues.replace(",", " ").replace(";", " ").split())
+    atoms, ends = servermanager.Fetch(model), vtkIdList()
+    data = atoms.GetPointData()
+    names, numbers, chains = (data.GetAbstractArray(name) for name in ("ResidueName", "ResidueId", "Chain"))
+    chosen = {i for i in range(names.GetNumberOfValues() if names else 0)
+              if wanted & {names.GetValue(i), str(numbers.GetValue(i)), f"{chains.GetValue(i)}:{numbers.GetValue(i)}"}}
+    if not chosen:
+        raise ValueError(f"There is no residue {residues} in the molecule.")
+    cells = []  # vertices and bonds
+    for cell in range(atoms.GetNumberOfCells()):
+        atoms.GetCellPoints(cell, ends)
+        if all(ends.GetId(i) in chosen for i in range(ends.GetNumberOfIds())):
+            cells.append(cell)
+    kind, ids = ("CELL", cells) if cells else ("POINT", sorted(chosen))
+    part = simple.ExtractSelection(
+        model, Selection=simple.IDSelectionSource(FieldType=kind, IDs=[number for i in ids for number in (-1, i)]))
+    part.UpdatePipeline()
+    return part
 
 
 def _one(cartoon, residue):

@@ -29,9 +29,11 @@ try:
     import isthmus_look as look
     import isthmus_loops as loop_views
     import isthmus_messages as messages
+    import isthmus_molecules as molecules
     import isthmus_steps as steps
 except ImportError:
     from isthmus import diagram_views, figures, look, loop_views, messages, steps
+    from isthmus import molecule_views as molecules
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
@@ -290,6 +292,87 @@ def protein_to_pores(source):
     return pockets_and_pores.protein_to_pores(source)
 
 
+FITTED, PARTLY = 0.6, 0.3  # shares of atoms inside the contour from which a model is fitted, or partly
+
+
+def map_with_model(source, model, level=None):
+    """(cartoon, coloured): a model, and the surface of its map coloured by the nearest chain (array ChainIndex, of the
+    nearest residue). overlap() says whether the model is fitted to the map."""
+    surface, _, cartoon = _map_and_model(source, model, level)
+    coloured = _nearest(simple.OutputPort(cartoon, molecules.RESIDUES), surface, "chains")
+    messages.show_note(overlap(source, model, surface)[1])
+    return cartoon, coloured
+
+
+def density_around(source, model, residues=None, reach=4.0, level=None):
+    """(atoms, part): those atoms of a model, and the surface of its map up to `reach` angstrom from them.
+
+    residues: names (NAG), numbers (57) or numbers with a chain (A:57), separated by blanks; None: the ligands."""
+    surface, ligands, _ = _map_and_model(source, model, level, cartoon=False)
+    if residues is None and ligands is None:
+        raise ValueError("The model has no ligand: name residues to see the density around.")
+    atoms = ligands if residues is None else molecules.atoms_of(model, residues)
+    placed = simple.Calculator(atoms, ResultArrayName="Place", Function="coords",
+                               registrationName=pockets_and_pores.name_of(model, "places"))
+    nearest = _nearest(placed, surface, "nearest atoms")
+    distances = simple.Calculator(nearest, ResultArrayName="Distance", Function="mag(coords-Place)",
+                                  registrationName=pockets_and_pores.name_of(source, "distances"))
+    part = simple.Clip(distances, registrationName=pockets_and_pores.name_of(source, "around residues"),
+                       ClipType="Scalar", Scalars=["POINTS", "Distance"], Value=reach, Invert=1)
+    part.UpdatePipeline()
+    if not look.data_of(part).GetNumberOfCells():
+        raise ValueError(f"The surface of the map has no point within {reach:g} angstrom of these residues: lower the "
+                         "level, or check whether the model is fitted to the map.")
+    return atoms, part
+
+
+def overlap(source, model, surface=None):
+    """(share, words): the share of the atoms of a model, without ligands, ions and water, that are inside the contour of
+    its map, and whether the model is fitted, partly fitted or not fitted.
+
+    surface: a Map Surface of the map, whose level is the contour's; None: the level of Map Surface."""
+    if surface is None:
+        (surface,) = map_to_surface(source)
+    chains = _chains(model)
+    name = _point_array(source)
+    level, above = _field_number(surface, "Level"), surface.InsideIsHigher
+    sampled = simple.ResampleWithDataset(SourceDataArrays=source, DestinationMesh=chains)
+    on_map = simple.Threshold(sampled, Scalars=["POINTS", "vtkValidPointMask"], ThresholdMethod="Above Upper Threshold",
+                              UpperThreshold=0.5)
+    inside = simple.Threshold(on_map, Scalars=["POINTS", name], LowerThreshold=level, UpperThreshold=level,
+                              ThresholdMethod=f"{'Above Upper' if above else 'Below Lower'} Threshold")
+    inside.UpdatePipeline()
+    count, total = (look.data_of(each).GetNumberOfPoints() for each in (inside, chains))
+    for made in (inside, on_map, sampled, chains):
+        simple.Delete(made)
+    share = count / total
+    verdict = ("fitted" if share >= FITTED else "partly fitted" if share >= PARTLY else
+               "not fitted: most of it is outside the density")
+    return share, f"{100.0 * share:.0f} % of {total} atoms are inside the contour: the model is {verdict}."
+
+
+def _map_and_model(source, model, level, cartoon=True):
+    """(surface, ligands, cartoon)"""
+    _require_volume(source)
+    _require_one(source, "map")
+    _require_atoms(model)
+    _require_one(model, "molecule")
+    (surface,) = map_to_surface(source, level)
+    if cartoon:
+        made = simple.MoleculeCartoon(model, registrationName=pockets_and_pores.name_of(model, "cartoon"))
+        return surface, None, made
+    chains, ligands = _parts(model)
+    simple.Delete(chains)
+    return surface, ligands, None
+
+
+def _nearest(points, surface, what):
+    """The surface with the arrays of the nearest of the points."""
+    return simple.PointDatasetInterpolator(
+        Input=points, Source=surface, Kernel="VoronoiKernel", PassPointArrays=1,
+        registrationName=pockets_and_pores.name_of(surface, what))
+
+
 def _chains(source):
     """The atoms without ligands, ions and water."""
     _require_atoms(source)
@@ -467,5 +550,5 @@ def _needs_paraview(name):
 if simple is None:
     for _name, _value in list(globals().items()):
         if _name[0] != "_" and callable(_value) and getattr(_value, "__module__", None) in (
-                __name__, look.__name__, figures.__name__):
+                __name__, look.__name__, figures.__name__, molecules.__name__):
             globals()[_name] = _needs_paraview(_name)
