@@ -39,7 +39,7 @@ NANOMETRES = 100.0  # angstrom, the shortest bar that is given in nanometres
 REACH, BIAS, SAMPLES = 0.12, 0.08, 32
 # Silhouettes: where the depth changes by more than this (in diagonals of what is shown) from one pixel to the next; their
 # width in print, in points.
-JUMP, LINE_POINTS = 0.02, 0.6
+JUMP, LINE_POINTS = 0.02, 0.4
 
 
 def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True, shadows=True,
@@ -139,6 +139,11 @@ def _texts(view):
             if display.SMProxy.GetXMLName() == "TextSourceRepresentation" and display.Visibility]
 
 
+def _names(view):
+    return [display for display in view.Representations
+            if display.SMProxy.GetXMLName() == "DataLabelRepresentation" and display.Visibility]
+
+
 def _prepare(view, change, background, scale_bar):
     ink = _ink(background)
     change.set(view, UseColorPaletteForBackground=0, BackgroundColorMode="Single Color", Background=background,
@@ -149,6 +154,8 @@ def _prepare(view, change, background, scale_bar):
         change.set(bar, TitleColor=ink, LabelColor=ink)
     for text in _texts(view):
         change.set(text, Color=ink)
+    for names in _names(view):
+        change.set(names, PointLabelColor=ink)
 
 
 def _set_fonts(view, change, size, thickness):
@@ -246,8 +253,10 @@ class _Silhouettes:
             return
         change = _Changes()
         try:
-            for each in (*_legends(view), *_texts(view)):
+            for each in (*_legends(view), *_texts(view), *_names(view)):
                 change.set(each, Visibility=0)
+            for each in view.Representations:
+                change.set(each, SelectionPointLabelVisibility=0)
             change.set(view, OrientationAxesVisibility=0, CenterAxesVisibility=0)
             change.set(view, ViewSize=size)  # ignored where the window decides on it
             simple.Render(view)

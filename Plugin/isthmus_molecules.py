@@ -61,6 +61,19 @@ def show(cartoon, view=None, colour_by=None, sticks=True):
     return display
 
 
+def show_with_map(cartoon, coloured, view=None):
+    """Shows a model and the surface of its map by the nearest chain (pipelines.map_with_model) in the same colours;
+    returns the display of the surface."""
+    view = view or simple.GetActiveViewOrCreate("RenderView")
+    show(cartoon, view, colour_by="ChainIndex")
+    display = simple.Show(coloured, view, "GeometryRepresentation")
+    simple.ColorBy(display, ("POINTS", "ChainIndex"))
+    display.SetScalarBarVisibility(view, False)
+    display.Opacity, display.Pickable = 0.4, 0
+    simple.ResetCamera(view)
+    return display
+
+
 def _count(cartoon, port):
     cartoon.UpdatePipeline()
     return cartoon.SMProxy.GetDataInformation(port).GetNumberOfCells()

@@ -10,7 +10,8 @@ from shared_data import shared_data
 
 examples = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
 environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-scripts = [path for path in sorted(examples.glob("*.py")) if "Usage:" in path.read_text()]
+scripts = [path for path in sorted([*examples.glob("*.py"), *examples.glob("figures/*.py")])
+           if "Usage:" in path.read_text()]
 assert len(scripts) >= 8, scripts
 for script in scripts:
     done = subprocess.run(["pvpython", str(script), "--help"], env=environment, capture_output=True,
