@@ -260,6 +260,12 @@ def _draw_curves(display, view, x, curves, titles):
     view.ChartTitle, view.BottomAxisTitle, view.LeftAxisTitle = titles
 
 
+def _columns(table):
+    """Names of the columns of a table."""
+    rows = data_of(table).GetAttributeInformation(6)  # vtkDataObject.ROW
+    return [rows.GetArrayInformation(i).GetName() for i in range(rows.GetNumberOfArrays())]
+
+
 def _look_at_currents(display, view):
     """A channel's currents over what was swept: an I-V curve, or one over concentrations."""
     swept = servermanager._getPyProxy(display.Input.SMProxy).SweepOf
@@ -268,9 +274,7 @@ def _look_at_currents(display, view):
     if not hasattr(display, "XArrayName"):  # a spreadsheet: what was swept comes last
         view.HiddenColumnLabels = ("CurrentSpread", other)
         return
-    rows = data_of(display.Input).GetAttributeInformation(6)  # vtkDataObject.ROW
-    columns = [rows.GetArrayInformation(i).GetName() for i in range(rows.GetNumberOfArrays())]
-    ions = sorted(name for name in columns if name.startswith("Current_"))
+    ions = sorted(name for name in _columns(display.Input) if name.startswith("Current_"))
     curves = [(name, name[len("Current_"):], colour)
               for name, colour in zip(ions, (VERMILION, BLUE, GREEN, ORANGE, PURPLE))]
     _draw_curves(display, view, x, [("Current", "all ions", BLACK), *curves], ("Currents", words, "Current (pA)"))
@@ -292,6 +296,8 @@ def _hide_molecule(atoms, view):
         simple.HideUnusedScalarBars(view)
 
 
+# What a spreadsheet of residues hides at first, so that name, number and structure are in sight.
+HIDDEN_OF_RESIDUES = ("ChainIndex", "InsertionCode", "Point ID", "Points")
 # What a spreadsheet of sites hides at first: ParaView sorts columns by name, and these would come
 # before rank, class, residues, score and volume.
 HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "SiteClass")
@@ -318,9 +324,11 @@ def _look_at_table(display, view, name):
         pockets_and_pores.own_views.add(view.SMProxy.GetGlobalID())  # a chart goes with what it shows
     if name in SITES:
         view.HiddenColumnLabels = HIDDEN
+    elif name == "MoleculeCartoon" and hasattr(view, "HiddenColumnLabels"):
+        view.HiddenColumnLabels = HIDDEN_OF_RESIDUES
     elif name in pockets_and_pores.FEATURES:
         view.HiddenColumnLabels = pockets_and_pores.HIDDEN_COLUMNS[name]
-    elif name in LEVELS and hasattr(display, "XArrayName"):
+    elif name in LEVELS and hasattr(display, "XArrayName") and _columns(display.Input).count("Level"):
         _draw_curves(display, view, "Level", BETTI, ("Betti curves", "Level", "Number"))
     elif name in IONS and getattr(display.Input, "Port", 0) == 2:
         _look_at_currents(display, view)

@@ -88,10 +88,9 @@ def count(loops, view):
 
 
 def _place(display):
-    """Below the upper edge, at the left."""
-    display.WindowLocation = "Any Location" if "Any Location" in display.GetProperty(
-        "WindowLocation").Available else "AnyLocation"
-    display.Position = [0.01, 0.93]
+    """In the upper left corner, where a flat view and the larger letters of a figure do not cut it off."""
+    display.WindowLocation = "Upper Left Corner" if "Upper Left Corner" in display.GetProperty(
+        "WindowLocation").Available else "UpperLeftCorner"
     display.FontSize, display.Justification = 14, "Left"
 
 

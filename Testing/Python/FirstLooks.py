@@ -149,6 +149,10 @@ def check_looks(density, atoms):
     assert levels.XArrayName == "Level" and not levels.UseIndexForXAxis
     assert list(levels.SeriesVisibility) == [name for name, _, _ in look.BETTI], levels.SeriesVisibility
     assert chart.BottomAxisTitle == "Level"
+    # The other table of the filter has no column Level: in a chart it keeps ParaView's first look.
+    intervals = simple.Show(simple.OutputPort(handles, 3), chart, "XYChartRepresentation")
+    look.first_look(intervals.GetGlobalID())
+    assert intervals.UseIndexForXAxis and intervals.XArrayName != "Level", intervals.XArrayName
 
     # A sweep in a chart view: the currents over the voltage.
     tube = simple.PVTrivialProducer()

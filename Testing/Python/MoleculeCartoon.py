@@ -8,7 +8,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from shared_data import shared_data
 
-import isthmus_molecules as molecules  # there once paraview.simple has loaded the plugin
+import isthmus_look as look  # there once paraview.simple has loaded the plugin
+import isthmus_molecules as molecules
 
 # What mkdssp 4.2.2 (Debian 12) finds; its B, T, S, P and blank are C here.
 DSSP = {
@@ -125,6 +126,11 @@ polygons = vtk_to_numpy(servermanager.Fetch(lysozyme, idx=0).GetCellData().GetAr
 picked = simple.IDSelectionSource(FieldType="CELL", IDs=[-1, int(numpy.flatnonzero(polygons == 20)[0])])
 lysozyme.SMProxy.SetSelectionInput(molecules.CARTOON, picked.SMProxy, 0)
 assert molecules.selected(lysozyme, molecules.RESIDUES) == [20]
+# A spreadsheet of residues begins with what names them.
+sheet = simple.CreateView("SpreadSheetView")
+shown = simple.Show(simple.OutputPort(lysozyme, molecules.RESIDUES), sheet, "SpreadSheetRepresentation")
+look.first_look(shown.GetGlobalID())
+assert "ChainIndex" in list(sheet.HiddenColumnLabels) and "ResidueName" not in list(sheet.HiddenColumnLabels)
 
 # 8,000 residues of GroEL and GroES.
 groel = simple.OpenDataFile(str(shared_data("molecules/1aon.pdb.gz")))

@@ -88,6 +88,11 @@ clear()
 source = simple.OpenDataFile(str(shared_data("maps/emd_5043.map")))
 loops, said = run(source)
 assert text() == "20 of 77 loops shown" and not said, (text(), said)
+# In a corner: at a fraction of the height, a view that is low, or larger letters, would cut it off.
+(shown,) = [display for display in simple.GetActiveView().Representations
+            if display.SMProxy.GetXMLName() == "TextSourceRepresentation" and display.Visibility]
+place = str(shown.WindowLocation).strip("'").replace(" ", "")
+assert place == "UpperLeftCorner", place
 assert loops.MaximumNumberOfLoops == 20 and loops.TrustedOnly == 1
 surface = loops.Input
 loops.MaximumNumberOfLoops = 0
