@@ -1,4 +1,4 @@
-"""Persistence diagrams as charts, and a selection that is the same one in chart and view.
+"""Persistence diagrams as charts, with linked selections in chart and view.
 
     from isthmus import diagram_views             # or: import isthmus_diagrams, with the plugin loaded
     chart = diagram_views.show(loops)             # a chart view beside the active view
@@ -217,15 +217,15 @@ _linked = {}  # (loops, the filter of their chart), by their global ids
 
 
 def link(source, plot):
-    """From now on, features that are selected in the chart are selected in the view, and the other way round.
-    Of Scalar Persistence the chart has the selection alone."""
+    """Links the selections of chart and view: features that are selected in one are selected in the other.
+    For Scalar Persistence, only the chart has a selection."""
     if source.SMProxy.GetXMLName() in loop_views.LOOPS:
         _linked[source.SMProxy.GetGlobalID(), plot.SMProxy.GetGlobalID()] = source, plot
 
 
 @messages.reports_faults("The selection of a loop")
 def selection_changed(number):
-    """Called by the window with the global id of the source in which something is selected now, by the user or by this;
+    """Called by the window with the global id of the source whose selection has changed, by the user or by this module;
     0: nothing is selected any more."""
     there = {proxy.SMProxy.GetGlobalID() for proxy in simple.GetSources().values()}
     for key, (source, plot) in list(_linked.items()):

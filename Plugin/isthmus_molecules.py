@@ -95,7 +95,7 @@ def look(display, view, port):
 
 
 def colour(display, view, array):
-    """Colours a cartoon, or balls and sticks, by that cell array, with a legend but for elements and many chains."""
+    """Colours a cartoon, or balls and sticks, by that cell array, with a legend, except for elements and for many chains."""
     if display.Input.CellData[array] is None:
         names = [display.Input.CellData.GetArray(i).Name for i in range(display.Input.CellData.GetNumberOfArrays())]
         raise ValueError(f"There is no {array} to colour by; there are: {', '.join(sorted(names)) or 'none'}.")
@@ -285,7 +285,7 @@ def _select(cartoon, rows, ports):
         query = "in1d(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
         source = servermanager.sources.SelectionQuerySource(
             QueryString=query, ElementType="Point Data" if port == RESIDUES else "Cell Data")
-        # The window takes what is selected for a list of selections, and crashes where it is a single one.
+        # The window expects a list of selections, and crashes if it gets a single one.
         several = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source.SMProxy)
         cartoon.SMProxy.SetSelectionInput(port, several, 0)
         several.UnRegister(None)
@@ -296,7 +296,7 @@ _busy = set()
 
 
 def follow(cartoon):
-    """From now on, what is selected in one output is selected in the others."""
+    """Links the selections of the outputs: what is selected in one is selected in all."""
     number = cartoon.SMProxy.GetGlobalID()
     if number in _followed:
         return

@@ -104,7 +104,7 @@ void CompactCombinatorialMap<Id>::LayOutBlocks(const std::vector<CellRun>& runs)
     block.VertexCount = static_cast<unsigned>(type.NumberOfVertices());
     block.FaceCount = static_cast<unsigned>(type.NumberOfFaces());
     block.DartCount = static_cast<unsigned>(type.NumberOfDarts());
-    // Unsigned arithmetic: a base may wrap round, base + cell * count never does.
+    // Unsigned arithmetic: a base may wrap around, base + cell * count never does.
     block.VertexBase = vertex - block.FirstCell * block.VertexCount;
     block.HalfFaceBase = halfFace - block.FirstCell * block.FaceCount;
     block.DartBase = this->DartCount - block.FirstCell * block.DartCount;

@@ -181,7 +181,7 @@ private:
       for (vtkIdType size = *stream++; size > 0; --size, ++stream)
       {
         const auto found = local.find(*stream);
-        // A vertex that is not the cell's own is left for CellType to refuse.
+        // CellType rejects a vertex that does not belong to the cell.
         face.push_back(found == local.end() ? -1 : found->second);
       }
     }
@@ -196,7 +196,7 @@ private:
   {
     try
     {
-      // Refuses wrong vertices before their coordinates are asked for.
+      // Rejects wrong vertices before their coordinates are read.
       CellType type("polyhedron of cell " + std::to_string(id), vertexCount, faces);
       if (this->ByVolume && this->SixVolumes(faces, points) < 0.0)
       {
@@ -221,7 +221,7 @@ private:
       {
         this->Grid->GetPoint(point, position.data());
       }
-      return position; // a wrong number is refused later, with all others of its kind
+      return position; // a wrong number is rejected later, with all others of its kind
     };
     const std::array<double, 3> origin = at(0);
     double sum = 0.0;

@@ -5,7 +5,7 @@ namespace isthmus
 namespace
 {
 
-/// Whether the cell with this center may go; for Number the count alone decides.
+/// Whether the cell with this center may be removed; for Number the count alone decides.
 bool Allows(const CutawayRule& rule, const Position& seed, const Position& center)
 {
   double squaredDistance = 0.0, height = 0.0;

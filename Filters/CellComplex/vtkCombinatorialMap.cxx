@@ -146,7 +146,7 @@ private:
     return this->Mesh.MakeHalfFace(cell, static_cast<unsigned>(isthmus::At(id) - first(cell)));
   }
 
-  /// What of kind `to` a dart belongs to.
+  /// The element of kind `to` that a dart belongs to.
   vtkIdType Of(DartId dart, int to) const
   {
     switch (to)
@@ -283,7 +283,7 @@ vtkCombinatorialMap::~vtkCombinatorialMap() = default;
 namespace
 {
 
-/// Runs `work`; what it throws becomes an error of `self`, and false.
+/// Runs `work`; an exception becomes an error of `self`, and the result is false.
 template <typename Work>
 bool Attempted(vtkObject* self, Work&& work)
 {

@@ -129,7 +129,7 @@ public:
     output->SetPolys(polygons);
     this->PassData(output, owners);
     output->GetCellData()->AddArray(exposed);
-    output->GetCellData()->SetActiveScalars("Exposed"); // else regions, which may be one
+    output->GetCellData()->SetActiveScalars("Exposed"); // else regions, of which there may be one
   }
 
   void WriteCells(const isthmus::GridCells& cells, vtkUnstructuredGrid* output) const

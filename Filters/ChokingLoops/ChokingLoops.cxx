@@ -22,7 +22,7 @@ namespace isthmus
 namespace
 {
 
-/// Threads and their arenas, and what of a complex does not depend on its size.
+/// Threads and their memory arenas, and the part of a complex that does not depend on its size.
 constexpr double FixedBytes = 8e6;
 
 /// Bytes per sample for the complex, its pairs and the surface: 1.3 KB on a million samples, more
@@ -42,7 +42,7 @@ constexpr double UnitsOfClass = 0.006;
 /// and TetGen's mesh of the surface's own points with its pairs, in samples per point.
 constexpr double SamplesOfOwnPoint = 11.4;
 
-/// Connected parts, of points that triangles use and others: none of a sampled surface.
+/// Connected parts and unused points; a sampled surface has no unused points.
 int Parts(const SurfaceView& mesh)
 {
   DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
@@ -235,7 +235,7 @@ struct ChokingAnalysis
   LocatedFeatures Found;
   /// Of the requested features, without and with chords.
   std::map<std::pair<std::size_t, bool>, std::optional<Membrane>> MinimumCuts;
-  std::mutex Mutex; ///< of membranes that are made when asked for
+  std::mutex Mutex; ///< for membranes that are computed on demand
   ChokingLoopTimes Times;
   AnalysisCost Cost;
   RepairReport Repairs;
@@ -245,7 +245,7 @@ struct ChokingAnalysis
 namespace
 {
 
-/// Rounds of refinement round features that the sampling blurs.
+/// Rounds of refinement around features that the sampling blurs.
 constexpr int Rounds = 3;
 
 /// What is left unresolved by a finer sampling everywhere is also left by a locally finer one. If a
@@ -300,7 +300,7 @@ ChokingLoops::ChokingLoops(
   TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
   const std::size_t own = surface.Points.size();
-  // One as fine as its samples is not kept twice.
+  // A surface that is as fine as its samples is not stored twice.
   if (samples.Triangles.size() == surface.Triangles.size())
   {
     surface = {};
@@ -315,7 +315,7 @@ ChokingLoops::ChokingLoops(
   }
   for (int round = 0;; ++round)
   {
-    // Later rounds are the exception: each takes half of what is left of the bar.
+    // Later rounds are rare: each takes half of the remaining progress.
     const double from = 1.0 - 0.75 * std::pow(0.5, round);
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
@@ -430,7 +430,7 @@ void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
     }
   };
   tell();
-  this->State.reset(); // what a coarser round found
+  this->State.reset(); // results of a coarser round
   std::vector<double> errors = SamplingErrors(samples);
   CellFiltration filtration = DelaunayFiltration(samples.Points, Between(progress, 0.0, 0.6),
     [&](double seconds)

@@ -107,7 +107,7 @@ bool Coincide(const Outline& a, const Outline& b)
     LiesAlong(a, b, reach) && LiesAlong(b, a, reach);
 }
 
-/// True when some triangle of the membrane is that near.
+/// True when some triangle of the membrane is within this distance.
 bool PassesNear(
   const ChokingLoops& loops, const LoopFeature& geometry, const Point3& centre, double reach)
 {
@@ -157,7 +157,7 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
 
 void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
 {
-  std::vector<char> isFree; // nothing holds its own loop
+  std::vector<char> isFree; // its own loop is not held by the surface
   isFree.reserve(features.size());
   for (const ShownFeature& shown : features)
   {
@@ -293,13 +293,13 @@ const char* NameOf(FeatureKind kind)
   }
 }
 
-/// What an output says of its features: a row for each of its cells or points.
+/// Attributes of the features of an output: one row for each of its cells or points.
 struct FeatureRows
 {
   Columns<vtkIntArray> Integers;
   Columns<vtkDoubleArray> Numbers;
 
-  /// What all outputs have.
+  /// Attributes that all outputs have.
   void Add(const ShownFeature& shown, const ShapeFeature& f)
   {
     this->Integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));

@@ -15,7 +15,7 @@ namespace isthmus
 namespace
 {
 
-/// A fixed rotation by no nice angle, so that rays along x meet no axis-parallel edge.
+/// A fixed rotation by arbitrary angles, so that rays along x meet no axis-parallel edge.
 Point3 Turned(const Point3& p)
 {
   const Point3 a{ 0.8127, 0.3391, -0.4738 };
@@ -110,7 +110,7 @@ std::vector<int> EnclosureTest::Enclosing(const Point3& point) const
       area[k] = a < b ? Area(this->Points[At(a)], this->Points[At(b)], p)
                       : -Area(this->Points[At(b)], this->Points[At(a)], p);
     }
-    // "Positive" for an edge run one way must be "not positive" run the other way.
+    // "Positive" for an edge in one direction must be "not positive" in the other direction.
     const auto left = [&](std::size_t k)
     { return t[(k + 1) % 3] < t[(k + 2) % 3] ? area[k] > 0.0 : area[k] >= 0.0; };
     if (left(0) != left(1) || left(1) != left(2))
@@ -307,7 +307,7 @@ public:
     }
   }
 
-  /// 0 where there are no errors of cells.
+  /// 0 if there are no cell errors.
   double UpTo(double level, SpaceSide side) const
   {
     const std::vector<CellError>& errors = this->Errors[static_cast<std::size_t>(side)];
@@ -502,7 +502,7 @@ FeatureDiagram FindFeatures(
 namespace
 {
 
-/// Gaps narrower than this part of the reference length are none.
+/// Gaps narrower than this part of the reference length do not count.
 constexpr double NarrowestGap = 0.01;
 
 bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,

@@ -34,11 +34,11 @@ std::vector<SimplexId> PointsOf(
   return points;
 }
 
-/// The longest way along M between the ends of an edge of the complex, in lengths of the edge.
+/// Longest allowed path along M between the ends of an edge of the complex, in edge lengths.
 constexpr double FarthestWay = 1e6;
 
-/// Puts edges of M in the place of each edge of the complex; what lies between joins the membrane.
-/// Nothing where the ends of an edge lie on two components of M.
+/// Replaces each edge of the complex by edges of M; the triangles between join the membrane.
+/// Returns nothing if the ends of an edge lie on two components of M.
 std::set<SurfaceEdgeId> OntoSurface(
   const FeatureContext& context, const EdgeChain& cycle, Membrane& membrane)
 {
@@ -129,7 +129,7 @@ std::vector<std::vector<SimplexId>> SimpleLoops(
         trail.push_back(to);
         continue;
       }
-      // A point met again closes a simple loop; the trail goes on from there.
+      // A point visited again closes a simple loop; the trail continues from there.
       const std::size_t from = seen->second;
       loops.emplace_back(trail.begin() + static_cast<std::ptrdiff_t>(from), trail.end());
       for (std::size_t i = from + 1; i < trail.size(); ++i)
@@ -155,7 +155,7 @@ SurfaceChain LoopEdges(const SurfaceAdjacency& surface, const std::vector<Simple
 namespace
 {
 
-/// What fills the sum of basis loops that the feature is, as far as it lies on the feature's side.
+/// What fills the feature's sum of basis loops, as far as it lies on the feature's side.
 TriangleChain FillingOfSum(
   const FeatureContext& context, SpaceRegions& regions, const ShapeFeature& feature)
 {
@@ -206,7 +206,7 @@ Membrane MembraneOf(const FeatureContext& context, const TriangleChain& triangle
     const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
     total.resize(c.size(), 0);
     std::transform(c.begin(), c.end(), total.begin(), total.begin(), std::bit_xor<>());
-    // On another component, a loop that bounds there is no less a border: an annulus has two.
+    // On another component, a loop that bounds there is a border as well: an annulus has two.
     const auto component = [&](const std::vector<SimplexId>& l)
     { return context.Homology.ComponentOf(l.front()); };
     if (membrane.Loops.empty() || !IsZero(c) ||
@@ -278,7 +278,7 @@ std::optional<Membrane> GreedyMembrane(const FeatureContext& context, const Shap
   {
     return std::nullopt;
   }
-  // An edge through the space between two points of M is no obstacle here: it ends the growth.
+  // An edge through the space between two points of M is allowed here: it ends the growth.
   membrane.OnSurface = true;
   membrane.GrowthCost = patches->Cost;
   return membrane;
@@ -369,7 +369,7 @@ public:
     this->AddClasses();
   }
 
-  /// Takes in the points within `reach`.
+  /// Adds the points within `reach`.
   void Grow(double reach)
   {
     this->Paths.Grow(reach);
@@ -436,7 +436,7 @@ void Tree::AddClasses()
   }
 }
 
-/// A closed walk whose last point is its first, as a loop; what it goes to and fro there, goes.
+/// A closed walk whose last point is its first, as a loop; steps there and back are removed.
 std::vector<SimplexId> LoopOf(const std::vector<SimplexId>& walk)
 {
   std::size_t tail = 0;
@@ -472,7 +472,7 @@ private:
   const Tree& Other;
   /// Of each class but zero, the length of its shortest loop, and the edge that closes it.
   std::map<HomologyClass, std::pair<double, HalfEdgeId>> Shortest;
-  double Searched = -1.0; ///< no longer ones are known
+  double Searched = -1.0; ///< longer loops are not known
 };
 
 void LoopsThrough::Search(double longest)
@@ -497,7 +497,7 @@ void LoopsThrough::Search(double longest)
       h = surface.Turn(h);
       const std::ptrdiff_t place = other.PlaceOf(surface.To(over));
       const auto k = static_cast<std::size_t>(place);
-      if (place < 0 || (&one == &other && k < i)) // there, it is the same loop the other way
+      if (place < 0 || (&one == &other && k < i)) // the latter: the same loop, reversed
       {
         continue;
       }
@@ -595,7 +595,7 @@ void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
 
 std::deque<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
 {
-  std::deque<Tree> trees; // which are not moved
+  std::deque<Tree> trees; // a deque does not move them
   for (const SimplexId p : context.Filtration.TrianglePoints(f.Choke))
   {
     if (context.Surface.Leaving(p).Exists())

@@ -20,17 +20,17 @@ namespace isthmus
 namespace
 {
 
-/// TetGen needs seconds where it works; meshes of needles can keep it for ever.
+/// TetGen needs seconds if it succeeds; on meshes of needles it may never end.
 constexpr double MostSeconds = 120.0;
 
-/// Square of the radius of the smallest ball round three points.
+/// Square of the radius of the smallest ball around three points.
 double SquaredBall(const Point3& p, const Point3& q, const Point3& r)
 {
   const std::array<double, 3> s{ Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) };
   const double longest = *std::max_element(s.begin(), s.end());
   if (2.0 * longest >= s[0] + s[1] + s[2])
   {
-    return 0.25 * longest; // no acute triangle: half the longest side
+    return 0.25 * longest; // not an acute triangle: half the longest side
   }
   const Point3 towards = Circumcentre(p, q, r) - p;
   return Dot(towards, towards);
@@ -47,7 +47,7 @@ Point3 BallCentre(const Point3& p, const Point3& q, const Point3& r)
   return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
 }
 
-/// The complex grows with the balls round its simplices; `surface` gets the ids of its points.
+/// The complex grows with the balls around its simplices; `surface` gets the ids of its points.
 CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surface)
 {
   const std::vector<double> none(mesh.Points.size(), 0.0);
@@ -215,7 +215,7 @@ bool SplitSurface::IsSplit(SimplexId a, SimplexId b) const
   return this->Original.Find(a, b).Exists() && !this->Samples.Find(a, b).Exists();
 }
 
-// The points from a (included) to b (not included). Midpoints were made by this very formula.
+// The points from a (included) to b (not included). Midpoints were made by the same formula.
 void SplitSurface::AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const
 {
   if (this->Samples.Find(a, b).Exists())

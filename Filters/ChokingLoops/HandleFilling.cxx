@@ -25,7 +25,7 @@ namespace
 constexpr double FewestPoints = 32.0;
 constexpr double MostPoints = 256.0;
 
-/// Each averages a direction with its two neighbours: over some two rims in all.
+/// Each averages a direction with its two neighbours: over about two rims in all.
 constexpr int SmoothingRounds = 8;
 
 double LengthOf(const std::vector<Point3>& loop)
@@ -85,7 +85,7 @@ void Smooth(std::vector<Point3>& directions)
   }
 }
 
-/// At each point of the loop: the membrane's normal, and where it goes on beyond the loop.
+/// At each point of the loop: the membrane's normal, and its direction beyond the loop.
 struct Frame
 {
   std::vector<Point3> Normals;
@@ -203,14 +203,14 @@ namespace
 
 constexpr int UntilGeodesic = 1000;
 
-/// Plates are tried as thick as asked for, then thinner; with rims so wide, in thicknesses.
+/// Plates are tried with the given thickness, then thinner; widths of rims in thicknesses.
 constexpr std::array<double, 4> Thinner{ 1.0, 0.5, 0.25, 0.125 };
 constexpr std::array<double, 3> Rims{ 0.5, 1.0, 2.0 };
 
 /// A plate encloses its membrane's area times its thickness, within this factor.
 constexpr double VolumeFactor = 2.0;
 
-/// Edges shorter than that where plate and surface meet are collapsed, in thicknesses.
+/// Shorter edges where plate and surface meet are collapsed, in thicknesses.
 constexpr double Finest = 0.05;
 
 struct Topology
@@ -426,7 +426,7 @@ FilledSurface FillHandles(
   double from = 0.2;
   for (result.Genus = Topology(result.Mesh).Genus(); result.Genus > 0;)
   {
-    const double to = 0.5 * (1.0 + from); // a second round is the exception
+    const double to = 0.5 * (1.0 + from); // a second round is rare
     const FillingRound round(result, parameters, Between(progress, from, to));
     result.Left = round.Failed + round.Waiting;
     result.Genus -= static_cast<std::int64_t>(round.Filled);

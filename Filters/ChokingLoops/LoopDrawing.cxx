@@ -23,7 +23,7 @@ namespace isthmus
 namespace
 {
 
-/// Points of the hull tried; the nearest is known to a hundredth long before.
+/// Points of the hull that are tried; the nearest is known to a hundredth after far fewer.
 constexpr int Steps = 200;
 
 }
@@ -59,7 +59,7 @@ bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>&
       centre;
     if (Dot(support, nearest) > reach * Length(nearest))
     {
-      return false; // a plane parts the hull from the ball
+      return false; // a plane separates the hull from the ball
     }
     const Point3 way = support - nearest;
     const double length2 = Dot(way, way);
@@ -162,7 +162,7 @@ std::vector<SimplexId> AddCurve(
   for (const SurfaceCurvePoint& c : curve.Crossings)
   {
     const Point3 p = PositionOf(surface, c);
-    // Edges crossed at one point, as round a corner of the surface, make one point of the curve.
+    // Edges crossed at one point, as around a corner of the surface, make one point of the curve.
     if (!loop.empty() &&
       Distance(feature.Point(loop.back(), surface.Mesh()), p) <= 1e-9 * curve.Length)
     {
@@ -189,7 +189,7 @@ std::vector<SimplexId> PinsOn(
   return on;
 }
 
-/// Puts a tight curve in the place of a loop and lets the membrane follow.
+/// Replaces a loop by a tight curve and adapts the membrane.
 void Follow(const SurfaceAdjacency& surface, const SurfaceCurve& tight, double cut,
   std::vector<SimplexId>& loop, LoopFeature& feature)
 {
@@ -253,7 +253,7 @@ LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
     const bool holds = tight.empty() || !tight[i].Contractible;
     if (!holds && i > 0)
     {
-      AddFan(loop, feature.Membrane); // beside others, a border that M itself closes is none
+      AddFan(loop, feature.Membrane); // one of several borders, contractible on M: filled
       continue;
     }
     if (holds && !tight.empty())
@@ -279,10 +279,10 @@ double LoopFeature::LongestLength() const
 namespace
 {
 
-/// Loops this much longer than the shortest girth are worth another look.
+/// Other loops are tried for those longer than the shortest girth by this factor.
 constexpr double Roomy = 1.5;
 
-/// Of ShortestGirth(): what discretisation may take off a loop.
+/// Of ShortestGirth(): by how much discretisation may shorten a loop.
 constexpr double Slack = 0.98;
 
 std::vector<Point3> PointsOf(
@@ -316,14 +316,14 @@ bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t index, const Loo
 namespace
 {
 
-/// What a loop that nothing holds is worth: as much longer it may be than one held.
+/// A loop that the surface does not hold may be longer by this factor than one that it holds.
 constexpr double Freedom = 1.05;
 
-/// Encircling loops looked for are so long at most, in circumferences of the ball; and of how many.
+/// Maximum length of the encircling loops searched, in circumferences of the ball; their number.
 constexpr double MaxEncirclingLength = 3.0;
 constexpr std::size_t MaxEncirclingLoops = 6;
 
-/// Paths along edges are so much longer than geodesics.
+/// Paths along edges are longer than geodesics by this factor.
 constexpr double AlongEdges = 1.15;
 
 std::vector<SimplexId> ContactsOn(const Membrane& membrane, const std::vector<SimplexId>& contacts)
@@ -372,7 +372,7 @@ private:
     None,
     Collapsed,
     Short,   ///< there is no room for the ball in it
-    Hairpin, ///< belongs to the choke point, but goes to and fro
+    Hairpin, ///< belongs to the choke point, but runs there and back
     Strays,  ///< tight, but elsewhere
     Jagged,  ///< belongs, but is held where it turns sharply
     Fits
@@ -575,10 +575,10 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
 namespace
 {
 
-/// Fewer say little of the others.
+/// A smaller sample does not predict the others.
 constexpr std::size_t LeastSample = 24;
 
-/// One of so many is drawn first.
+/// One in this number is drawn first.
 constexpr std::size_t SampleShare = 4;
 
 }
@@ -646,7 +646,7 @@ private:
     this->Next = this->Count;
   }
 
-  /// So often the callbacks are called; also how long an abort takes to reach the threads.
+  /// Interval of the callbacks; also the time that an abort takes to reach the threads.
   static constexpr std::chrono::milliseconds Beat{ 50 };
 
   std::size_t Count;
@@ -753,7 +753,7 @@ void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features,
   DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated,
   const ProgressCallback& progress, MembraneMethod method)
 {
-  Report(progress, 0.0); // also where nothing is missing: that it is to stop may be known already
+  Report(progress, 0.0); // even if nothing is missing: an abort may have been requested already
   std::vector<std::size_t> missing;
   std::copy_if(features.begin(), features.end(), std::back_inserter(missing),
     [&](std::size_t feature) {

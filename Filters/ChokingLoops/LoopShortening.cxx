@@ -152,11 +152,11 @@ public:
   /// Shortest paths in the strip, each cut open at another edge than the one before.
   void Straighten(int turns);
 
-  /// The shortest closed path in the strip: until that gains no more than `tolerance` of its
+  /// The shortest closed path in the strip: until it gains no more than `tolerance` of its
   /// length.
   void StraightenFully(double tolerance);
 
-  /// Leads the strip round the points at which the path bends needlessly; false: there are none.
+  /// Leads the strip around the points at which the path bends needlessly; false: none.
   bool Lead();
 
 private:
@@ -268,7 +268,7 @@ void Shortener::StraightenFrom(bool isMiddle)
 bool Shortener::Lead()
 {
   bool led = false;
-  std::size_t left = 2 * this->Size(); // so that rounding can't make it go on for ever
+  std::size_t left = 2 * this->Size(); // so that rounding cannot cause an endless loop
   for (std::size_t i = 0; i < this->Size() && left > 0; ++i, --left)
   {
     const std::size_t n = this->Size();
@@ -311,7 +311,7 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   const HalfEdgeId enter = this->At(first).Crossing.HalfEdge;
   for (std::size_t k = 1; k < count; ++k)
   {
-    if (this->At((first + k) % n).Crossing.HalfEdge == enter) // once round the point, for nothing
+    if (this->At((first + k) % n).Crossing.HalfEdge == enter) // once around the point, needlessly
     {
       this->Replace(first, k, {});
       return true;
@@ -326,8 +326,8 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   {
     return false;
   }
-  // The strip begins behind p and ends with the way round it. What goes back goes: `back` crossings
-  // before p and those of the way that follow them, then the last ones and `ahead` first ones.
+  // The strip begins behind p and ends with the way around it. Removed are the `back` crossings
+  // before p and those of the way that follow them, then the last and the `ahead` first ones.
   const std::size_t rest = n - count;
   std::size_t back = 0;
   std::size_t ahead = 0;
@@ -415,7 +415,7 @@ SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<Simp
   double length = curve.Length;
   for (int round = 0; round < parameters.MaximumRounds && !curve.Converged; ++round)
   {
-    // The number of rounds is not known: each takes a tenth of what is left of the bar.
+    // The number of rounds is not known: each takes a tenth of the remaining progress.
     Report(progress, 1.0 - std::pow(0.9, round));
     shortener.Straighten(3);
     if (!shortener.Lead())
@@ -466,7 +466,7 @@ public:
   /// The shortest path in the strip.
   void Straighten();
 
-  /// Leads the strip round the points at which the path bends needlessly; false: there are none.
+  /// Leads the strip around the points at which the path bends needlessly; false: none.
   bool Lead();
 
 private:
@@ -539,7 +539,7 @@ void GeodesicArc::Straighten()
 bool GeodesicArc::Lead()
 {
   bool led = false;
-  std::size_t left = 2 * this->Edges.Size(); // so that rounding can't make it go on for ever
+  std::size_t left = 2 * this->Edges.Size(); // so that rounding cannot cause an endless loop
   for (std::size_t i = 0; i < this->Edges.Size() && left > 0; ++i, --left)
   {
     const SimplexId p = TouchedBy(this->Surface, this->Edges[i].Crossing);
@@ -563,7 +563,7 @@ void GeodesicArc::Replace(std::size_t first, std::size_t count, const EdgeStrip&
   this->Unfolded = std::min(this->Unfolded, first);
 }
 
-/// Takes out crossings of edges that the ends of the path lie on.
+/// Removes crossings of edges on which the ends of the path lie.
 void GeodesicArc::TrimEnds(bool isStart, bool isEnd)
 {
   const auto endsAt = [this](std::size_t i, SimplexId p)
@@ -718,7 +718,7 @@ void Straighten(const SurfaceAdjacency& surface, EdgeStrip& strip)
   }
 }
 
-/// Leads the strip round the first point at which the path bends needlessly; false: there is none.
+/// Leads the strip around the first point at which the path bends needlessly; false: none.
 bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
 {
   for (std::size_t i = 1; i + 1 < strip.size(); ++i)
@@ -789,7 +789,7 @@ public:
     return std::atan2(Length(Cross(in, out)), Dot(in, out));
   }
 
-  /// The curve without the corner; nothing where that can't be.
+  /// The curve without the corner; nothing where that is impossible.
   BentCurve Cut(double reach) const;
 
 private:
@@ -905,8 +905,8 @@ BentCurve Corner::Cut(double reach) const
   {
     strip.push_back(this->At(k));
   }
-  // Each point beside the strip is led round once or twice; the bound is against rounding, which
-  // could make it go on for ever.
+  // The strip goes around each point beside it once or twice; the bound is there since rounding
+  // could cause an endless loop.
   std::size_t left = 4 * strip.size() + 100;
   do
   {

@@ -207,14 +207,14 @@ bool ChokeSurroundings::Collect(double reach, std::size_t most)
 namespace
 {
 
-/// Of the search, in radii of the choke: each costs almost three times the one before, and a
-/// membrane that needs more than the last is not taken (README.md).
+/// Radii of the search, in radii of the choke: each costs almost three times the one before; a
+/// membrane that needs more than the last is not used (README.md).
 constexpr std::array<double, 3> Reaches = { 3.0, 4.25, 6.0 };
 constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii
 constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii
 constexpr std::size_t MostCells = 50000; ///< seconds of work, for each feature that asks
 
-/// The flow from one side of a choke to the other, and what it is held up by.
+/// The flow from one side of a choke to the other, and its bottleneck.
 class ChokeFlow
 {
 public:
@@ -234,7 +234,7 @@ public:
 
   bool IsTooLarge() const { return this->Around.Cells().size() > MostCells; }
 
-  /// The triangles of the smallest cut that parts the two sides of the choke.
+  /// The triangles of the smallest cut that separates the two sides of the choke.
   std::set<TriangleId> Cut(const ProgressCallback& progress) const;
 
 private:
@@ -314,8 +314,8 @@ std::array<std::int64_t, 3> ChokeFlow::CubeOf(CellPlace place, bool& isNowhere) 
 }
 
 /// Per cell, the node of the flow: 0 and 1 for what stays whole on either side, one for all cells
-/// whose middles share a small cube. Fine sampling makes a great many of these, and which of them
-/// a membrane passes is nothing that its loops would keep.
+/// whose middles share a small cube. Fine sampling makes very many of these, and the choice among
+/// them does not change the loops.
 ChokeFlow::NodeByCell ChokeFlow::Nodes(std::int32_t& count) const
 {
   NodeByCell nodes(this->Around.Cells().size(), -1);
@@ -486,7 +486,7 @@ public:
     this->Boundary.push_back({ corners.begin(), corners.end() });
   }
 
-  /// Nothing where there is no way on.
+  /// Nothing if no step is possible.
   std::optional<GreedyPatches> Grow();
 
 private:
@@ -697,7 +697,7 @@ bool GreedyGrowth::Spread(SimplexId v, const std::vector<TetrahedronId>& star)
 }
 
 /// Parts of a walk between two visits of a vertex become walks of their own; edges that are walked
-/// to and fro go.
+/// there and back are removed.
 void GreedyGrowth::Split(ClosedWalk walk)
 {
   std::map<SimplexId, std::size_t> places;
@@ -726,7 +726,7 @@ void GreedyGrowth::Replace(std::size_t walk, std::size_t place, const std::vecto
   ClosedWalk old = std::move(this->Boundary[walk]);
   this->Boundary.erase(this->Boundary.begin() + static_cast<std::ptrdiff_t>(walk));
   std::rotate(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(place), old.end());
-  ClosedWalk next(old.begin() + 1, old.end()); // from behind the vertex round to before it
+  ClosedWalk next(old.begin() + 1, old.end()); // from after the vertex around to before it
   next.insert(next.end(), path.begin() + 1, path.end() - 1);
   this->Split(std::move(next));
 }

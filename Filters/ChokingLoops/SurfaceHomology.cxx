@@ -146,7 +146,7 @@ SurfaceChain SurfaceHomology::Loop(std::size_t i) const
       edges.push_back(this->Surface.Edge(this->Parent[At(p)]));
     }
   }
-  // The part that both ways to the root share cancels.
+  // The part that both paths to the root share cancels.
   std::sort(edges.begin(), edges.end());
   SurfaceChain odd;
   for (std::size_t k = 0; k < edges.size(); ++k)
@@ -231,7 +231,7 @@ SurfaceInComplex::SurfaceInComplex(
     const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[image];
     if (first || f.EdgeValue[image] <= half * half * (1.0 + 1e-9))
     {
-      this->InComplex[e] = image; // else it enters late, and the walk goes round it
+      this->InComplex[e] = image; // else it enters late, and the walk avoids it
     }
   }
   Report(progress, 0.7);
@@ -361,7 +361,7 @@ TriangleChain ConnectedPiece(const CellFiltration& f, const SurfaceInComplex& su
 namespace
 {
 
-/// The triangles that bound a loop, as ranks, latest first; what nothing fills ranks above them.
+/// The triangles that bound a loop, as ranks, latest first; unfilled loops rank above them.
 struct Column
 {
   std::vector<std::int64_t> Ranks;

@@ -236,7 +236,7 @@ EdgeStrip StripLeftOfPath(const SurfaceAdjacency& s, const std::vector<SimplexId
 namespace
 {
 
-/// Lays down the triangle beyond the last edge, up to the edge over which the strip goes on.
+/// Unfolds the triangle beyond the last edge, up to the edge over which the strip continues.
 void UnfoldOver(const SurfaceAdjacency& s, HalfEdgeId h, HalfEdgeId next, UnfoldedStrip& plane)
 {
   const HalfEdgeId second = SurfaceAdjacency::Next(h);
@@ -327,7 +327,7 @@ std::vector<FunnelTurn> Funnel(const UnfoldedStrip& plane, const Point2& p, cons
     left = right = edge;
     return edge;
   };
-  // Collinear corners may restart it in vain: a path has at most n bends.
+  // Collinear corners may restart it needlessly: a path has at most n bends.
   for (std::size_t i = 1; i <= n && bends.size() <= n; ++i)
   {
     const Point2& newLeft = i < n ? plane.From[i] : q;

@@ -347,7 +347,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double CornerAngle(
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripOnOtherSide(
   const SurfaceAdjacency& surface, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p);
 
-/// Angle between the ways into and out of p on the side where the edges `other` lie.
+/// Angle at p between the incoming and the outgoing path, on the side of the edges `other`.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double AngleOnOtherSide(const SurfaceAdjacency& surface,
   const EdgeStrip& other, SimplexId p, const Point3& before, const Point3& after);
 

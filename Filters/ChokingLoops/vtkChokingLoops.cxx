@@ -43,7 +43,7 @@ namespace
 {
 
 constexpr double AnalysisPart = 0.9; ///< of the progress bar
-constexpr int ManyRounds = 1000;     ///< as good as until nothing gets shorter
+constexpr int ManyRounds = 1000;     ///< in practice, until nothing gets shorter
 
 /// Seconds in words, rounded up to tenths.
 std::string SecondsText(double seconds)
@@ -60,7 +60,7 @@ void TellDrawing(const isthmus::DrawingCost& cost)
                  "about ", SecondsText(cost.Seconds), "."));
 }
 
-/// Logs what an analysis needs at least; its time depends on the shape.
+/// Logs the minimum memory of an analysis; its time depends on the shape.
 void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
 {
   // Halved edges are three quarters of the spacing long, on average.

@@ -42,7 +42,7 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   return copy;
 }
 
-/// Memory of a new array in the point data, or null where it isn't wanted.
+/// Memory of a new array in the point data, or null if it was not requested.
 template <typename T>
 T* NewArray(bool wanted, const char* name, int components, vtkIdType tuples, vtkDataSet* output)
 {
@@ -78,7 +78,7 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
     NewArray<unsigned char>(wanted.SurfaceType, "SurfaceType", 1, places, output);
   arrays.Normal = array(wanted.Normal, "GaussMap", 3);
   array(wanted.Error, "CurvatureScale");
-  arrays.Gradient = array(wanted.Error, "CurvatureError"); // until the errors follow from it
+  arrays.Gradient = array(wanted.Error, "CurvatureError"); // replaced by the errors later
   arrays.Valid = NewArray<unsigned char>(true, "CurvatureValid", 1, places, output);
   if (wanted.SurfaceType)
   {
@@ -100,7 +100,7 @@ GridView<const T> ViewOf(vtkImageData* image, const T* values)
   return grid;
 }
 
-/// The image's direction matrix, with the axis of a negative spacing turned round.
+/// The image's direction matrix, with the axis of a negative spacing reversed.
 std::array<double, 9> AxesOf(vtkImageData* image)
 {
   std::array<double, 9> axes{};

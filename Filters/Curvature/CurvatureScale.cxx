@@ -60,7 +60,7 @@ std::size_t SamplesAt(double scale)
   return static_cast<std::size_t>(static_cast<double>(mostSamples) * share * share);
 }
 
-/// Runs in a fixed order that has nothing to do with the lattice.
+/// Runs in a fixed order that is independent of the lattice.
 void Shuffle(std::vector<Node>& nodes)
 {
   std::mt19937_64 random(1);
@@ -333,7 +333,7 @@ Responses ResponsesAt(const GridPart<T>& part, std::vector<Node> nodes, double s
   return responses;
 }
 
-/// Mean curvature of the level set, up to its sign, of derivatives with another one's normal:
+/// Mean curvature of the level set, up to its sign, from derivatives with another one's normal:
 /// linear in the Hessian matrix.
 double MeanCurvature(const NodeDerivatives& at, const NodeDerivatives& normal, double gradient)
 {
@@ -508,15 +508,15 @@ void Search::FitBackground(const std::vector<double>& measured)
       best = { std::exp(0.5 * mean), correlation };
     }
   }
-  // What is smooth over more than that is the tail of a density, not noise.
+  // Values that are smooth over more than that are the tail of a density, not noise.
   if (best.Correlation < longest)
   {
     this->Kinds.push_back(best);
   }
 }
 
-/// What the edges say about the noise: how the Laplacians there change from scale to scale. Smooth
-/// data add to the change, so noise is at most as strong as the change says: what the background
+/// Noise as estimated from the edges: how the Laplacians there change from scale to scale. Smooth
+/// data add to the change, so it is an upper bound of the noise: what the background
 /// has beyond that is its own structure. White noise that the edges have beyond the background's
 /// falls from one change to the next as only white noise does.
 void Search::AdaptNoiseToEdges()
@@ -575,7 +575,7 @@ void Search::AdaptNoiseToEdges()
 
 /// The mean square bias of scale k that its change from finer scales shows, where noise lets it be
 /// seen, less the error of the finer scale's differences. Smoothing that has removed features makes
-/// no further changes: the change to the next scale would take it for free of bias. For the same
+/// no further changes: judged by the next scale, it would seem free of bias. For the same
 /// reason, the bias is at least that of the finer scales.
 double Search::BiasSinceFinerScales(std::size_t k) const
 {
@@ -608,7 +608,7 @@ double Search::BiasSinceFinerScales(std::size_t k) const
     const double noise = perGradient / 4.0 *
       LaplacianVariance(
         this->Kinds, { { 1.0, this->Reference(k) }, { -1.0, this->Reference(j) } }, this->Spacing);
-    constexpr double certain = 3.0; // times what noise makes of it
+    constexpr double certain = 3.0; // times the part that noise causes
     if (square > certain * noise)
     {
       most =
@@ -655,7 +655,7 @@ void Search::Measure(std::size_t k)
     square > significance * noise ? square - noise : -std::max(square, 2.0 * noise - square);
   this->Bias.push_back(since > 0.0 ? std::max(bias, since) : bias);
 
-  // With differences of fourth order there are no better ones at places: R is H there.
+  // Differences of fourth order have no better reference: R is H there.
   const bool better = this->Accuracy == 2;
   const double change = better
     ? square
@@ -673,9 +673,9 @@ void Search::Measure(std::size_t k)
   this->DifferenceSquare.push_back(change > significance * known ? change - known : 0.0);
 }
 
-/// The bias that noise hides is a quarter of the next scale's, as of a mean square that grows with
-/// the fourth power of the scale. That of large scales, where the differences err no more, grows at
-/// least so; the change from one to the next says less once the Gaussian is as wide as the object.
+/// The bias that noise hides is a quarter of the next scale's, like a mean square that grows with
+/// the fourth power of the scale. That of large scales, where differences are exact, grows at
+/// least as fast; the change to the next scale says less if the Gaussian is as wide as the object.
 void Search::CompleteBias()
 {
   for (std::size_t k = this->Bias.size(); k-- > 0;)
@@ -794,7 +794,7 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
       best = k;
     }
   }
-  // As the array CurvatureScale has it: as fixed scale it gives the same result.
+  // As in the array CurvatureScale: used as a fixed scale, it gives the same result.
   choice.Scale = static_cast<double>(static_cast<float>(search.Scales[best] * unit));
   choice.NextScale = search.Scales[best + 1] * unit;
   double square = 0.0;

@@ -23,7 +23,7 @@ Point3 Bent(const LocalShape& shape, const Point3& v)
     shape.Minimum * Dot(shape.Direction2, v) * shape.Direction2;
 }
 
-/// Directions of a mesh are estimated apart from its normal, and not quite across it.
+/// Directions of a mesh are estimated separately from its normal, and not exactly perpendicular.
 void TurnIntoTangentPlane(LocalShape& shape)
 {
   const Point3 tangent = shape.Direction1 - Dot(shape.Direction1, shape.Normal) * shape.Normal;

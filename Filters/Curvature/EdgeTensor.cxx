@@ -320,7 +320,7 @@ void EdgeTensorIntegrator::AddDiscTriangle(MeshTriangle triangle, TensorSums& su
     beyond[i] = this->Distance(id[i]) - this->Radius;
     inside += beyond[i] < 0.0;
   }
-  // The corner whose side of the rim is its own cuts off the fraction s t of the area (Fig. 4.1).
+  // The corner alone on its side of the rim cuts off the fraction s t of the area (Fig. 4.1).
   double fraction = inside == 3 ? 1.0 : 0.0;
   for (std::size_t i = 0; i < 3 && (inside == 1 || inside == 2); ++i)
   {

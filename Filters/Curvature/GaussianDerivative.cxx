@@ -151,7 +151,7 @@ ISTHMUS_VECTOR_CLONES void SumOverRows(const T* values, std::int64_t stride, con
   }
 }
 
-/// Weights of a node on the three axes; false if the nodes are not at hand.
+/// Weights of a node on the three axes; false if the nodes are not available.
 template <typename T>
 bool WeightsAtNode(const GridPart<T>& part, const std::array<std::int64_t, 3>& node, double scale,
   const std::array<std::vector<Stencil>, 3>& stencils, std::array<AxisWeights, 3>& axes)

@@ -137,7 +137,7 @@ void PrincipalDirections(const ShapeOperator& s, Vector& first, Vector& second)
 {
   const double skew = 0.5 * (s.A - s.B);
   const double half = std::sqrt(skew * skew + s.C * s.C);
-  // Of the two rows of the singular matrix, the one without cancellation.
+  // The row of the singular matrix that has no cancellation.
   double x = skew >= 0.0 ? half + skew : s.C;
   double y = skew >= 0.0 ? s.C : half - skew;
   const double length = std::hypot(x, y);

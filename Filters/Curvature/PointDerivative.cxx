@@ -173,7 +173,7 @@ double Dot(const std::array<double, Width<R>>& weights, const std::array<double,
   return sum;
 }
 
-/// Flattened, since only what is inlined is compiled for the vectors of each machine.
+/// Flattened, since only inlined code is compiled for the vector units of each machine.
 template <int R, typename T>
 ISTHMUS_VECTOR_CLONES [[gnu::flatten]] bool Differentiate(const GridView<const T>& grid,
   const std::array<double, 3>& index, std::int64_t place, DerivativeRows& rows)

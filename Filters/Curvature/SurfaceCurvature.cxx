@@ -54,7 +54,7 @@ struct StarSums
   double Area = 0.0;
   Eigen::Vector3d Normal = Eigen::Vector3d::Zero();    ///< weighted with areas, not normalised
   Eigen::Vector3d Cotangent = Eigen::Vector3d::Zero(); ///< 4 A H n
-  bool Degenerate = false; ///< a triangle has no area, to rounding; it is left out
+  bool Degenerate = false; ///< a triangle has no area, within rounding; it is skipped
 };
 
 StarSums SumStar(
@@ -201,7 +201,7 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
     this->Dihedrals = std::make_unique<DihedralAngles>(this->Mesh, this->Stars);
     this->Radius =
       this->Options.Radius > 0.0 ? this->Options.Radius : 3.0 * MeanEdgeLength(this->Mesh);
-    // Each piece of the loop clears stamps for all triangles: not too many pieces, then.
+    // Each piece of the loop clears stamps for all triangles, so there are few pieces.
     grain = std::max<std::int64_t>(512, this->Mesh.NumberOfPoints() / 256);
   }
   ParallelFor(

@@ -125,7 +125,7 @@ void ShareGeometry(isthmus::Extent& whole, std::array<double, 3>& spacing)
   }
 }
 
-/// Takes off what was asked for beyond the piece. A volume that its source has not split (all of it
+/// Removes what was requested beyond the piece. A volume that its source has not split (all of it
 /// on one rank, or parts by another rule) stays whole: all of it is this rank's.
 void CropToPiece(vtkImageData* image, vtkInformation* outInfo, bool allHere)
 {
@@ -192,7 +192,7 @@ isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
   return selection;
 }
 
-/// Adds what follows from principal curvatures and directions, and takes away those of them that
+/// Adds what follows from principal curvatures and directions, and removes those of them that
 /// were made for it alone.
 void AddForms(vtkHessianCurvature* filter, vtkDataSet* output)
 {
@@ -288,7 +288,7 @@ int vtkHessianCurvature::RequestUpdateExtent(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
-  // Pieces that one process asks for one after the other have the scale of the whole.
+  // Pieces that one process requests one after the other have the scale of the whole.
   if (this->AutomaticScale && isthmus::NumberOfRanks() == 1)
   {
     isthmus::RequestWholeExtent(imageInfo);
@@ -454,7 +454,7 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
   }
   if (points && this->GenerateMeanCurvature)
   {
-    // What a view colours by, and the next filter takes, unless told otherwise.
+    // The default array for colours and for the next filter.
     output->GetPointData()->SetActiveScalars("MeanCurvature");
   }
   if (vtkPolyData* surface = vtkPolyData::SafeDownCast(output); surface &&

@@ -122,7 +122,7 @@ void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedS
   std::vector<double> minima, maxima;
   for (int i = 0; i <= 2 * steps; ++i)
   {
-    // The last step is the target itself, not what rounding makes of it.
+    // The last step is exactly the target, without rounding.
     const double down = std::min(i, steps) / static_cast<double>(steps);
     const double up = std::max(i - steps, 0) / static_cast<double>(steps);
     minima.push_back(i >= steps ? target : low + down * (target - low));
@@ -357,7 +357,7 @@ int vtkScalarRegions::RequestData(
 ThresholdedScalar vtkScalarRegions::Scalar(int index, vtkPolyData* input, std::string& name)
 {
   const std::string which = index == 0 ? "first" : "second";
-  // A panel that has seen no data yet sends an empty name: the active scalars are meant then.
+  // A panel without data sends an empty name, which stands for the active scalars.
   const char* chosen = this->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* array = chosen && !*chosen ? input->GetPointData()->GetScalars()
                                            : this->GetInputArrayToProcess(index, input);

@@ -85,7 +85,7 @@ void CheckTolerance(double value, const char* name)
   }
 }
 
-/// Gives every point what was found at the one that stands for its place.
+/// Copies to every point the values of the point that represents its place.
 void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result)
 {
   const auto spread = [&places](auto& values, std::size_t components)
@@ -161,7 +161,7 @@ double IntegralOver(const std::vector<vtkIdType>& places, const SurfaceCurvature
   return sum;
 }
 
-/// What a user should know about points without curvature; empty if there is nothing.
+/// Warning about points without curvature; empty if there are none.
 std::string Complaints(const SurfaceCurvatureResult& result)
 {
   std::string text;
@@ -248,7 +248,7 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
   AddVectors(output, this->GenerateDifferentialForms, "GaussMap", result.Normal);
   if (const auto selection = FormsSelectionOf(this); selection.Any())
   {
-    vtkNew<vtkPolyData> made; // from arrays that need not all be wanted
+    vtkNew<vtkPolyData> made; // from arrays that need not all be requested
     made->ShallowCopy(output);
     const auto put = [&](const char* name, double sign)
     {
@@ -284,7 +284,7 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
   }
   AddDescriptor<vtkUnsignedCharArray>(
     output, result, 1, "CurvatureValid", [](std::size_t) { return 1; });
-  // What a view colours by, and the next filter takes, unless told otherwise.
+  // The default array for colours and for the next filter.
   if (this->GenerateMeanCurvature)
   {
     output->GetPointData()->SetActiveScalars("MeanCurvature");
