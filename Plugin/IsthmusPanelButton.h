@@ -1,6 +1,6 @@
 /**
  * @file IsthmusPanelButton.h
- * @brief A button beside a property that takes over what the last result proposes.
+ * @brief A button beside a property that sets it to the value proposed by the last result.
  *
  * In a panel, among the hints of the property:
  *

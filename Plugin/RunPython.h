@@ -10,7 +10,7 @@
 namespace isthmus
 {
 
-/// Runs `isthmus_pipelines.<call>` in ParaView's Python; what it raises goes to the messages.
+/// Runs `isthmus_pipelines.<call>` in ParaView's Python; exceptions are shown in the window Output Messages.
 void RunPipelines(const QString& call);
 
 }

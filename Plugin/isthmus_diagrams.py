@@ -262,7 +262,7 @@ def _select_loops(source, ids):
 
 
 def _selected_ids(source):
-    """The FeatureIds of what is selected in the first output of `source`."""
+    """The selected FeatureIds in the first output of `source`."""
     if source.SMProxy.GetSelectionInput(0) is None:
         return []
     part = servermanager._getPyProxy(source.SMProxy.GetSelectionOutput(0))

@@ -93,7 +93,7 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
 
 
 class _Changes:
-    """Properties that are put back in the end, and representations that are taken out."""
+    """Properties that are restored at the end, and representations that are removed again."""
 
     def __init__(self):
         self.before, self.added = [], []

@@ -1,4 +1,4 @@
-"""The first look at what Isthmus' filters make: colours that mean something, ranges without outliers,
+"""The first display of results of Isthmus' filters: meaningful colours, ranges without outliers,
 words for categories, tubes for loops. isthmus_pipelines.py builds what is looked at; the window calls
 first_look() for each result that is new or changed.
 """
@@ -208,7 +208,7 @@ def _look_at_ions(display, view):
 
 
 def _look_at_mesh(display, view):
-    """Cells that can be seen; regions in colours where there is more than one."""
+    """Shows the edges of cells, and colours regions if there is more than one."""
     display.SetRepresentationType("Surface With Edges")
     _colour_if_it_differs(display, view, "RegionId")
 
@@ -458,7 +458,7 @@ def _comes_from(proxy, origin):
 
 @messages.reports_faults("The preview of a level")
 def end_preview(number):
-    """Called by the window when the slider is released: all is as before the preview, and not drawn yet."""
+    """Called by the window when the slider is released: removes the preview and shows the filters again, without drawing."""
     _, drawn, hidden = _previews.pop(number, (None, (), ()))
     for view, contour in drawn:
         view.Representations.remove(contour)
@@ -487,7 +487,7 @@ _by_hand = set()  # global ids of filters that a menu has made
 @messages.reports_faults("Proposing values")
 def first_values(number):
     """Called by the window with the global id of a filter that a menu has made and that waits for its first Apply:
-    steps.FIRST, as the buttons set it, and what the data proposes."""
+    steps.FIRST, as the buttons set them, and values proposed from the data."""
     proxy = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     if proxy is None:
         return

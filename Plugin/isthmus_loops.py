@@ -88,7 +88,7 @@ def count(loops, view):
 
 
 def _place(display):
-    """In the upper left corner, where a flat view and the larger letters of a figure do not cut it off."""
+    """Places the text in the upper left corner, so that it is complete in flat views and with large letters."""
     display.WindowLocation = "Upper Left Corner" if "Upper Left Corner" in display.GetProperty(
         "WindowLocation").Available else "UpperLeftCorner"
     display.FontSize, display.Justification = 14, "Left"

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 
 def show_error(message):
-    """An error in the window's messages, which open for it as for a filter's."""
+    """Shows an error in the window Output Messages, which opens as for an error of a filter."""
     vtkOutputWindow.GetInstance().DisplayErrorText(f"Isthmus: {message}\n")
 
 
@@ -24,7 +24,7 @@ def show_note(text):
 
 
 def reports_faults(what):
-    """Decorator of what the window calls: no exception gets out of it."""
+    """Decorator for functions that the window calls: catches all exceptions."""
     def decorate(function):
         @functools.wraps(function)
         def called(*arguments):

@@ -80,7 +80,7 @@ def _count(cartoon, port):
 
 
 def look(display, view, port):
-    """What the window sees first: confidence of a prediction, else chains, else secondary structure."""
+    """The array that the window colours by first: confidence of a prediction, else chains, else secondary structure."""
     cartoon = servermanager._getPyProxy(display.Input.SMProxy)
     follow(cartoon)
     if port == STICKS:

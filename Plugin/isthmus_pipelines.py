@@ -6,9 +6,9 @@
 
 Each of the functions takes a source and returns a tuple of the last proxies, the main one last;
 all are ordinary filters whose properties can be changed. They use proxies only, so that the data stays
-on the server, wherever that is. What cannot be done raises a ValueError with one sentence.
+on the server, wherever that is. A pipeline that is impossible raises a ValueError with one sentence.
 
-The buttons of the toolbar are run(); first_look() is what the window calls for each result
+The buttons of the toolbar are run(); the window calls first_look() for each result
 (isthmus_look.py).
 """
 
@@ -177,7 +177,7 @@ def map_to_loops(source, level=None, denoise=None, significant=False):
 
 
 def _denoised(source, denoise):
-    """The map, denoised if that is asked for, or, with None, if its noise asks for it."""
+    """The map, denoised if requested, or, with None, if its noise requires it."""
     information = look.data_of(source)
     if denoise is False or information.GetCompositeDataSetType() != -1 or denoise is None and (
             information.GetNumberOfPoints() > steps.MOST_NODES or _is_denoised(source)):
@@ -195,7 +195,7 @@ def _denoised(source, denoise):
 
 
 def _hide_warnings(source):
-    """Keeps what a filter says of a map without noise, no concern of the loops, out of the window."""
+    """Hides a filter's warning about a map without noise, which does not concern the loops."""
     try:
         # A class that Python meets as an object first, it could not make objects of later.
         importlib.import_module("isthmus.vtkIsthmusFiltersImaging")
@@ -415,8 +415,8 @@ def _molecule(source):
 # ---------------------------------------------------------------------------- charts, buttons, states
 
 def state(function, example):
-    """What the state files of Examples/states do: the pipeline on the file $ISTHMUS_FILE, or else on
-    `example` in the folder $ISTHMUS_DATA_DIR, shown. Returns the last proxies."""
+    """Does what the state files of Examples/states do: shows the pipeline on the file $ISTHMUS_FILE, or else on
+    `example` in the folder $ISTHMUS_DATA_DIR. Returns the last proxies."""
     path = os.environ.get("ISTHMUS_FILE")
     if not path and os.environ.get("ISTHMUS_DATA_DIR"):
         path = os.path.join(os.environ["ISTHMUS_DATA_DIR"], example)
@@ -454,13 +454,13 @@ def _upstream(source, fits):
 
 
 def _is_part(source):
-    """Whether a button has put it in between: a result does not depend on which source was selected."""
+    """Whether a button has inserted the filter: a result does not depend on which source was selected."""
     name = source.SMProxy.GetXMLName()
     return name in PARTS or name == "HighOrderDiffusion" and " denoised" in loop_views.registered_name(source)
 
 
 def _fits(function):
-    """What a button needs: with a map's surface selected, Map to curvature goes back to the map."""
+    """The input of a button: with a map's surface selected, Map to curvature goes back to the map."""
     if function.startswith("map_"):
         return _is_volume
     if function.startswith("protein_"):
@@ -502,7 +502,7 @@ def use_inverted_contrast(number):
 
 @messages.reports_faults("Closing what belongs to a deleted source")
 def forget():
-    """Called by the window when sources were deleted: texts of loops, tables and charts go with them."""
+    """Called by the window when sources were deleted: deletes their texts, tables and charts."""
     loop_views.forget()
     pockets_and_pores.close_empty_views()
 
@@ -542,7 +542,7 @@ def run(function):
 def _needs_paraview(name):
     def refuse(*_, **__):
         raise ImportError(f"isthmus.pipelines.{name}() makes sources of ParaView, which this Python does not have. "
-                          "Functions of data do the same without it: isthmus.map_to_loops() and the like.")
+                          "Without it, use functions of data such as isthmus.map_to_loops().")
     refuse.__name__, refuse.__doc__ = name, globals()[name].__doc__
     return refuse
 

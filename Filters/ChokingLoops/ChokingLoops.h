@@ -184,7 +184,7 @@ public:
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane* MinimumCutMembraneOf(
     std::size_t feature, const ProgressCallback& progress = {}, bool chords = false);
 
-  /// GreedyMembrane() of a feature; empty in the same cases as MinimumCutMembraneOf() is null.
+  /// GreedyMembrane() of a feature; empty in those cases in which MinimumCutMembraneOf() is null.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> GreedyMembraneOf(
     std::size_t feature) const;
 

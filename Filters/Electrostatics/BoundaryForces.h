@@ -1,6 +1,6 @@
 /**
  * @file BoundaryForces.h
- * @brief Forces of the field and the ions on the atoms, through the surface that moves with these.
+ * @brief Forces of the field and the ions on the atoms, through the surface that moves with them.
  *
  * The energy is stationary in the potential, so its derivative with respect to the position of the
  * surface is that at a fixed field (the sharp form of W. Im, D. Beglov and B. Roux, Comput. Phys.
@@ -16,7 +16,7 @@
  * SurfaceMotion.
  *
  * A point of the surface moves along its normal by sum_i Part_i . dr_i when the atoms move by dr_i.
- * The parts of a point add up to the normal, so that the surface moves with all of the atoms.
+ * The vectors Part_i of a point add up to its normal, so the surface moves with the whole molecule.
  */
 #ifndef isthmus_BoundaryForces_h
 #define isthmus_BoundaryForces_h

@@ -367,8 +367,8 @@ private:
     Column Rest;
   };
 
-  /// Number of the latest remaining edge that has no column of a face before `face`, or None. It is
-  /// taken off.
+  /// Removes the latest remaining edge for which no face before `face` has a column, and returns
+  /// its number, or None.
   std::size_t Reduce(EdgeColumn<Gradient>& working, std::size_t face) const
   {
     std::size_t number = working.NextCritical();

@@ -95,7 +95,8 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   const double diagonal = bounds.Diagonal();
   if (!(diagonal > 0.0) || !std::isfinite(diagonal * diagonal * diagonal))
   {
-    throw std::invalid_argument("The surface has no size, or one too large for its volume.");
+    throw std::invalid_argument(
+      "The surface is a single point, or its coordinates are too large: choose another unit.");
   }
   // Of a cavity that faces as the shell around it, the winding number would be 2.
   SurfaceMending mending;
