@@ -10,7 +10,7 @@
 namespace isthmus
 {
 
-/// Runs `isthmus_pipelines.<call>` in ParaView's Python; exceptions are shown in the window Output Messages.
+/// Runs `isthmus_pipelines.<call>` in ParaView's Python; exceptions are shown as messages.
 void RunPipelines(const QString& call);
 
 }

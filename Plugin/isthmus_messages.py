@@ -1,5 +1,5 @@
-"""What the window says when something can't be done, in sentences: never an exception's text or a line of a
-script, which is written to a file for reports.
+"""Messages of the window in plain sentences. The text of an unexpected exception is written to a file, which the user can
+send with a report.
 
 Where a message goes: an error where there is no result; a warning where the result is not what was asked for, or not to be
 trusted as it is, so that the user has to decide something (both open the window's messages); a note for all else that

@@ -23,7 +23,7 @@ namespace isthmus
 
 /// The integer type of all ids; ids of points are plain integers of this type. With 32 bits, a
 /// complex has at most 2^29 tetrahedra, because their faces are numbered; this corresponds to about
-/// 80 million points. CellFiltration::Connect() refuses more with a message.
+/// 80 million points. CellFiltration::Connect() rejects more with a message.
 using SimplexId = std::int32_t;
 
 using EdgeId = Handle<struct FiltrationEdge, SimplexId>;
