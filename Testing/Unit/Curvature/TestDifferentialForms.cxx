@@ -112,7 +112,8 @@ TEST(DifferentialForms, NormalCurvatureOfACylinderIsEulers)
   filter->InsideIsHigherOff();
   filter->GenerateNormalCurvatureOn();
   filter->GenerateMaximumCurvatureOff();
-  const vtkIdType onX = cylinder->FindPoint(0.5, 0.0, 0.0);
+  double halfway[3] = { 0.5, 0.0, 0.0 };
+  const vtkIdType onX = cylinder->FindPoint(halfway);
   const double radius = cylinder->GetPoint(onX)[0];
   const auto along = [&](double x, double y, double z)
   {
