@@ -95,7 +95,7 @@ struct Task
 const QList<Task>& Tasks()
 {
   static const QList<Task> tasks{
-    { "Density maps", { "map_to_surface" },
+    { "Density maps", { "map_to_surface", "map_with_model" },
       { "MapSurface", "HighOrderDiffusion", "DenoiseFromHalfMaps", "DiffusionHighPass",
         "PDETransform", "DualContouring", "DelaunayIsosurface", "SurfaceToGrid" } },
     { "Curvature", { "map_to_curvature" },
@@ -243,6 +243,9 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
     tr("The pockets of the selected molecule, ranked; a click on one shows its residues"));
   this->Add("protein_to_pores", "ProteinToPores", tr("Protein to pores"),
     tr("Channels that run through the selected molecule, with the radius along them"));
+  this->Add("map_with_model", "MapWithModel", tr("Map with model"),
+    tr("The selected map coloured by the chains of the molecule that is open, and whether that is "
+       "fitted"));
 }
 
 void IsthmusToolbar::Add(

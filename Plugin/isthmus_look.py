@@ -544,6 +544,8 @@ def show(*proxies, view=None, tables=False):
         display = pockets_and_pores.show(proxies[-1], view, tables)
         _look(display)
         return display
+    if proxies[-1].SMProxy.GetXMLName() == "PointDatasetInterpolator":  # pipelines.map_with_model
+        return molecules.show_with_map(proxies[0], proxies[-1], view)
     display = None
     for proxy in proxies:
         if data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":

@@ -295,9 +295,18 @@ def protein_to_pores(source):
 FITTED, PARTLY = 0.6, 0.3  # shares of atoms inside the contour from which a model is fitted, or partly
 
 
-def map_with_model(source, model, level=None):
+def map_with_model(source, model=None, level=None):
     """(cartoon, coloured): a model, and the surface of its map coloured by the nearest chain (array ChainIndex, of the
-    nearest residue). overlap() says whether the model is fitted to the map."""
+    nearest residue). overlap() says whether the model is fitted to the map.
+
+    model: None: the only molecule that is open."""
+    _require_volume(source)
+    if model is None:
+        known = [each for each in simple.GetSources().values() if each.SMProxy.GetXMLName() in look.MOLECULES]
+        if len(known) != 1:
+            raise ValueError(f"The map needs one model beside it, and {len(known) or 'no'} molecules are open: open the "
+                             "PDB or mmCIF file of the model, and close others.")
+        model = known[0]
     surface, _, cartoon = _map_and_model(source, model, level)
     coloured = _nearest(simple.OutputPort(cartoon, molecules.RESIDUES), surface, "chains")
     messages.show_note(overlap(source, model, surface)[1])

@@ -72,7 +72,9 @@ own = points_of(atoms)
 expected = numpy.array([[float(line[30:38]) + 32.0, float(line[38:46]), float(line[46:54])] for line in ATOMS
                         if int(line[22:26]) == 48])
 assert sorted(map(tuple, own.round(3))) == sorted(map(tuple, expected.round(3))), own
-assert servermanager.Fetch(atoms).GetNumberOfCells() >= len(expected) - 1, "no bonds"
+grid = servermanager.Fetch(atoms)
+bonds = sum(grid.GetCell(i).GetNumberOfPoints() == 2 for i in range(grid.GetNumberOfCells()))
+assert bonds == len(expected) - 1, (bonds, len(expected))
 farthest = distances(points_of(part), expected).min(axis=1).max()
 assert farthest < reach + 0.2, farthest  # the border is interpolated along edges of up to 2 angstrom
 near = (distances(points_of(surface), expected).min(axis=1) <= reach).sum()
@@ -82,4 +84,17 @@ refused(lambda: pipelines.density_around(density, model), "no ligand")
 refused(lambda: pipelines.density_around(density, model, "A:500"), "no residue A:500")
 refused(lambda: pipelines.density_around(density, model_at("far", ("A", 400.0)), "A:48"), "no point within")
 refused(lambda: pipelines.map_with_model(model, model), "density map")
+# The button: with the map selected, and one molecule open; the surface and the cartoon in the same colours.
+for source in list(simple.GetSources().values()):
+    simple.Delete(source)
+volume = simple.OpenDataFile(str(shared_data("maps/1ake.mrc")))
+refused(lambda: pipelines.map_with_model(volume), "no molecules are open")
+simple.OpenDataFile(str(shared_data("molecules/pdb1ake.pdb")))
+simple.SetActiveSource(volume)
+pipelines.run("map_with_model")
+view = simple.GetActiveView()
+shown = [display for display in view.Representations if getattr(display, "Visibility", 0) and
+         getattr(display, "ColorArrayName", ["", ""])[1] == "ChainIndex"]
+assert len(shown) == 2 and shown[0].LookupTable.SMProxy == shown[1].LookupTable.SMProxy, shown
+assert simple.GetActiveSource().SMProxy.GetXMLName() == "PointDatasetInterpolator"
 print("chains, densities of residues, and overlap")
