@@ -1,5 +1,6 @@
 #include "Curvature/SurfaceCurvature.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureDescriptors.h"
@@ -93,6 +94,46 @@ StarSums SumStar(
 
 constexpr double TwoPi = 6.28318530717958647692;
 
+/// +1 where triangles are counter-clockwise seen from outside, -1 where clockwise.
+double OrientationOf(
+  const SurfaceView& mesh, const std::vector<StarKind>& kinds, SurfaceOrientation orientation)
+{
+  const auto open = [](StarKind kind)
+  { return kind == StarKind::Boundary || kind == StarKind::Irregular; };
+  if (orientation != SurfaceOrientation::Automatic ||
+    std::any_of(kinds.begin(), kinds.end(), open) || mesh.NumberOfTriangles() == 0)
+  {
+    return orientation == SurfaceOrientation::Reversed ? -1.0 : 1.0;
+  }
+  const Vector3d origin = PointMap(mesh.Point(mesh.Corners(0)[0]).data());
+  const double sixVolumes = ParallelReduce(mesh.NumberOfTriangles(), 16384, 0.0,
+    [&](double& sum, std::int64_t first, std::int64_t last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        const Triangle& corner = mesh.Corners(t);
+        const Vector3d a = PointMap(mesh.Point(corner[0]).data()) - origin;
+        const Vector3d b = PointMap(mesh.Point(corner[1]).data()) - origin;
+        const Vector3d c = PointMap(mesh.Point(corner[2]).data()) - origin;
+        sum += a.dot(b.cross(c));
+      }
+    });
+  return sixVolumes < 0.0 ? -1.0 : 1.0;
+}
+
+/// Whether all triangles hang together by their points.
+bool IsOnePiece(const SurfaceView& mesh)
+{
+  DisjointSets<vtkIdType> pieces(mesh.Points.size());
+  for (const Triangle& corners : mesh.Triangles)
+  {
+    pieces.Join(pieces.Join(corners[0], corners[1]), corners[2]);
+  }
+  return std::all_of(mesh.Triangles.begin(), mesh.Triangles.end(),
+    [&](const Triangle& corners)
+    { return pieces.Find(corners[0]) == pieces.Find(mesh.Triangles[0][0]); });
+}
+
 double MeanEdgeLength(const SurfaceView& mesh)
 {
   const double sum = ParallelReduce(mesh.NumberOfTriangles(), 16384, 0.0,
@@ -131,7 +172,7 @@ public:
     , Options(options)
     , Stars(mesh)
     , Kinds(StarKinds(mesh, this->Stars))
-    , Side(options.Orientation == SurfaceOrientation::Reversed ? -1.0 : 1.0)
+    , Side(OrientationOf(mesh, this->Kinds, options.Orientation))
     , Verdicts(mesh.Points.size(), Verdict::Isolated)
   {
   }
@@ -337,12 +378,14 @@ SurfaceCurvatureResult CurvatureOfSurface(
     throw std::invalid_argument("Radius is " + FormatNumber(options.Radius) +
       ", but it must be a positive length, or 0 for three mean edge lengths.");
   }
-  if (options.Orientation != SurfaceOrientation::Automatic)
+  if (options.Orientation != SurfaceOrientation::Automatic || IsOnePiece(mesh))
   {
     return Estimator(mesh, options).Run(progress);
   }
   const std::vector<Triangle> corners = TurnOutward(mesh);
-  return Estimator({ mesh.Points, corners }, options).Run(progress);
+  SurfaceCurvatureOptions outward = options;
+  outward.Orientation = SurfaceOrientation::AsWound;
+  return Estimator({ mesh.Points, corners }, outward).Run(progress);
 }
 
 }
