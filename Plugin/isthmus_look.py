@@ -545,7 +545,9 @@ def show(*proxies, view=None, tables=False):
         _look(display)
         return display
     if proxies[-1].SMProxy.GetXMLName() == "PointDatasetInterpolator":  # pipelines.map_with_model
-        return molecules.show_with_map(proxies[0], proxies[-1], view)
+        display = molecules.show_with_map(proxies[0], proxies[-1], view)
+        _seen.update(each.GetGlobalID() for each in view.Representations)  # they have their look
+        return display
     display = None
     for proxy in proxies:
         if data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":

@@ -93,6 +93,7 @@ simple.OpenDataFile(str(shared_data("molecules/pdb1ake.pdb")))
 simple.SetActiveSource(volume)
 pipelines.run("map_with_model")
 view = simple.GetActiveView()
+pipelines.first_look(*[display.GetGlobalID() for display in view.Representations])  # as the window does next
 shown = [display for display in view.Representations if getattr(display, "Visibility", 0) and
          getattr(display, "ColorArrayName", ["", ""])[1] == "ChainIndex"]
 assert len(shown) == 2 and shown[0].LookupTable.SMProxy == shown[1].LookupTable.SMProxy, shown
