@@ -16,6 +16,7 @@ import struct
 import tempfile
 import zlib
 
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVersion
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
@@ -83,13 +84,36 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
             _set_chart_fonts(view, change, pixels)
             _save(path, view, size)
             _set_chart_fonts(view, change, max(1, round(pixels * scale)))
+            _colour_points(view)
             simple.ExportView(vector, view=view)
+            _remove_images(vector)  # ParaView 6.1 adds an empty one
         _set_size(vector, width_mm, size)
         _set_resolution(path, dpi)
     finally:
         change.undo()
         simple.Render(view)
     return path, vector
+
+
+def _colour_points(view):
+    """Gives each point of a chart the colour of its series: VTK 9.6 crashes where points without colours of their own
+    are exported as vectors."""
+    if vtkVersion().GetVTKMajorVersion() * 100 + vtkVersion().GetVTKMinorVersion() < 906:
+        return
+    chart = view.GetClientSideObject().GetChart()
+    for number in range(chart.GetNumberOfPlots()):
+        plot = chart.GetPlot(number)
+        table = plot.GetInput()
+        if not plot.IsA("vtkPlotPoints") or table is None or plot.GetScalarVisibility():
+            continue
+        colour = plot.GetPen().GetColorObject()
+        look = vtkLookupTable()
+        look.SetNumberOfTableValues(1)
+        look.SetTableValue(0, colour.GetRed() / 255.0, colour.GetGreen() / 255.0, colour.GetBlue() / 255.0,
+                           plot.GetPen().GetOpacity() / 255.0)
+        plot.SetLookupTable(look)
+        plot.SelectColorArray(0)
+        plot.ScalarVisibilityOn()
 
 
 class _Changes:
@@ -372,12 +396,19 @@ def _vectors(path, view, change, size, lines=None):
         with open(picture, "rb") as file:
             data = base64.b64encode(file.read()).decode()
     across, up = view.ViewSize
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    text = re.sub(r"<image\b[^>]*/>|<image\b.*?</image>", "", text, flags=re.S)
+    text = _remove_images(path)
     image = f'<image x="0" y="0" width="{across}" height="{up}" xlink:href="data:image/png;base64,{data}"/>\n'
     with open(path, "w", encoding="utf-8") as file:
         file.write(text.replace("<g>", "<g>\n" + image, 1))
+
+
+def _remove_images(path):
+    """The text of an SVG file, from which pictures are removed."""
+    with open(path, encoding="utf-8") as file:
+        text = re.sub(r"<image\b[^>]*/>|<image\b.*?</image>", "", file.read(), flags=re.S)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return text
 
 
 def _set_size(path, width_mm, size):

@@ -142,8 +142,14 @@ def check_functions():
 
 
 def run_script(name, *arguments, folder):
-    """Runs a script of the previous version; its output may have deprecation warnings, but no errors."""
-    done = subprocess.run(["pvpython", str(PREVIOUS / name), *map(str, arguments)], cwd=folder,
+    """Runs a script of the previous version; its output may have deprecation warnings, but no errors. ParaView 6.1 has
+    not all names of colours that these scripts use."""
+    script, environment = PREVIOUS / name, dict(os.environ)
+    if not servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset("Viridis (matplotlib)"):
+        script = folder / name
+        script.write_text((PREVIOUS / name).read_text().replace("Viridis (matplotlib)", "Viridis"))
+        environment["PYTHONPATH"] = os.pathsep.join([str(PREVIOUS), environment.get("PYTHONPATH", "")])
+    done = subprocess.run(["pvpython", str(script), *map(str, arguments)], cwd=folder, env=environment,
                           capture_output=True, text=True, timeout=400)
     said = done.stdout + done.stderr
     assert done.returncode == 0, f"{name}: {done.returncode}: {said}"
