@@ -90,6 +90,7 @@ int vtkBindingSites::RequestData(
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0]));
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
+      isthmus::RequireOneRank(this, atoms, "atoms");
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)
       {
