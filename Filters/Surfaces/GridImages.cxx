@@ -21,6 +21,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
