@@ -317,10 +317,10 @@ def _show_balls(source, ids):
             return
         selected = simple.GetActiveSource()
         balls = simple.ExtractSelection(
-            simple.OutputPort(source, CHOKE_POINTS), Selection=servermanager.sources.IDSelectionSource(FieldType="POINT", IDs=[-1, -1]),
+            simple.OutputPort(source, CHOKE_POINTS), Selection=pockets_and_pores.selected_points([]),
             registrationName=pockets_and_pores.name_of(source, "selected balls"))
         simple.SetActiveSource(selected)
-    balls.Selection.IDs = [number for place in places for number in (-1, place)] or [-1, -1]
+    balls.Selection = pockets_and_pores.selected_points(places)
     balls.UpdatePipeline()
     for view in simple.GetViews():
         shows = [display for display in view.Representations if getattr(display, "Visibility", 0) and

@@ -219,7 +219,11 @@ def label(cartoon, residues, view=None):
     if not rows:
         raise ValueError(f"There is no residue {residues} in the cartoon.")
     chosen = simple.IDSelectionSource(FieldType="POINT", IDs=[number for row in rows for number in (-1, row)])
-    part = simple.ExtractSelection(simple.OutputPort(cartoon, RESIDUES), Selection=chosen)
+    # The panel of Extract Selection in ParaView 6.1 can show no other kind of selection.
+    appended = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(chosen.SMProxy)
+    part = simple.ExtractSelection(
+        simple.OutputPort(cartoon, RESIDUES), Selection=servermanager._getPyProxy(appended))
+    appended.UnRegister(None)
     part.UpdatePipeline()
     display = simple.Show(part, view)
     display.SetRepresentationType("Points")
