@@ -212,6 +212,14 @@ def _one(cartoon, residue):
     return rows[0]
 
 
+def _appended(selection):
+    """The selection as the only kind that ParaView 6.1 takes."""
+    made = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(selection.SMProxy)
+    proxy = servermanager._getPyProxy(made)
+    made.UnRegister(None)
+    return proxy
+
+
 def label(cartoon, residues, view=None):
     """Names of these residues in the view, "LYS 48 A"; returns their display."""
     view = view or simple.GetActiveView()
@@ -219,18 +227,14 @@ def label(cartoon, residues, view=None):
     if not rows:
         raise ValueError(f"There is no residue {residues} in the cartoon.")
     chosen = simple.IDSelectionSource(FieldType="POINT", IDs=[number for row in rows for number in (-1, row)])
-    # The panel of Extract Selection in ParaView 6.1 can show no other kind of selection.
-    appended = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(chosen.SMProxy)
-    part = simple.ExtractSelection(
-        simple.OutputPort(cartoon, RESIDUES), Selection=servermanager._getPyProxy(appended))
-    appended.UnRegister(None)
+    part = simple.ExtractSelection(simple.OutputPort(cartoon, RESIDUES), Selection=_appended(chosen))
     part.UpdatePipeline()
     display = simple.Show(part, view)
     display.SetRepresentationType("Points")
     display.PointSize, display.Opacity = 1.0, 0.0
     everything = simple.IDSelectionSource(
         FieldType="POINT", IDs=[number for i in range(len(rows)) for number in (-1, i)])
-    part.SMProxy.SetSelectionInput(0, everything.SMProxy, 0)
+    part.SMProxy.SetSelectionInput(0, _appended(everything).SMProxy, 0)
     display.SelectionPointLabelVisibility, display.SelectionPointFieldDataArrayName = 1, "Residue"
     display.SelectionPointLabelColor = [0.1, 0.1, 0.1]
     display.SelectionPointLabelFontSize = 18
@@ -286,7 +290,7 @@ def _select(cartoon, rows, ports):
         if not rows or not _count(cartoon, port):
             cartoon.SMProxy.CleanSelectionInputs(port)
             continue
-        query = "in1d(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
+        query = "isin(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
         source = servermanager.sources.SelectionQuerySource(
             QueryString=query, ElementType="Point Data" if port == RESIDUES else "Cell Data")
         # The window expects a list of selections, and crashes if it gets a single one.
