@@ -15,8 +15,9 @@ from vtkmodules.vtkCommonCore import vtkIdList
 try:
     from paraview import servermanager, simple
     from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
+    from vtkmodules.numpy_interface import algorithms
 except ImportError:
-    servermanager = simple = vtkSMSelectionHelper = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = vtkSMSelectionHelper = algorithms = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
     import isthmus_messages as messages  # with the plugin loaded
@@ -290,7 +291,8 @@ def _select(cartoon, rows, ports):
         if not rows or not _count(cartoon, port):
             cartoon.SMProxy.CleanSelectionInputs(port)
             continue
-        query = "isin(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
+        word = "in1d" if hasattr(algorithms, "in1d") else "isin"  # the latter from ParaView 6 on
+        query = f"{word}(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
         source = servermanager.sources.SelectionQuerySource(
             QueryString=query, ElementType="Point Data" if port == RESIDUES else "Cell Data")
         # The window expects a list of selections, and crashes if it gets a single one.
