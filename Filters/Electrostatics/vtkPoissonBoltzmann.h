@@ -34,11 +34,11 @@
  * Spacing and Padding around the surface (around the chains of the input, with 2 angstrom more, if
  * pdb2pqr adds the charges). Field data: `SolvationEnergy` (kcal/mol; from a medium with
  * SoluteDielectric everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`,
- * `Iterations (of BiCGSTAB on this grid, including those of all Newton steps and those for the
- * border values on this grid), BorderIterations (on a coarser grid, for the border values),
- * NewtonSteps, ResidualHistory (of the last solution), LinearFits and GhostFits (crossings of the
- * surface at which a simpler fit replaced the quadratic one, most of them in cavities and clefts
- * one or two nodes wide), `DebyeLength` (angstrom, 0 without salt), `NetCharge`, `Surface`.
+ * `Iterations` (of BiCGSTAB on this grid, including those of all Newton steps and those for the
+ * border values on this grid), `BorderIterations` (on a coarser grid, for the border values),
+ * `NewtonSteps`, `ResidualHistory` (of the last solution), `LinearFits` and `GhostFits` (crossings
+ * of the surface at which a simpler fit replaced the quadratic one, most of them in cavities and
+ * clefts one or two nodes wide), `DebyeLength` (angstrom, 0 without salt), `NetCharge`, `Surface`.
  * ComputeMaps adds the coefficients of the equation as point arrays (float): Dielectric (of the
  * edges from the node along each axis, like dielx, diely and dielz of APBS; if the surface cuts an
  * edge, its parts are in series, rounded to 1/255), IonAccessibility (the fraction of the node's
@@ -49,7 +49,7 @@
  * outside, kT/(e angstrom)), `SurfaceChargeDensity` (induced, e/angstrom^2), `Normals`; fitted from
  * both sides.
  *
- * **Output 2: the atoms with ReactionPotential (kT/e), AtomEnergy (kcal/mol: the contribution of
+ * **Output 2**: the atoms with ReactionPotential (kT/e), AtomEnergy (kcal/mol: the contribution of
  * the atom to the solvation energy; the contributions add up to it unless Nonlinear is on), and
  * ReactionForce (kcal/(mol angstrom)): -q grad u, the force of the reaction field on each charge.
  * This is minus the derivative of the solvation energy with respect to the position of the charge

@@ -30,7 +30,7 @@ struct EdgeCoefficientParameters
  * v is `values` under a Gaussian of standard deviation PreSmoothing (F. Catte, P.-L. Lions,
  * J.-M. Morel, T. Coll, SIAM J. Numer. Anal. 29 (1992) 182), done by heat flow. sigma is given, or
  * with LocalVariance the standard deviation of u (order 0) or of grad u (orders 1 to 3) in the
- * window around the node (4.35). ``scratch` are two volumes of working memory. Returns the
+ * window around the node (4.35). `scratch` are two volumes of working memory. Returns the
  * equivalent number of evaluations of a right-hand side: those of the heat flow and one more.
  */
 template <typename T>

@@ -16,7 +16,7 @@ namespace isthmus
 
 /**
  * Solves |grad d| = 1 on a grid with cells of side `spacing`, by upwind differences (J. A. Sethian,
- * PNAS 93, 1996). ``values` holds the distances of the nodes in `known`; the others are computed,
+ * PNAS 93, 1996). `values` holds the distances of the nodes in `known`; the others are computed,
  * up to `greatest`. Error O(spacing log spacing). O(n log n).
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT void FastMarch(const std::array<std::int64_t, 3>& dimensions,

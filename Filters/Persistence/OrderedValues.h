@@ -15,7 +15,7 @@ namespace isthmus
 /**
  * The values of a volume as signed integers whose order is that in which the nodes enter.
  *
- * ``Stored` is float, double or the unsigned integer of the same size as the values. -0.0 counts as
+ * `Stored` is float, double or the unsigned integer of the same size as the values. -0.0 counts as
  * 0.0.
  */
 template <typename Stored>
