@@ -39,7 +39,7 @@ def skipped_lines(skipped):
     """One line for each reason, with the tests without the parameters of their cases."""
     tests = {}
     for test, reason in skipped.items():
-        tests.setdefault(reason.strip(), []).append(re.sub(r"^\w+/|/.*", "", test) if "/" in test else test)
+        tests.setdefault(reason.strip().removeprefix("skipped: "), []).append(re.sub(r"^\w+/|/.*", "", test) if "/" in test else test)
     for reason, names in tests.items():
         yield f"skipped, {reason}: {', '.join(sorted(set(names)))} ({len(names)})"
 
@@ -61,18 +61,35 @@ def versions_table(logs):
                          len(summary["skipped"]), len(summary["failed"]),
                          f"{summary['date']} ({summary['commit']})"])
             skips += [f"- {what}, {line}" for line in skipped_lines(summary["skipped"])]
-            skips += [f"- {what}, failed: {test}" for test in summary["failed"]]
+            if summary["failed"]:
+                skips.append(f"- {what}, failed: {', '.join(summary['failed'])}")
     head = ["system", *VERSIONS, "tests", "passed", "skipped", "failed", "date and commit"]
     return table(head, rows) + ([""] + skips if skips else [])
 
 
 def difference(a, b):
-    """Largest relative difference of two numbers or two lists; None where their lengths differ."""
-    if isinstance(a, list):
-        if len(a) != len(b):
-            return None
-        return max((difference(x, y) for x, y in zip(a, b)), default=0.0)
+    """Relative difference of two numbers."""
     return 0.0 if a == b else abs(a - b) / max(abs(a), abs(b))
+
+
+def compared(a, b, limit):
+    """(text, whether it may be so) of numbers or ascending lists; without a limit lists are not matched."""
+    if not isinstance(a, list):
+        apart = difference(a, b)
+        return f"{apart:.1e}" if apart else "0", limit is None or apart <= limit
+    if limit is None:
+        if len(a) != len(b):
+            return "other number", True
+        limit = float("inf")
+    a, b, apart, alone = list(a), list(b), 0.0, []
+    while a and b:
+        if difference(a[0], b[0]) <= limit:
+            apart = max(apart, difference(a.pop(0), b.pop(0)))
+        else:
+            alone.append((a if a[0] < b[0] else b).pop(0))
+    alone += a + b
+    text = f"{apart:.1e}" if apart else "0"
+    return text + (f"; on one only: {', '.join(f'{x:.4g}' for x in alone)}" if alone else ""), not alone
 
 
 def of_nodes(a, b):
@@ -95,9 +112,9 @@ def results_table(logs):
     for key, limit in ROWS:
         row = [key, shown(found[first][key])]
         for suite in others:
-            apart = difference(found[first][key], found[suite][key])
-            row += [shown(found[suite][key]), "other number" if apart is None else f"{apart:.1e}" if apart else "0"]
-            if limit is not None and (apart is None or apart > limit):
+            text, fine = compared(found[first][key], found[suite][key], limit)
+            row += [shown(found[suite][key]), text]
+            if not fine:
                 wrong.append(f"{key} of {SUITES[suite]}: {row[-1]}, where {limit:g} is allowed")
         rows.append(row)
     row = ["curvature at nodes of EMD-1832, relative to the largest", ""]

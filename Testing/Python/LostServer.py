@@ -1,5 +1,5 @@
-"""Clients of one pvserver in turn, and a pvserver that is killed in the middle of a filter: its client says
-so and ends without a result and without a signal, and the next server serves as before.
+"""Clients of one pvserver in turn, and a pvserver that is killed in the middle of a filter: its client reports
+that and ends without a result and without a signal, and the next server serves as before.
 """
 
 import os
@@ -98,4 +98,4 @@ try:
 finally:
     server.kill()
     server.wait()
-print("clients in turn; the loss of a server is said")
+print("clients in turn: passed; lost server: reported")
