@@ -1,6 +1,6 @@
 #include "Imaging/NoiseSpectrum.h"
 
-#include "Core/Geometry.h"
+#include "Imaging/SmoothedNoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,138 +11,40 @@ namespace isthmus
 namespace
 {
 
-constexpr std::size_t spectrumBins = 24;
 /// Bins with less than this of the strongest one's power hold what leaks from others.
 constexpr double weak = 0.02;
-
-/// s of the cosine waves of an axis of n nodes, b the bound of all three axes.
-std::vector<double> ModesOfAxis(std::int64_t n, double spacing, double bound)
-{
-  std::vector<double> modes(static_cast<std::size_t>(n));
-  for (std::size_t k = 0; k < modes.size(); ++k)
-  {
-    const double sine = std::sin(Pi * static_cast<double>(k) / (2.0 * static_cast<double>(n)));
-    modes[k] = 4.0 * sine * sine / (spacing * spacing * bound);
-  }
-  return modes;
-}
-
-double BoundOf(const std::array<double, 3>& spacing)
-{
-  double bound = 0.0;
-  for (const double h : spacing)
-  {
-    bound += 4.0 / (h * h);
-  }
-  return bound;
-}
-
-/// Orthonormal cosine transform along one axis, by its matrix.
-void TransformAxis(std::vector<double>& values, const Index3& size, std::size_t axis)
-{
-  const std::int64_t n = size[axis];
-  if (n == 1)
-  {
-    return;
-  }
-  std::vector<double> matrix(static_cast<std::size_t>(n * n));
-  for (std::int64_t k = 0; k < n; ++k)
-  {
-    const double norm = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(n));
-    for (std::int64_t i = 0; i < n; ++i)
-    {
-      matrix[static_cast<std::size_t>(k * n + i)] =
-        norm * std::cos(Pi * static_cast<double>(k * (2 * i + 1)) / static_cast<double>(2 * n));
-    }
-  }
-  const std::int64_t step = axis == 0 ? 1 : axis == 1 ? size[0] : size[0] * size[1];
-  const std::int64_t total = size[0] * size[1] * size[2];
-  std::vector<double> line(static_cast<std::size_t>(n));
-  for (std::int64_t at = 0; at < total; ++at)
-  {
-    if (at / step % n != 0)
-    {
-      continue;
-    }
-    for (std::int64_t i = 0; i < n; ++i)
-    {
-      line[static_cast<std::size_t>(i)] = values[static_cast<std::size_t>(at + i * step)];
-    }
-    for (std::int64_t k = 0; k < n; ++k)
-    {
-      values[static_cast<std::size_t>(at + k * step)] = std::inner_product(
-        line.begin(), line.end(), matrix.begin() + static_cast<std::ptrdiff_t>(k * n), 0.0);
-    }
-  }
-}
 
 /// Power and fourth power of a block's waves, bin by bin.
 struct BlockPower
 {
-  std::array<double, spectrumBins> Square{}, Fourth{};
+  std::array<double, waveBins> Square{}, Fourth{};
 };
-
-/// The quantile q of chi squared over its degrees of freedom (Wilson and Hilferty), z that of the
-/// normal distribution.
-double SpreadAtQuantile(double degrees, double z)
-{
-  const double a = 2.0 / (9.0 * degrees);
-  return std::pow(std::max(0.05, 1.0 - a + z * std::sqrt(a)), 3);
-}
-
-double QuantileOf(std::vector<double> values, double share)
-{
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
 
 /// The powers of all blocks.
 class Spectra
 {
 public:
-  Spectra(const NoiseBlocks& blocks, const std::array<double, 3>& spacing)
-    : Powers(blocks.Values.size())
+  explicit Spectra(const BlockWaves& waves)
+    : Powers(waves.Squares.size())
   {
-    const Index3 size = blocks.Size;
-    const double bound = BoundOf(spacing);
-    std::array<std::vector<double>, 3> modes;
-    for (std::size_t a = 0; a < 3; ++a)
+    for (const int bin : waves.Bin)
     {
-      modes[a] = ModesOfAxis(size[a], spacing[a], bound);
-    }
-    const std::int64_t nodes = size[0] * size[1] * size[2];
-    std::vector<std::size_t> binOf(static_cast<std::size_t>(nodes));
-    for (std::int64_t n = 0; n < nodes; ++n)
-    {
-      const double s = modes[0][static_cast<std::size_t>(n % size[0])] +
-        modes[1][static_cast<std::size_t>(n / size[0] % size[1])] +
-        modes[2][static_cast<std::size_t>(n / (size[0] * size[1]))];
-      const std::size_t bin =
-        std::min(spectrumBins - 1, static_cast<std::size_t>(std::sqrt(s) * double(spectrumBins)));
-      binOf[static_cast<std::size_t>(n)] = bin;
-      this->Count[bin] += n > 0 ? 1.0 : 0.0;
-    }
-    ParallelFor(0, static_cast<std::int64_t>(this->Powers.size()), 1,
-      [&](std::int64_t first, std::int64_t last)
+      if (bin >= 0)
       {
-        for (std::int64_t block = first; block < last; ++block)
-        {
-          const auto& values = blocks.Values[static_cast<std::size_t>(block)];
-          std::vector<double> waves(values.begin(), values.end());
-          for (std::size_t a = 0; a < 3; ++a)
-          {
-            TransformAxis(waves, size, a);
-          }
-          BlockPower& power = this->Powers[static_cast<std::size_t>(block)];
-          for (std::size_t n = 1; n < waves.size(); ++n)
-          {
-            const double square = waves[n] * waves[n];
-            power.Square[binOf[n]] += square;
-            power.Fourth[binOf[n]] += square * square;
-          }
-        }
-      });
+        this->Count[static_cast<std::size_t>(bin)] += 1.0;
+      }
+    }
+    for (std::size_t block = 0; block < this->Powers.size(); ++block)
+    {
+      BlockPower& power = this->Powers[block];
+      for (std::size_t n = 1; n < waves.Bin.size(); ++n)
+      {
+        const auto bin = static_cast<std::size_t>(waves.Bin[n]);
+        const auto square = static_cast<double>(waves.Squares[block][n]);
+        power.Square[bin] += square;
+        power.Fourth[bin] += square * square;
+      }
+    }
   }
 
   /// Waves with sqrt(s) from `low` to `high`.
@@ -191,8 +93,8 @@ public:
   /// The lower quartile of each bin over the blocks, corrected for its spread.
   std::vector<double> LowQuantiles() const
   {
-    std::vector<double> quantiles(spectrumBins, 0.0);
-    for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+    std::vector<double> quantiles(waveBins, 0.0);
+    for (std::size_t bin = 0; bin < waveBins; ++bin)
     {
       std::vector<double> powers;
       for (const BlockPower& power : this->Powers)
@@ -263,9 +165,9 @@ private:
   template <typename Body>
   void ForBins(double low, double high, Body&& body) const
   {
-    for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+    for (std::size_t bin = 0; bin < waveBins; ++bin)
     {
-      const double centre = (static_cast<double>(bin) + 0.5) / static_cast<double>(spectrumBins);
+      const double centre = (static_cast<double>(bin) + 0.5) / static_cast<double>(waveBins);
       if (centre >= low && centre < high)
       {
         body(bin);
@@ -274,7 +176,7 @@ private:
   }
 
   std::vector<BlockPower> Powers;
-  std::array<double, spectrumBins> Count{};
+  std::array<double, waveBins> Count{};
 };
 
 /**
@@ -287,7 +189,7 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
   constexpr double lowestDecile = -1.2816;
   auto withoutWeak = [](std::vector<double> reference)
   {
-    const auto last = reference.begin() + static_cast<std::ptrdiff_t>(high * spectrumBins);
+    const auto last = reference.begin() + static_cast<std::ptrdiff_t>(high * waveBins);
     const double strongest = *std::max_element(reference.begin(), last);
     std::replace_if(
       reference.begin(), reference.end(), [=](double p) { return p < weak * strongest; }, 0.0);
@@ -314,7 +216,7 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
         quiet.push_back(n);
       }
     }
-    for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+    for (std::size_t bin = 0; bin < waveBins; ++bin)
     {
       reference[bin] = spectra.Bin(bin, quiet);
     }
@@ -352,8 +254,8 @@ double NoiseSpectrum::At(double s) const
   {
     return this->Deviation * this->Deviation;
   }
-  const double position = std::sqrt(std::clamp(s, 0.0, 1.0)) * double(spectrumBins) - 0.5;
-  const double low = std::clamp(std::floor(position), 0.0, double(spectrumBins) - 2.0);
+  const double position = std::sqrt(std::clamp(s, 0.0, 1.0)) * double(waveBins) - 0.5;
+  const double low = std::clamp(std::floor(position), 0.0, double(waveBins) - 2.0);
   const auto bin = static_cast<std::size_t>(low);
   const double part = std::clamp(position - low, 0.0, 1.0);
   return (1.0 - part) * this->Density[bin] + part * this->Density[bin + 1];
@@ -378,17 +280,94 @@ std::array<std::vector<double>, 3> ModesOf(
   return modes;
 }
 
-NoiseSpectrum EstimateNoiseSpectrum(
-  const VolumeSample& sample, const std::array<double, 3>& spacing)
+namespace
+{
+
+/// Sets level and coherence from the density, on the waves of the whole grid.
+void SetLevel(const Index3& whole, const std::array<double, 3>& spacing, NoiseSpectrum& noise)
+{
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  const auto modes = ModesOf(whole, spacing);
+  for (const double z : modes[2])
+  {
+    for (const double y : modes[1])
+    {
+      for (const double x : modes[0])
+      {
+        const double power = noise.At(x + y + z);
+        sum += power;
+        squares += power * power;
+        count += 1.0;
+      }
+    }
+  }
+  noise.Deviation = std::sqrt(sum / count);
+  noise.Coherence = sum > 0.0 ? squares * count / (sum * sum) : 1.0;
+}
+
+/// Noise of a Gaussian correlation. Its density is scaled to its variance, since the sum over the
+/// waves of a finite grid has the longest ones in full.
+NoiseSpectrum SpectrumOf(
+  const SmoothedNoise& found, const Index3& whole, const std::array<double, 3>& spacing)
 {
   NoiseSpectrum noise;
-  constexpr std::size_t fewest = 8;
-  if (sample.Small.Values.size() < fewest)
+  noise.Found = true;
+  noise.White = false;
+  noise.Density = found.Density;
+  SetLevel(whole, spacing, noise);
+  const double scale = found.Variance / (noise.Deviation * noise.Deviation);
+  std::for_each(
+    noise.Density.begin(), noise.Density.end(), [scale](double& power) { power *= scale; });
+  noise.Deviation = std::sqrt(found.Variance);
+  return noise;
+}
+
+/// The spectrum of blocks without signal; not found where there are none.
+NoiseSpectrum BackgroundSpectrum(
+  const BlockWaves& waves, const VolumeSample& sample, const std::array<double, 3>& spacing)
+{
+  const Spectra spectra(waves);
+  NoiseSpectrum noise;
+  const std::vector<std::size_t> quiet = QuietBlocks(spectra);
+  constexpr double normal = 4.0;
+  if (quiet.size() < 4 || spectra.Kurtosis(0.06, 0.5, quiet) > normal)
   {
     return noise;
   }
-  noise.Found = true;
-  const Spectra small(sample.Small, spacing);
+  noise.White = false;
+  noise.Density.resize(waveBins);
+  for (std::size_t bin = 0; bin < waveBins; ++bin)
+  {
+    noise.Density[bin] = spectra.Bin(bin, quiet);
+  }
+  for (std::size_t bin = waveBins; bin-- > 0;)
+  {
+    if (spectra.Waves(bin) < 1.0 && bin + 1 < waveBins)
+    {
+      noise.Density[bin] = noise.Density[bin + 1]; // longer waves than a block has
+    }
+  }
+  SetLevel(sample.Whole, spacing, noise);
+  // More than this of the variance is rather a texture that fills the volume.
+  // A masked map has no background left, so less is believed there.
+  const double mostNoise = sample.HasFill ? 0.45 : 0.62;
+  noise.Found = noise.Deviation * noise.Deviation <= mostNoise * VarianceOf(sample.Small);
+  return noise;
+}
+
+}
+
+NoiseSpectrum EstimateNoiseSpectrum(
+  const VolumeSample& sample, const std::array<double, 3>& spacing)
+{
+  NoiseSpectrum white;
+  constexpr std::size_t fewest = 8;
+  if (sample.Small.Values.size() < fewest)
+  {
+    return white;
+  }
+  const BlockWaves ofSmall = TransformBlocks(sample.Small, spacing);
+  const Spectra small(ofSmall);
   // The upper end of the spectrum; its last part alone where there is clearly less.
   double floor = small.Floor(0.75, 1.01);
   for (const double low : { 0.84, 0.9 })
@@ -404,65 +383,38 @@ NoiseSpectrum EstimateNoiseSpectrum(
   {
     floor = std::max(0.0, small.Floor(0.5, 1.01)); // a slice or a row
   }
-  noise.Deviation = std::sqrt(floor);
+  white = WhiteNoise(std::sqrt(floor));
   // White noise is a floor under whatever there is in longer waves; coloured noise falls to the
   // end.
   constexpr double falling = 2.5;
   const double before = small.Floor(0.76, 0.86), last = small.Floor(0.9, 1.01);
   if (before < 0.0 || last < 0.0 || before <= falling * last)
   {
-    return noise;
+    return white;
   }
-  const bool large = sample.Large.Values.size() >= 3 * fewest;
-  const Spectra spectra(large ? sample.Large : sample.Small, spacing);
-  const std::vector<std::size_t> quiet = QuietBlocks(spectra);
-  constexpr double normal = 4.0;
-  if (quiet.size() < 4 || spectra.Kurtosis(0.06, 0.5, quiet) > normal)
+  const BlockWaves ofLarge = TransformBlocks(sample.Large, spacing);
+  const bool large = sample.Large.Values.size() >= 2 * fewest;
+  const SmoothedNoise correlated =
+    FindSmoothedNoise(large ? ofLarge : ofSmall, spacing, VarianceOf(sample.Small));
+  // A fit to the tail of a spectrum says little of the rest if noise is of another shape.
+  constexpr double tail = 0.15;
+  if (correlated.Found && correlated.Share >= tail)
   {
-    noise.Background = false;
-    return noise;
+    return SpectrumOf(correlated, sample.Whole, spacing);
   }
-  noise.White = false;
-  noise.Density.resize(spectrumBins);
-  for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+  const bool largeOnes = sample.Large.Values.size() >= 3 * fewest;
+  const NoiseSpectrum background =
+    BackgroundSpectrum(largeOnes ? ofLarge : ofSmall, sample, spacing);
+  if (background.Found)
   {
-    noise.Density[bin] = spectra.Bin(bin, quiet);
+    return background;
   }
-  for (std::size_t bin = spectrumBins; bin-- > 0;)
+  if (correlated.Found)
   {
-    if (spectra.Waves(bin) < 1.0 && bin + 1 < spectrumBins)
-    {
-      noise.Density[bin] = noise.Density[bin + 1]; // longer waves than a block has
-    }
+    return SpectrumOf(correlated, sample.Whole, spacing);
   }
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  const auto modes = ModesOf(sample.Whole, spacing);
-  for (const double z : modes[2])
-  {
-    for (const double y : modes[1])
-    {
-      for (const double x : modes[0])
-      {
-        const double power = noise.At(x + y + z);
-        sum += power;
-        squares += power * power;
-        count += 1.0;
-      }
-    }
-  }
-  // More than this of the variance is rather a texture that fills the volume.
-  // A masked map has no background left, so less is believed there.
-  const double mostNoise = sample.HasFill ? 0.45 : 0.62;
-  if (sum / count > mostNoise * VarianceOf(sample.Small))
-  {
-    noise.White = true;
-    noise.Background = false;
-    noise.Density.clear();
-    return noise;
-  }
-  noise.Deviation = std::sqrt(sum / count);
-  noise.Coherence = sum > 0.0 ? squares * count / (sum * sum) : 1.0;
-  return noise;
+  white.Background = false;
+  return white;
 }
 
 }

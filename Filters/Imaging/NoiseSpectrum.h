@@ -12,9 +12,10 @@
  * Hilferty). It is therefore independent of the map if a quarter of the blocks has no detail at the
  * finest waves.
  *
- * **Coloured noise has no such floor: the power falls until the end of the spectrum. In this case,
- * blocks without signal are searched for. Homogeneous noise has the same power in all of them, and
- * its waves have normally distributed amplitudes (kurtosis 3). Their mean is the spectrum if the
+ * **Coloured noise has no such floor: the power falls until the end of the spectrum. If it does so
+ * like white noise under a Gaussian (SmoothedNoise.h), that is the spectrum. Otherwise blocks
+ * without signal are searched for. Homogeneous noise has the same power in all of them, and its
+ * waves have normally distributed amplitudes (kurtosis 3). Their mean is the spectrum if the
  * quietest blocks agree, look normally distributed, differ clearly from others, and do not contain
  * most of the variance of the volume. Otherwise only the floor is used, which is then low: little
  * or nothing is changed, and a warning says why.

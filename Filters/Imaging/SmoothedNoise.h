@@ -1,0 +1,60 @@
+/**
+ * @file SmoothedNoise.h
+ * @brief Finds noise with a Gaussian correlation in blocks that hold signal, too.
+ *
+ * White noise that was smoothed by a Gaussian of standard deviation sigma, as by interpolation, by
+ * a low-pass filter or by a detector, has the spectral density A exp(-sigma^2 |omega|^2). Signal
+ * lies above it in some blocks and at some frequencies, mostly in long waves; noise is the same in
+ * all blocks. So sigma and A are those that explain the most bins of frequency, over a quarter of
+ * the blocks at least, and are exceeded, but not undercut, in the others. What lies in long waves
+ * under the signal follows from the shape.
+ *
+ * 1. **Whitening.** For each sigma, the squares of a block's waves are divided by their expectation
+ *    for A = 1. It is exact for a block: the covariance along each axis, transformed by the cosine
+ *    transform, since a block's ends change its waves by 5 to 20 %.
+ * 2. **Floors.** The lower quartile over the blocks of the mean of each bin, corrected for the
+ * spread of chi squared. Bins in which the lowest tenth of the blocks has clearly less are not the
+ * same everywhere and do not count.
+ * 3. **Fit.** Floors that agree within 12 % are explained. The largest number of them wins, among
+ *    equals the least variance.
+ * 4. **Doubt.** The fit is refused if the explained bins are few or have gaps, if their waves are
+ * not normally distributed (a texture, kurtosis above 3.6), or if the noise had nearly all of the
+ *    variance of the volume: then a map that is full of detail looks the same.
+ *
+ * Taking the noise floor from low quantiles over time is known from speech (R. Martin, IEEE Trans.
+ * Speech Audio Process. 9 (2001) 504).
+ */
+#ifndef isthmus_SmoothedNoise_h
+#define isthmus_SmoothedNoise_h
+
+#include "Imaging/BlockWaves.h"
+
+#include <array>
+#include <vector>
+
+namespace isthmus
+{
+
+struct SmoothedNoise
+{
+  bool Found = false;
+  double Length = 0.0;         ///< sigma, in the unit of the spacing
+  double Variance = 0.0;       ///< of the noise, in the unit of the squared values
+  double Share = 0.0;          ///< of the noise's power in the bins that it explains
+  std::vector<double> Density; ///< mean variance of the waves of each bin of a large grid
+};
+
+/**
+ * The noise of the blocks `waves`, whose volume has the variance `total`.
+ *
+ * Lengths from 0.4 to 4 of the least spacing are tried, 150 of them.
+ * Not found in fewer than 16 blocks of 16^3 nodes or 48 of 8^3.
+ * Cost: 150 multiplications per wave of a block; in parallel over the lengths. Same bits on any
+ * number of threads.
+ */
+VTKISTHMUSFILTERSIMAGING_EXPORT SmoothedNoise FindSmoothedNoise(
+  const BlockWaves& waves, const std::array<double, 3>& spacing, double total);
+
+}
+
+#endif
