@@ -8,6 +8,10 @@ of the surface (discs inside, diamonds outside), a line is the threshold of pers
 chart or in the view, is selected in the other one as well, and the ball of its choke point is shown.
 """
 
+import importlib
+import sys
+from importlib.machinery import ModuleSpec
+
 try:
     from paraview import servermanager, simple
 except ImportError:
@@ -61,6 +65,30 @@ for label, threshold in LINES:
         threshold = (death - birth)[numpy.argmin(abs(death - birth))] if len(birth) else 0.0
     result.RowData.append(birth + threshold, label)
 """
+
+
+class _ScriptColours:
+    """Stands for the module below where it is not installed. The panel of a filter with a script, as that of the chart
+    is, asks for it, and in ParaView 5.11 to 6.0 goes on with the error of the failed import: from Python 3.12 on the
+    next import fails as well, and ParaView ends by signal 11 (Debian 13, with or without Isthmus)."""
+
+    MODULE = "pygments.formatters.redtabhtml"
+
+    @classmethod
+    def find_spec(cls, name, path=None, target=None):
+        return ModuleSpec(name, cls) if name == cls.MODULE else None
+
+    @staticmethod
+    def create_module(spec):
+        return None
+
+    @staticmethod
+    def exec_module(module):
+        module.RedTabHtmlFormatter = importlib.import_module("pygments.formatters").HtmlFormatter
+
+
+if simple and not any(getattr(finder, "MODULE", None) == _ScriptColours.MODULE for finder in sys.meta_path):
+    sys.meta_path.append(_ScriptColours)  # the last to be asked
 
 
 def show(source):
