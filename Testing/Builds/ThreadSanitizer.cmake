@@ -1,6 +1,6 @@
 # Included by Sanitized.cmake: data races, with more threads than processors. VTK is not instrumented,
-# but its threads are started, joined and locked by calls that the sanitizer sees: nothing has to be
-# suppressed.
+# but its threads are started and locked by calls that the sanitizer sees, and ParallelFor tells when a
+# loop has ended: nothing has to be suppressed.
 set(ENV{VTK_SMP_BACKEND_IN_USE} STDThread)
 set(ENV{VTK_SMP_MAX_THREADS} 4)
 set(folder "${WORK_DIR}/sanitized-threads")
