@@ -71,11 +71,11 @@ def close(text, at):
 
 
 def expressions(text):
-    """Ranges of conditions, and of values up to the end of their statement."""
+    """Ranges of conditions, and of values up to the end of their statement; what is before a value."""
     for match in CONDITION.finditer(text):
-        yield match.end(), close(text, match.end())
+        yield match.end(), close(text, match.end()), ""
     for match in VALUE.finditer(text):
-        yield match.end(), text.find(";", match.end())
+        yield match.end(), text.find(";", match.end()), " ".join(match.group().split()) + " "
 
 
 def changes_of(expression):
@@ -96,14 +96,14 @@ def mutants_of(path):
     """(kind, first and last character, changed text with {id}, what was changed) of a source."""
     text = path.read_text()
     begin = text.find("\nnamespace isthmus")
-    for first, last in expressions(text):
+    for first, last, before in expressions(text):
         expression = text[first:last]
         unfit = re.search(r"[\[{\"]|//| = |nullptr|^\s*$", expression) or "constexpr" in text[text.rfind("\n", 0, first):first]
         if first < begin or last < 0 or unfit:
             continue
         for kind, changed in changes_of(expression):
             yield (kind, first, last, f"isthmus_mutants::Is({{id}}) ? ({changed}) : ({expression})",
-                   f"{' '.join(expression.split())}  ->  {' '.join(changed.split())}")
+                   f"{before}{' '.join(expression.split())}  ->  {' '.join(changed.split())}")
     for pattern in (CALL, CHANGE):
         for match in pattern.finditer(text):
             statement = match.group(2)
