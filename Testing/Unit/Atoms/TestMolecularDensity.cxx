@@ -292,6 +292,8 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   bad = sound;
   bad[0].Radius = -1.0;
   EXPECT_NE(saidOf(AtomsOf(bad)).find("The radius of atom 0 is -1"), std::string::npos);
+  bad[0].Radius = 0.25; // as small as it likes
+  EXPECT_EQ(saidOf(AtomsOf(bad)), "");
   bad[0].Radius = std::nan("");
   EXPECT_NE(saidOf(AtomsOf(bad)).find("1 of 2 atoms have no radius"), std::string::npos);
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -68,6 +68,25 @@ TEST(CompactCombinatorialMap, TypesOfTables31To34)
   }
 }
 
+TEST(CompactCombinatorialMap, BytesOfATypeAreThoseOfItsTables)
+{
+  for (const CellType* type : { &CellType::Tetrahedron(), &CellType::Hexahedron() })
+  {
+    const auto darts = static_cast<std::size_t>(type->NumberOfDarts());
+    std::size_t faces = 0;
+    for (const std::vector<int>& face : type->Faces())
+    {
+      faces += sizeof(std::vector<int>) + face.size() * sizeof(int);
+    }
+    // Darts, those of faces and of vertices; one more offset than there are of either.
+    const std::size_t least = sizeof(CellType) + (darts + 1) * sizeof(CellType::Dart) + faces +
+      (2 * darts + static_cast<std::size_t>(type->NumberOfFaces() + type->NumberOfVertices() + 2)) *
+        sizeof(CellType::Local);
+    EXPECT_GE(type->MemoryBytes(), least) << type->Name();
+    EXPECT_LE(type->MemoryBytes(), 2 * least) << type->Name();
+  }
+}
+
 TEST(CompactCombinatorialMap, TablesOfTheThreeCells)
 {
   const GeneratedMesh mesh = ThreeCells();

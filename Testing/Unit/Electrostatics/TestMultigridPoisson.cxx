@@ -190,6 +190,51 @@ TEST(ChargeSums, DerivativesAreThoseOfTheSum)
   EXPECT_LT(ScreenedSum(charges, 0.1, x) / taylor.Value, 0.5);
 }
 
+TEST(ChargeSums, OfOneChargeAreThoseOnPaper)
+{
+  ChargeList charges;
+  charges.Add({ 1.0, 2.0, 3.0 }, -2.0);
+  for (double r = 0.125; r < 300.0; r *= 1.37)
+  {
+    const Point3 x{ 1.0 + r, 2.0, 3.0 };
+    const double coulomb = -2.0 / (x[0] - 1.0);
+    EXPECT_DOUBLE_EQ(CoulombValue(charges, x, 0.1), coulomb);
+    const double expected = coulomb * std::exp(-(x[0] - 1.0));
+    EXPECT_NEAR(ScreenedSum(charges, 1.0, x) / expected, 1.0, 5e-15) << r;
+    const SecondOrderTaylor taylor = CoulombSum(charges, x);
+    EXPECT_NEAR(taylor.Gradient[0] / (-coulomb / r), 1.0, 1e-12);
+    EXPECT_NEAR(taylor.Hessian[0] / (2.0 * coulomb / (r * r)), 1.0, 1e-12);
+    EXPECT_NEAR(taylor.Hessian[1] / (-coulomb / (r * r)), 1.0, 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(CoulombValue(charges, { 1.0, 2.0, 3.05 }, 0.1), -20.0);
+}
+
+TEST(ChargesOnGrid, NodesNearerThanAQuarterOfASpacingAreTakenAtThatDistance)
+{
+  SolverBox box;
+  box.Dimensions = { 11, 9, 10 };
+  box.Spacing = { 0.5, 0.8, 1.0 };
+  box.Corner = { -2.0, -3.0, -4.0 };
+  ChargeList charges;
+  charges.Add(box.Position(3, 3, 3), 1.0); // on a node
+  Point3 off = box.Position(8, 6, 7);
+  off[0] += 0.15; // farther than 0.125 from it
+  charges.Add(off, 3.0);
+  std::vector<double> g(static_cast<std::size_t>(box.Size()), 0.0);
+  ChargesAtNodes(charges, box,
+    [&](std::int64_t node, double value) { g[static_cast<std::size_t>(node)] = value; });
+  for (std::int64_t node = 0; node < box.Size(); ++node)
+  {
+    double expected = 0.0;
+    for (std::size_t i = 0; i < charges.Size(); ++i)
+    {
+      const Point3 d = box.Position(node) - Point3{ charges.X[i], charges.Y[i], charges.Z[i] };
+      expected += charges.Charge[i] / std::max(0.125, std::sqrt(Dot(d, d)));
+    }
+    EXPECT_NEAR(g[static_cast<std::size_t>(node)], expected, 1e-12 * expected) << node;
+  }
+}
+
 TEST(ChargeTree, SumsAgreeWithDirectOnes)
 {
   const ChargeList charges = RandomCharges(FewestForTree + 1000);

@@ -199,6 +199,68 @@ TEST(HighOrderDiffusion, TimeOrderIsTwo)
   }
 }
 
+TEST(HighOrderDiffusion, TimeOrderIsTwoUnderPreSmoothing)
+{
+  const auto grid = Grid<double>(7, 6, 5);
+  std::vector<double> start = NeumannMode(grid, { 2, 1, 1 }).Values;
+  const std::vector<double> other = NeumannMode(grid, { 1, 3, 2 }).Values;
+  std::transform(start.begin(), start.end(), other.begin(), start.begin(), std::plus<double>());
+  for (const Edge edge : { Edge::Gaussian, Edge::LocalVariance })
+  {
+    DiffusionParameters parameters;
+    parameters.Order = 0;
+    parameters.Sigma = 0.3;
+    parameters.Time = 1.2;
+    parameters.EdgeStopping = edge;
+    parameters.Window = 3;
+    parameters.PreSmoothing = 0.8;
+    EXPECT_GT(TimeOrder(parameters, grid, start, 8), 1.8) << static_cast<int>(edge);
+  }
+}
+
+TEST(HighOrderDiffusion, EvaluationsAreThoseOfTheStages)
+{
+  // s stages reach (s^2 + s - 2) / 4 explicit steps; those of the first order, which look half a
+  // step ahead, (s^2 + s) / 2. Odd numbers of stages, three and one at least.
+  const auto grid = Grid<double>(6, 5, 4);
+  DiffusionParameters parameters;
+  parameters.Order = 0;
+  parameters.Steps = 1;
+  const double limit = ExplicitStepLimit(parameters, grid.Spacing);
+  const struct
+  {
+    double Length; ///< in explicit steps
+    int Stages, Ahead;
+  } cases[] = { { 0.5, 3, 1 }, { 1.99, 3, 1 }, { 2.49, 3, 3 }, { 2.51, 5, 3 }, { 6.99, 5, 3 },
+    { 7.01, 7, 3 }, { 11.99, 7, 3 }, { 12.01, 7, 5 } };
+  for (const auto& step : cases)
+  {
+    parameters.Time = step.Length * limit;
+    DiffusionReport report;
+    parameters.EdgeStopping = Edge::None;
+    Diffused(grid, parameters, Noise(grid), &report);
+    EXPECT_EQ(report.Evaluations, step.Stages) << step.Length;
+    parameters.EdgeStopping = Edge::Gaussian;
+    Diffused(grid, parameters, Noise(grid), &report);
+    EXPECT_EQ(report.Evaluations, step.Stages + step.Ahead + 1) << step.Length; // the coefficient
+  }
+}
+
+TEST(HighOrderDiffusion, HaloHoldsTheWindowAtTheEndsAndTheGradient)
+{
+  DiffusionParameters parameters;
+  parameters.Order = 0;
+  EXPECT_GE(HaloWidth(parameters), 2); // of the gradients at the faces
+  EXPECT_LE(HaloWidth(parameters), 4);
+  parameters.EdgeStopping = Edge::LocalVariance;
+  for (const int window : { 5, 7, 11 })
+  {
+    // A whole window lies to one side of a node at the image's end; gradients need one more.
+    parameters.Window = window;
+    EXPECT_EQ(HaloWidth(parameters), window + 1);
+  }
+}
+
 TEST(HighOrderDiffusion, MeanIsKept)
 {
   const auto grid = Grid<float>(40, 31, 22);

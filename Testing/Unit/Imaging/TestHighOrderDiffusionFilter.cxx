@@ -170,6 +170,47 @@ TEST(HighOrderDiffusionFilter, NamesTheFirstInvalidValueOrMasksIt)
   EXPECT_TRUE(std::isnan(output->GetScalarComponentAsDouble(5, 1, 2, 0)));
 }
 
+TEST(HighOrderDiffusionFilter, MaskedValuesAreTheMeanOfTheirNeighbours)
+{
+  // A row: the first has one neighbour, the fourth two, the next to last none that is a number.
+  const auto row = BumpImage(VTK_DOUBLE, 14, 1, 1);
+  vtkDataArray* const scalars = row->GetPointData()->GetScalars();
+  double sum = 0.0;
+  for (const int n : { 0, 3, 10, 11, 12 })
+  {
+    scalars->SetTuple1(n, std::nan(""));
+  }
+  for (int n = 0; n < 14; ++n)
+  {
+    sum += std::isnan(scalars->GetTuple1(n)) ? 0.0 : scalars->GetTuple1(n);
+  }
+  vtkNew<vtkImageData> filled;
+  filled->DeepCopy(row);
+  vtkDataArray* const values = filled->GetPointData()->GetScalars();
+  values->SetTuple1(0, values->GetTuple1(1));
+  values->SetTuple1(3, 0.5 * (values->GetTuple1(2) + values->GetTuple1(4)));
+  values->SetTuple1(10, values->GetTuple1(9));
+  values->SetTuple1(11, sum / 9.0);
+  values->SetTuple1(12, values->GetTuple1(13));
+  const auto result = [](vtkImageData* image)
+  {
+    Filter filter(image);
+    filter->AutomaticOff();
+    filter->MaskInvalidOn();
+    filter->SetTime(3.0);
+    filter->SetSigma(10.0);
+    return Values(filter.Result());
+  };
+  const std::vector<double> masked = result(row), expected = result(filled);
+  ASSERT_EQ(masked.size(), expected.size());
+  for (std::size_t n = 0; n < masked.size(); ++n)
+  {
+    const bool invalid = n == 0 || n == 3 || (n >= 10 && n <= 12);
+    EXPECT_EQ(std::isnan(masked[n]), invalid);
+    EXPECT_TRUE(invalid || std::abs(masked[n] - expected[n]) < 1e-12) << n;
+  }
+}
+
 TEST(HighOrderDiffusionFilter, RefusesInASentence)
 {
   Filter filter(BumpImage());

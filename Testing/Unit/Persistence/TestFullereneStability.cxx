@@ -171,6 +171,42 @@ TEST(FullereneStability, FewAtomsLinesAndCopies)
   EXPECT_EQ(again[0].Death, once[0].Death);
 }
 
+TEST(FullereneStability, CopiesAnywhereAndTheUnitChangeNothing)
+{
+  std::vector<Point3> cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.push_back({ 2.0 * (i & 1) + 0.01 * i, 1.0 * (i & 2), 0.5 * (i & 4) });
+  }
+  auto twice = cube;
+  twice.insert(twice.end(), cube.begin(), cube.end());
+  for (const auto& atoms : { cube, Polygon(6, 1.4), twice })
+  {
+    const auto bars = AlphaBars(atoms);
+    auto small = atoms;
+    for (Point3& atom : small)
+    {
+      atom = 0x1p-10 * atom; // an angstrom in another unit
+    }
+    const auto smallBars = AlphaBars(small);
+    ASSERT_EQ(smallBars.size(), bars.size());
+    ASSERT_FALSE(bars.empty());
+    for (std::size_t i = 0; i < bars.size(); ++i)
+    {
+      EXPECT_EQ(smallBars[i].Dimension, bars[i].Dimension);
+      EXPECT_NEAR(smallBars[i].Birth, 0x1p-10 * bars[i].Birth, 1e-15);
+      EXPECT_NEAR(smallBars[i].Death, 0x1p-10 * bars[i].Death, 1e-15);
+    }
+  }
+  const auto once = AlphaBars(cube), again = AlphaBars(twice);
+  ASSERT_EQ(again.size(), once.size());
+  for (std::size_t i = 0; i < once.size(); ++i)
+  {
+    EXPECT_EQ(again[i].Birth, once[i].Birth);
+    EXPECT_EQ(again[i].Death, once[i].Death);
+  }
+}
+
 TEST(FullereneStability, EqualsGudhiOnAllMolecules)
 {
   ISTHMUS_NEEDS_SHARED_DATA("fullerenes/C20-Ih.xyz");

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <tuple>
 
 using namespace isthmus;
 
@@ -52,6 +53,20 @@ TEST(FeatureTracks, GapsAreBridgedUpToTheirLimit)
   const FeatureTracks tracks = TrackFeatures(frames, { 4.0, 2 });
   EXPECT_EQ(tracks.TrackOf[3][0], 0);
   EXPECT_EQ(tracks.TrackOf[7][0], 1);
+}
+
+TEST(FeatureTracks, TheLastFourFeaturesAreRemembered)
+{
+  const auto at = [](double x) { return TrackFrame{ { { x, 0, 0 }, 2.0, {} } }; };
+  const FeatureTracks fourth = TrackFeatures({ at(0), at(4), at(8), at(12), at(-4) }, { 4.0, 5 });
+  EXPECT_EQ(fourth.TrackOf[4][0], 0);
+  const FeatureTracks fifth =
+    TrackFeatures({ at(0), at(4), at(8), at(12), at(16), at(-4) }, { 4.0, 5 });
+  EXPECT_EQ(fifth.TrackOf[5][0], 1);
+  EXPECT_EQ(fifth.NumberOfTracks, 2);
+  // The step is at most MaximumDistance, that included.
+  EXPECT_EQ(TrackFeatures({ at(0), at(4) }, { 4.0, 5 }).NumberOfTracks, 1);
+  EXPECT_EQ(TrackFeatures({ at(0), at(4.001) }, { 4.0, 5 }).NumberOfTracks, 2);
 }
 
 TEST(FeatureTracks, MergesAndSplitsAreNamed)
@@ -268,6 +283,21 @@ TEST(FeatureTracks, LinesByPoreLoopsByFeatureAndPointsByThemselves)
   EXPECT_DOUBLE_EQ(Value(pores, 0, "X"), 1.0); // where it is narrowest
   EXPECT_DOUBLE_EQ(Value(pores, 0, "Radius"), 1.0);
   EXPECT_DOUBLE_EQ(Value(pores, 1, "X"), 4.0);
+  vtkNew<vtkFeatureTracks> filter;
+  filter->SetInputDataObject(0, lines);
+  filter->Update();
+  vtkPolyData* const paths = filter->GetPaths();
+  ASSERT_EQ(paths->GetNumberOfPoints(), 2);
+  EXPECT_EQ(paths->GetNumberOfLines(), 2);
+  for (const auto& [name, first, second] :
+    { std::make_tuple("Track", 1.0, 2.0), { "Time", 0.0, 0.0 }, { "Radius", 1.0, 4.0 } })
+  {
+    vtkDataArray* const array = paths->GetPointData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    ASSERT_EQ(array->GetNumberOfTuples(), 2) << name;
+    EXPECT_EQ(array->GetTuple1(0), first) << name;
+    EXPECT_EQ(array->GetTuple1(1), second) << name;
+  }
   Add<vtkIntArray>(lines->GetPointData(), "Rank", { 1, 2, 3, 1, 2 });
   EXPECT_EQ(TracksOf(lines)->GetNumberOfRows(), 5); // bottlenecks
 }

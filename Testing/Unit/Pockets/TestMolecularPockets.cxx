@@ -145,6 +145,67 @@ TEST(MolecularPockets, AreaOfLysozymeByASecondMethod)
   EXPECT_NEAR(result.UnionArea, area, 0.005 * area);
 }
 
+TEST(MolecularPockets, MouthsAreAsOpenAsTheyLook)
+{
+  // A hollow ball of atoms of two sizes with one hole, whose triangles are looked at point by
+  // point.
+  std::vector<Ball> atoms;
+  constexpr int count = 150;
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / count;
+    const double angle = Pi * (1.0 + std::sqrt(5.0)) * i;
+    const double rho = std::sqrt(1.0 - z * z);
+    if (z < 0.93)
+    {
+      atoms.push_back(
+        { 8.0 * Point3{ rho * std::cos(angle), rho * std::sin(angle), z }, i % 2 ? 1.2 : 1.6 });
+    }
+  }
+  PocketOptions options;
+  options.MinimumVolume = 0.0;
+  const PocketResult result = FindPockets(atoms, options);
+  ASSERT_GE(result.Pockets.size(), 1u);
+  double sum = 0.0;
+  int covered = 0;
+  for (const PocketMouth& mouth : result.Pockets[0].Mouths)
+  {
+    double area = 0.0;
+    for (const auto& corners : mouth.Triangles)
+    {
+      std::array<Ball, 3> ball;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        ball[k] = atoms[static_cast<std::size_t>(corners[k])];
+        ball[k].Radius += options.ProbeRadius;
+      }
+      const Point3 u = ball[1].Centre - ball[0].Centre, v = ball[2].Centre - ball[0].Centre;
+      constexpr int n = 200;
+      int open = 0;
+      for (int i = 0; i < n * n; ++i) // centres of as many small triangles, of two kinds
+      {
+        const bool up = i / n + i % n < n;
+        const double x = up ? i / n + 1.0 / 3.0 : n - i / n - 1.0 / 3.0;
+        const double y = up ? i % n + 1.0 / 3.0 : n - i % n - 1.0 / 3.0;
+        const Point3 p = ball[0].Centre + (x / n) * u + (y / n) * v;
+        open += std::none_of(
+          ball.begin(), ball.end(), [&](const Ball& b) { return Length(p - b.Centre) < b.Radius; });
+      }
+      area += 0.5 * Length(Cross(u, v)) * open / (n * n);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Ball& next = ball[(k + 1) % 3];
+        covered += Length(ball[k].Centre - next.Centre) < ball[k].Radius + next.Radius;
+      }
+    }
+    // Not exact: a disc that reaches across the opposite edge is taken for one that does not.
+    EXPECT_NEAR(mouth.Area, area, 0.06 * area);
+    sum += area;
+  }
+  EXPECT_GT(sum, 1.0);
+  EXPECT_GT(covered, 2); // discs that overlap on an edge count once
+}
+
 TEST(MolecularPockets, TurnedMovedAndShuffledTheyAreTheSame)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
@@ -229,6 +290,15 @@ TEST(MolecularPockets, TheVolumeIsAThresholdOfKeptPockets)
     }
     return values;
   };
+  kept->Update();
+  vtkTable* const table = kept->GetPocketTable();
+  ASSERT_GT(table->GetNumberOfRows(), 1);
+  ASSERT_GT(table->GetNumberOfColumns(), 10);
+  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  {
+    EXPECT_EQ(table->GetColumn(column)->GetNumberOfTuples(), table->GetNumberOfRows())
+      << table->GetColumnName(column);
+  }
   std::size_t count = 0;
   for (const double least : { 10.0, 100.0, 0.0, 30.0 })
   {

@@ -11,18 +11,22 @@
 #include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <string>
 
 using namespace isthmus;
 using isthmus::testing::AtomsOf;
@@ -232,6 +236,45 @@ TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
   const auto one = radii(1);
   ASSERT_FALSE(one.empty());
   EXPECT_EQ(one, radii(3));
+}
+
+TEST(PoreProfile, SamplesNameTheResidueOfTheirNearestAtom)
+{
+  // The atom that is nearest at the throat comes first, and is nearer than the others of its ring.
+  std::vector<Ball> balls = Hyperboloid(24);
+  std::rotate(balls.begin(), balls.begin() + 12 * 24, balls.end());
+  balls[0].Radius += 0.05;
+  const auto data = AtomsOf(balls);
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkIntArray> numbers;
+  names->SetName("ResidueName");
+  numbers->SetName("ResidueId");
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    names->InsertNextValue("SER");
+    numbers->InsertNextValue(static_cast<int>(i) + 100);
+  }
+  data->GetPointData()->AddArray(names);
+  data->GetPointData()->AddArray(numbers);
+  vtkNew<vtkPoreProfile> profile;
+  profile->SetInputData(data);
+  profile->SetEndRadius(4.5);
+  profile->SetMinimumSpan(10.0);
+  profile->Update();
+  vtkTable* const table = profile->GetProfile();
+  ASSERT_GT(table->GetNumberOfRows(), 20);
+  int first = 0;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const int atom = table->GetValueByName(row, "NearestAtom").ToInt();
+    first += atom == 0 ? 1 : 0;
+    EXPECT_EQ(
+      table->GetValueByName(row, "NearestResidue").ToString(), "SER " + std::to_string(atom + 100));
+    const double radius = table->GetValueByName(row, "Radius").ToDouble();
+    EXPECT_EQ(
+      table->GetValueByName(row, "WidthClass").ToInt(), radius < 1.15 ? 0 : (radius < 2.3 ? 1 : 2));
+  }
+  EXPECT_GE(first, 1);
 }
 
 TEST(PoreProfile, WhatIsOutOfRangeIsToldInASentence)

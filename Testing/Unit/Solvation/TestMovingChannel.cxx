@@ -136,7 +136,11 @@ TEST(MovingChannel, BarePoreClosesAsItsTensionHasIt)
     MovingChannel channel(DomainAround({}, p), {}, {}, {}, p, m);
     channel.Run();
     ASSERT_EQ(channel.GetUpdates().size(), 2u);
-    const double time = channel.GetUpdates().back().Time;
+    const ChannelUpdate& last = channel.GetUpdates().back();
+    EXPECT_LT(last.AreaChange, -10.0);
+    EXPECT_NEAR(last.EnergyChange, 0.07 * last.AreaChange, 1e-9 * std::abs(last.AreaChange));
+    EXPECT_LT(last.LumenVolume, channel.GetUpdates().front().LumenVolume);
+    const double time = last.Time;
     const double exact = std::sqrt(radius * radius - 2.0 * time);
     const double reached = RadiusInTheMiddle(channel.GetSolution().GetGrid());
     const double error = std::abs(reached / exact - 1.0);

@@ -230,6 +230,20 @@ TEST(PoissonNernstPlanck, RefusesWhatHasNoAnswer)
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[0].Below = 0.2; }), "bath below"));
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[0].Above = 0.2; }), "bath above"));
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[0].Above = -0.2; }), "concentration above"));
+  // Rounding is allowed, relative to the charge of all ions however few they are.
+  for (const double molar : { 1e-6, 4.0 })
+  {
+    const auto calcium = [molar](double more)
+    {
+      return [=](auto& p)
+      {
+        p.Species[0] = { "Ca", 2.0, molar * (1.0 + more), molar, 0.79, 1.0 };
+        p.Species[1] = { "Cl", -1.0, 2.0 * molar, 2.0 * molar, 2.03, 1.0 };
+      };
+    };
+    EXPECT_EQ(refused(calcium(1e-10)), "") << molar;
+    EXPECT_TRUE(has(refused(calcium(1e-8)), "bath below")) << molar;
+  }
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[1].Diffusion = 0.0; }), "diffusion"));
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[1].ChannelFraction = 0.0; }), "fraction"));
   EXPECT_TRUE(has(refused([](auto& p) { p.Membrane.Normal = { 0.0, 0.0, 0.0 }; }), "normal"));

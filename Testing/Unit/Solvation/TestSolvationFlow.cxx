@@ -71,6 +71,7 @@ TEST(SolvationFlow, IonsHaveBornsEnergy)
     EXPECT_TRUE(flow.HasConverged());
     EXPECT_LE(flow.GetUpdates().size(), 10u);
     EXPECT_GT(last.OnObstacle, 0.99);
+    EXPECT_LE(last.OnObstacle, 1.0);
     EXPECT_NEAR(last.PolarEnergy / Born(radius), 1.0, 1e-3);
   }
 }
@@ -135,6 +136,8 @@ TEST(CoupledFlow, OfAnIonIsKnown)
   // E just outside is C / (eps_s r^2), and the energy's derivative by r, over the area, the pull.
   SolvationFlow flow(Ion(2.0), IonParameters(0.25));
   flow.Run();
+  EXPECT_GT(flow.GetUpdates().back().OnObstacle, 0.99);
+  EXPECT_LE(flow.GetUpdates().back().OnObstacle, 1.0);
   const std::vector<double> pull = PullAtCrossings(flow.GetSolution(), flow.GetTemperature());
   const double expected = -Born(2.0) / 2.0 / (4.0 * Pi * 4.0);
   for (const double value : pull)

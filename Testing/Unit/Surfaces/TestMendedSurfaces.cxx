@@ -209,6 +209,18 @@ TEST(MendedSurfaces, HolesAndCoarseCracksStay)
     FindDefects(joined).BoundaryTriangles.size(), FindDefects(open).BoundaryTriangles.size());
 }
 
+TEST(MendedSurfaces, CornersThatCloseNoCrackStayApart)
+{
+  // Two triangles whose corners nearly meet: joined, there would be as many open edges as before.
+  TriangleMesh two;
+  two.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1e-7, 0, 0 }, { -1, 0, 0 },
+    { 0, -1, 0 } };
+  two.Triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
+  SurfaceMending done;
+  EXPECT_EQ(JoinCracks(two, done), two.Triangles);
+  EXPECT_EQ(done.Joined, 0);
+}
+
 TEST(MendedSurfaces, PatchesAreTurnedAsTheirNeighbours)
 {
   for (const TriangleMesh& right :

@@ -45,6 +45,14 @@ TEST(MacromoleculeReader, PQRNumbersThatFillTheirColumns)
   ASSERT_EQ(molecule.Atoms.size(), 1u);
   EXPECT_EQ(molecule.Atoms[0].Charge, -0.0212);
   EXPECT_EQ(molecule.Atoms[0].Radius, 12.5);
+  // To the last column of both, and from the first.
+  const Macromolecule full = Parsed(
+    "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274-10.021212.50009", MoleculeFormat::PQR);
+  EXPECT_EQ(full.Atoms.at(0).Charge, -10.0212);
+  EXPECT_EQ(full.Atoms.at(0).Radius, 12.50009);
+  const Macromolecule wide = Parsed(
+    "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274-10.0212112.5000", MoleculeFormat::PQR);
+  EXPECT_EQ(wide.Atoms.at(0).Radius, 112.5);
 }
 
 TEST(MacromoleculeReader, PQRChainsInsertionCodesAndLongNumbers)
@@ -148,6 +156,12 @@ TEST(MacromoleculeReader, OldColumnsAreLeftOutWithAWarning)
   ASSERT_EQ(molecule.Atoms.size(), 2u);
   EXPECT_EQ(molecule.Atoms[1].Element, 8);
   EXPECT_TRUE(std::isnan(molecule.Atoms[1].Charge));
+  // Half of the atoms are not most of them; a second part counts for itself.
+  const std::string charged =
+    "ATOM      1 ZN    ZN A   0      -1.409   0.501   0.859  1.00  1.00          ZN2+\n"
+    "ATOM      2 ZN    ZN A   1      -1.445   1.720   0.692  1.00  1.00          ZN2+\n";
+  EXPECT_EQ(Parsed(charged + old, MoleculeFormat::PDB).Atoms.at(0).Charge, 2.0);
+  EXPECT_TRUE(std::isnan(Parsed(charged + old + old, MoleculeFormat::PDB).Atoms.at(2).Charge));
   ASSERT_EQ(molecule.Warnings.size(), 1u);
   EXPECT_NE(molecule.Warnings[0].find("Columns 73-80"), std::string::npos);
   // One digit would pass for a charge.
