@@ -171,6 +171,22 @@ TEST(UnitScale, ScalesByPowersOfTwoOnlyWhatNeedsIt)
     std::invalid_argument);
 }
 
+TEST(UnitScale, OrdinaryDataStayAsTheyAre)
+{
+  const auto factor = [](double largest) {
+    return isthmus::UnitScale(std::vector<isthmus::Point3>{ { 0.0, -largest, 0.0 } }).Factor();
+  };
+  for (const double usual : { 0x1p-20, 0x1p-3, 1.0, 0x1.fp19 })
+  {
+    EXPECT_EQ(factor(usual), 1.0) << usual;
+  }
+  EXPECT_EQ(factor(0x1p-30), 0x1p29);
+  EXPECT_EQ(factor(0x1p30), 0x1p-31);
+  EXPECT_EQ(factor(0x1.8p40), 0x1p-41);
+  EXPECT_EQ(isthmus::UnitScale(std::vector<isthmus::Point3>()).Factor(), 1.0);
+  EXPECT_EQ(factor(0.0), 1.0);
+}
+
 TEST(UnitScale, TakesTracesBesideTheLargestCoordinateForNothing)
 {
   std::vector<isthmus::Point3> points{ { 1.0, 6e-17, -1e-51 }, { 0.5, 1e-300, 0.0 } };
