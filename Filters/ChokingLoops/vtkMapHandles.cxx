@@ -1,8 +1,10 @@
 #include "vtkMapHandles.h"
 
+#include "ChokingLoops/HandleSupport.h"
 #include "ChokingLoops/MapHandles.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
@@ -10,6 +12,7 @@
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
+#include "Core/SameNodes.h"
 #include "Persistence/PersistenceCache.h"
 #include "vtkChokingLoops.h"
 
@@ -18,6 +21,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -28,6 +32,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -59,13 +64,21 @@ std::vector<double> Mark(const BettiCurves& curves, double level)
 }
 
 /// The bridges, or the windows, of `handles` as points at the nodes of `image`, with the arrays of
-/// the first two outputs. `level` is the chosen level (for `IsThere`).
+/// the first two outputs. `level` is the chosen level (for `IsThere`); `support`: null without half
+/// maps.
 void WriteHandles(const std::vector<MapHandle>& handles, bool bridges, const FeatureList& features,
-  vtkImageData* image, double level, vtkPolyData* output)
+  vtkImageData* image, double level, const HandleSupport* support, vtkPolyData* output)
 {
   std::vector<MapHandle> wanted;
-  std::copy_if(handles.begin(), handles.end(), std::back_inserter(wanted),
-    [bridges](const MapHandle& handle) { return handle.IsBridge == bridges; });
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < handles.size(); ++i)
+  {
+    if (handles[i].IsBridge == bridges)
+    {
+      wanted.push_back(handles[i]);
+      rows.push_back(i);
+    }
+  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
@@ -96,6 +109,13 @@ void WriteHandles(const std::vector<MapHandle>& handles, bool bridges, const Fea
   AddColumnOf<vtkIntArray>(data, "IsThere", wanted,
     [level](const MapHandle& handle)
     { return handle.Interval[0] <= level && level <= handle.Interval[1] ? 1 : 0; });
+  if (support)
+  {
+    AddColumnOf<vtkDoubleArray>(
+      data, "BootstrapSupport", rows, [support](std::size_t i) { return support->Support[i]; });
+    AddColumnOf<vtkDoubleArray>(
+      data, "PValue", rows, [support](std::size_t i) { return support->PValue[i]; });
+  }
   data->SetActiveScalars("Level");
 }
 
@@ -150,6 +170,40 @@ enum Port
   PortCount
 };
 
+/// The mean of both half maps, as an image, and half their difference, 0 where that is not a
+/// number.
+vtkSmartPointer<vtkImageData> MeanOf(
+  vtkImageData* one, vtkDataArray* scalars, vtkDataArray* others, std::vector<float>& noise)
+{
+  const vtkIdType count = scalars->GetNumberOfTuples();
+  vtkSmartPointer<vtkDataArray> mean;
+  mean.TakeReference(vtkDataArray::CreateDataArray(
+    scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE
+                                                                                : VTK_FLOAT));
+  mean->SetName(scalars->GetName());
+  isthmus::SizeArray(mean, count);
+  noise.resize(static_cast<std::size_t>(count));
+  bool differs = false;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double a = scalars->GetComponent(i, 0), b = others->GetComponent(i, 0);
+    mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
+    const auto half = static_cast<float>(a / 2.0 - b / 2.0);
+    noise[static_cast<std::size_t>(i)] = std::isfinite(half) ? half : 0.0F;
+    differs = differs || noise[static_cast<std::size_t>(i)] != 0.0F;
+  }
+  if (!differs)
+  {
+    throw std::invalid_argument(
+      "The half maps are equal, so the noise cannot be estimated from their difference: take two "
+      "halves, not one map twice.");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(one);
+  image->GetPointData()->SetScalars(mean);
+  return image;
+}
+
 void AddFact(vtkDataObject* output, const char* name, double value)
 {
   isthmus::AddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
@@ -167,11 +221,14 @@ struct vtkMapHandles::Work
   isthmus::FeatureList Features;
   std::vector<isthmus::StableInterval> Intervals;
   double Level = 0.0;
+  vtkSmartPointer<vtkImageData> Mean; ///< of the half maps
+  std::vector<float> Noise;           ///< empty: only one map is given
 };
 
 vtkMapHandles::vtkMapHandles()
   : Last(new isthmus::PersistenceCache)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(PortCount);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -179,9 +236,18 @@ vtkMapHandles::vtkMapHandles()
 
 vtkMapHandles::~vtkMapHandles() = default;
 
-int vtkMapHandles::FillInputPortInformation(int, vtkInformation* info)
+void vtkMapHandles::SetOtherHalfData(vtkImageData* half)
+{
+  this->SetInputData(1, half);
+}
+
+int vtkMapHandles::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
 }
 
@@ -197,11 +263,37 @@ int vtkMapHandles::RequestUpdateExtent(
 {
   // A bridge can be anywhere, so the whole map is needed whatever part is requested.
   isthmus::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
+  if (vtkInformation* other = inputVector[1]->GetInformationObject(0))
+  {
+    isthmus::RequestWholeExtent(other);
+  }
   return 1;
+}
+
+void vtkMapHandles::TakeMaps(Work& work, vtkImageData* other)
+{
+  work.Scalars = isthmus::ChosenScalars(this, work.Image);
+  if (other)
+  {
+    vtkDataArray* others = other->GetPointData()->GetArray(work.Scalars->GetName());
+    others = others ? others : other->GetPointData()->GetScalars();
+    if (!others || others->GetNumberOfComponents() != 1 ||
+      others->GetNumberOfTuples() != other->GetNumberOfPoints())
+    {
+      throw std::invalid_argument("The other half map has no scalars of one number at each node.");
+    }
+    isthmus::RequireSameNodes(work.Image, other);
+    work.Mean = MeanOf(work.Image, work.Scalars, others, work.Noise);
+    work.Image = work.Mean;
+    work.Scalars = work.Mean->GetPointData()->GetScalars();
+  }
+  work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
 }
 
 void vtkMapHandles::CheckParameters() const
 {
+  isthmus::RequireRange("NumberOfResamples", this->NumberOfResamples, 1, 10000);
+  isthmus::RequireRange("Seed", this->Seed, 0, VTK_INT_MAX);
   isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (!this->UseStableLevel && !std::isfinite(this->Level))
   {
@@ -255,10 +347,17 @@ double vtkMapHandles::ChooseLevel(const Work& work)
 void vtkMapHandles::FillTables(const Work& work, vtkInformationVector* outputVector)
 {
   const auto handles = isthmus::MapHandles(work.Volume, work.Features, work.Parameters);
+  isthmus::HandleSupport support;
+  if (!work.Noise.empty())
+  {
+    support = isthmus::SupportOf(handles, work.Volume, work.Parameters, work.Features.Threshold,
+      work.Noise, { this->NumberOfResamples, static_cast<std::uint64_t>(this->Seed), work.Level },
+      isthmus::Between(isthmus::ProgressOf(this), 0.3, this->Loops ? 0.6 : 0.95));
+  }
   for (const int port : { BridgesPort, WindowsPort })
   {
     isthmus::WriteHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
-      vtkPolyData::GetData(outputVector, port));
+      work.Noise.empty() ? nullptr : &support, vtkPolyData::GetData(outputVector, port));
   }
   const auto curves = isthmus::CountBetti(work.Features, this->InsideIsHigher,
     isthmus::EvenLevels(work.Parameters.Range[0], work.Parameters.Range[1], this->NumberOfLevels));
@@ -276,7 +375,8 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
   vtkPolyData* contour = vtkPolyData::GetData(outputVector, ContourPort);
   isthmus::SetMesh(level.Guide, contour);
   const auto progress = isthmus::ProgressOf(this);
-  isthmus::Report(progress, 0.4);
+  const double begun = work.Noise.empty() ? 0.4 : 0.6;
+  isthmus::Report(progress, begun);
   if (!this->Loops)
   {
     return;
@@ -291,7 +391,7 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
   { complaint += (complaint.empty() ? "" : " ") + message; };
   try
   {
-    isthmus::UpdateInner(loops, isthmus::Between(progress, 0.4, 1.0), complain);
+    isthmus::UpdateInner(loops, isthmus::Between(progress, begun, 1.0), complain);
   }
   catch (const isthmus::Cancelled&)
   {
@@ -327,8 +427,12 @@ int vtkMapHandles::RequestData(
       }
       this->StableLevel = NotANumber;
       this->CheckParameters();
-      work.Scalars = isthmus::ChosenScalars(this, work.Image);
-      work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
+      vtkInformation* other = inputVector[1]->GetInformationObject(0);
+      if (other)
+      {
+        isthmus::RequireWholeExtent(other);
+      }
+      this->TakeMaps(work, other ? vtkImageData::GetData(other) : nullptr);
       this->FindFeatures(work);
       work.Level = this->ChooseLevel(work);
       this->FillTables(work, outputVector);
@@ -360,5 +464,7 @@ void vtkMapHandles::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RecommendedLevel: " << this->RecommendedLevel << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "Loops: " << this->Loops << "\n";
+  os << indent << "NumberOfResamples: " << this->NumberOfResamples << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "StableLevel: " << this->StableLevel << "\n";
 }

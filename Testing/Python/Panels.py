@@ -14,7 +14,8 @@ from paraview import servermanager, simple  # noqa: F401 (simple opens the sessi
 OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"), ("SurfaceToGrid", "Grid"),
             ("BindingSites", "Atoms"), ("PoissonBoltzmann", "Surface"),
             ("PoissonBoltzmann", "PotentialInput"), ("PoissonBoltzmannOnSurface", "PotentialInput"),
-            ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining"), ("IonTransport", "Surface")}
+            ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining"), ("IonTransport", "Surface"),
+            ("MapHandles", "OtherHalf")}
 # Outputs that stand beside the main one from the start: what the filter is for, or a reader's other view.
 BESIDE = {("BindingSites", 1), ("CellIncidence", 1), ("FeatureTracks", 2), ("MapHandles", 1),
           ("MapHandles", 4), ("MapHandles", 5), ("MapChokingLoops", 4), ("SurfaceMeasures", 1),

@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -348,4 +349,175 @@ TEST(MapHandles, BadInputIsToldInASentence)
   filter->SetInputData(vtkNew<vtkImageData>());
   filter->Update();
   EXPECT_FALSE(observer->GetError());
+}
+
+namespace
+{
+
+/// Noise of standard deviation 1, correlated over a few nodes.
+std::vector<float> SmoothNoise(const std::array<int, 3>& n, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> values(static_cast<std::size_t>(n[0] * n[1] * n[2]));
+  std::generate(values.begin(), values.end(), [&] { return normal(random); });
+  const std::array<int, 3> steps{ 1, n[0], n[0] * n[1] };
+  double squares = 0.0;
+  for (const int step : steps)
+  {
+    const auto before = values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const std::size_t next = (i + static_cast<std::size_t>(step)) % values.size();
+      const std::size_t last = (i + values.size() - static_cast<std::size_t>(step)) % values.size();
+      values[i] = before[last] + 2.0 * before[i] + before[next];
+    }
+  }
+  for (const double value : values)
+  {
+    squares += value * value;
+  }
+  const double deviation = std::sqrt(squares / static_cast<double>(values.size()));
+  std::vector<float> result;
+  for (const double value : values)
+  {
+    result.push_back(static_cast<float>(value / deviation));
+  }
+  return result;
+}
+
+/// Three balls in a row, a rod of density 1 between the first two, a gap with `gap` between the
+/// others, and noise whose mean over two halves has a deviation of 0.1.
+vtkSmartPointer<vtkImageData> HalfMap(double gap, unsigned seed)
+{
+  const std::array<int, 3> n{ 56, 20, 20 };
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n.data());
+  image->SetOrigin(-27.5, -9.5, -9.5);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Density");
+  const auto noise = SmoothNoise(n, seed);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    const double across = std::hypot(p[1], p[2]);
+    double density = 0.0;
+    for (const double x : { -18.0, 0.0, 18.0 })
+    {
+      density =
+        std::max(density, 1.6 / (1.0 + std::exp(2.0 * (std::hypot(p[0] - x, across) - 6.0))));
+    }
+    const double rod = 1.0 / (1.0 + std::exp(2.0 * (across - 3.0)));
+    density = std::max(density, std::abs(p[0] + 9.0) < 9.0 ? rod : 0.0);
+    density = std::max(density, std::abs(p[0] - 9.0) < 9.0 ? gap * rod : 0.0);
+    values->InsertNextValue(
+      static_cast<float>(density + 0.1 * std::sqrt(2.0) * noise[static_cast<std::size_t>(i)]));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+/// The smallest p-value of bridges between two x; 2 without any.
+double BestPValue(vtkPolyData* bridges, double low, double high)
+{
+  double best = 2.0;
+  for (vtkIdType i = 0; i < bridges->GetNumberOfPoints(); ++i)
+  {
+    const double x = bridges->GetPoint(i)[0];
+    if (x > low && x < high)
+    {
+      best = std::min(best, At(bridges->GetPointData(), "PValue", i));
+    }
+  }
+  return best;
+}
+
+vtkSmartPointer<vtkMapHandles> Bootstrapped(unsigned seed, int resamples)
+{
+  auto filter = vtkSmartPointer<vtkMapHandles>::New();
+  filter->SetInputData(HalfMap(0.5, 2 * seed));
+  filter->SetOtherHalfData(HalfMap(0.5, 2 * seed + 1));
+  filter->UseStableLevelOff();
+  filter->SetLevel(0.5);
+  filter->SetMinimumPersistence(0.3);
+  filter->SetNumberOfResamples(resamples);
+  return filter;
+}
+
+}
+
+TEST(MapHandles, BootstrapOfHalfMapsTellsABridgeFromNoise)
+{
+  int noiseBridges = 0, wrong = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    const auto filter = Bootstrapped(seed, 40);
+    filter->Update();
+    const double rod = BestPValue(Points(filter, 0), -15.0, -3.0);
+    const double gap = BestPValue(Points(filter, 0), 3.0, 15.0);
+    EXPECT_LT(rod, 0.05) << "seed " << seed;
+    noiseBridges += gap < 1.0 ? 1 : 0;
+    wrong += gap < 0.05 ? 1 : 0;
+  }
+  EXPECT_GE(noiseBridges, 4); // else nothing was tried
+  EXPECT_LE(wrong, 1);
+}
+
+TEST(MapHandles, BootstrapIsReproducible)
+{
+  std::vector<double> first;
+  for (const int seed : { 1, 1, 7 })
+  {
+    const auto filter = Bootstrapped(3, 10);
+    filter->SetSeed(seed);
+    filter->Update();
+    std::vector<double> values;
+    for (const int port : { 0, 1 })
+    {
+      vtkPolyData* handles = Points(filter, port);
+      for (vtkIdType i = 0; i < handles->GetNumberOfPoints(); ++i)
+      {
+        const double support = At(handles->GetPointData(), "BootstrapSupport", i);
+        EXPECT_TRUE(support >= 0.0 && support <= 1.0);
+        values.push_back(support);
+        values.push_back(At(handles->GetPointData(), "PValue", i));
+        if (At(handles->GetPointData(), "IsThere", i) == 0.0)
+        {
+          EXPECT_EQ(values.back(), 1.0);
+        }
+      }
+    }
+    ASSERT_FALSE(values.empty());
+    if (first.empty())
+    {
+      first = values;
+    }
+    EXPECT_EQ(values == first, seed == 1);
+  }
+}
+
+TEST(MapHandles, HalfMapsThatDoNotFit)
+{
+  vtkNew<vtkMapHandles> one;
+  one->SetInputData(HalfMap(0.5, 1));
+  one->Update();
+  EXPECT_EQ(Points(one, 0)->GetPointData()->GetArray("PValue"), nullptr);
+  const auto moved = HalfMap(0.5, 2);
+  moved->SetOrigin(-27.0, -9.5, -9.5);
+  const std::array<vtkSmartPointer<vtkImageData>, 2> others{ HalfMap(0.5, 1), moved };
+  const std::array<std::string, 2> words{ "are equal", "do not have the same nodes" };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkMapHandles> filter;
+    vtkNew<vtkTest::ErrorObserver> errors;
+    filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->SetInputData(HalfMap(0.5, 1));
+    filter->SetOtherHalfData(others[i]);
+    filter->Update();
+    EXPECT_NE(errors->GetErrorMessage().find(words[i]), std::string::npos)
+      << errors->GetErrorMessage();
+    EXPECT_EQ(Points(filter, 0)->GetNumberOfPoints(), 0);
+  }
 }
