@@ -12,4 +12,5 @@ def prepare(folder):
     settings.mkdir(parents=True)
     folder.chmod(0o700)
     version = servermanager.vtkSMProxyManager.GetParaViewSourceVersion().split()[-1]
-    (settings / f"ParaView{version}.ini").write_text("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+    for name in (f"ParaView{version}.ini", "ParaView.ini"):  # up to ParaView 5.13; of 6.1
+        (settings / name).write_text("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
