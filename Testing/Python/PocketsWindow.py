@@ -87,6 +87,28 @@ def is_coloured(pixels, colour, slack=30):
     return (abs(pixels - numpy.array(colour)) < slack).all(axis=-1)
 
 
+def has_hue(pixels, colour, within=20, least_chroma=0.35):
+    """Pixels of the hue of `colour`, in degrees, whatever the light and what shines through: ParaView 6.1 draws on
+    another grey than 5.11 does."""
+    def hue_of(rgb):
+        red, green, blue = numpy.moveaxis(rgb.astype(float), -1, 0)
+        return numpy.arctan2(numpy.sqrt(3) * (green - blue), 2 * red - green - blue)
+
+    largest, smallest = pixels.max(axis=-1), pixels.min(axis=-1)
+    away = numpy.angle(numpy.exp(1j * (hue_of(pixels) - hue_of(numpy.array(colour)))), deg=True)
+    return (abs(away) < within) & (largest - smallest > least_chroma * largest)
+
+
+def middle_of(coloured, corner):
+    """Place in the window of what has most of these pixels around it; corner: of their picture in the window."""
+    size = 16
+    rows, columns = (length // size for length in coloured.shape)
+    tiles = coloured[:rows * size, :columns * size].reshape(rows, size, columns, size).sum(axis=(1, 3))
+    row, column = numpy.unravel_index(numpy.argmax(tiles[:-1, :-1] + tiles[1:, :-1] + tiles[:-1, 1:] + tiles[1:, 1:]),
+                                      (rows - 1, columns - 1))
+    return corner[0] + int(column + 1) * size, corner[1] + int(row + 1) * size
+
+
 def complaints(folder):
     return [line for line in (folder / "paraview.log").read_text(errors="replace").splitlines()
             if "ERR|" in line or "WARN|" in line or "rror:" in line or "Traceback" in line or "critical:" in line]
@@ -107,8 +129,9 @@ def choose_until(paraview, folder, what, act, number):
 
 
 # Places in a window of WIDTH x HEIGHT; the camera is the first look's.
-VIEW = (slice(210, 960), slice(310, 1040))
-ROW_OF_POCKET_2, EMPTY_PLACE, POCKET_1, POCKET_2 = (1200, 296), (400, 900), (690, 500), (800, 545)
+VIEW = (slice(210, 960), slice(360, 1040))
+CORNER = (360, 210)
+ROW_OF_POCKET_2, EMPTY_PLACE = (1200, 288), (400, 900)
 ROW_OF_PORE_4, CHART = (1200, 830), (slice(210, 640), slice(1070, 1590))
 VERMILION, BLUE, GREEN, ROW_BLUE, LINE = (
     (213, 94, 0), (0, 114, 178), (0, 158, 115), (48, 140, 198), (77, 175, 74))
@@ -132,8 +155,9 @@ def session(name, data, button, play):
 def pockets(paraview, folder):
     before = picture(folder / "first.png")
     for colour in (VERMILION, BLUE):
-        count = is_coloured(before[VIEW], colour, 60).sum()
+        count = has_hue(before[VIEW], colour).sum()
         assert count > 2000, f"{count} pixels in the colour of a pocket"
+    pocket_1, pocket_2 = (middle_of(has_hue(before[VIEW], colour), CORNER) for colour in (VERMILION, BLUE))
 
     def in_view(place, key):
         click(*EMPTY_PLACE)
@@ -146,11 +170,11 @@ def pockets(paraview, folder):
     changed = (abs(after[VIEW] - before[VIEW]).max(axis=-1) > 60).sum()
     assert changed > 1000, f"only {changed} pixels of the view follow the row"
     first = choose_until(
-        paraview, folder, "a pocket in the view", lambda: in_view(POCKET_1, "s"), 1)
+        paraview, folder, "a pocket in the view", lambda: in_view(pocket_1, "s"), 1)
     time.sleep(3)
     back = picture(folder / "pocket.png")
     assert (abs(back[VIEW] - after[VIEW]).max(axis=-1) > 60).sum() > 1000
-    choose_until(paraview, folder, "the other pocket", lambda: in_view(POCKET_2, "s"), 2)
+    choose_until(paraview, folder, "the other pocket", lambda: in_view(pocket_2, "s"), 2)
     print(f"residues of the first pocket: {first} atoms, of the second: {second}; {changed} pixels changed")
     assert min(first, second) > 20 and first != second
 
@@ -158,7 +182,7 @@ def pockets(paraview, folder):
 def pores(paraview, folder):
     before = picture(folder / "first.png")
     for colour in (GREEN, BLUE):
-        count = is_coloured(before[VIEW], colour, 60).sum()
+        count = has_hue(before[VIEW], colour).sum()
         assert count > 2000, f"{count} pixels in the colour of a class of width"
     line = is_coloured(before[CHART], LINE, 20)
     assert line.any(axis=0).sum() > 200, "no line in the chart"

@@ -163,13 +163,14 @@ def play(name, data, events, clicks, folder, keys=(), script=None, act=None):
 
 
 def pixels_of_view(path):
-    """height x width x 3, without bar, panels and toolbars."""
+    """height x width x 3, without bar, panels, toolbars and the blue frame of the active view, of any ParaView:
+    panels are 260 pixels wide in 5.11 and 350 in 6.1."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-    return pixels.reshape(height, width, 3)[60:790, 310:1440]
+    return pixels.reshape(height, width, 3)[60:790, 360:1440]
 
 
 def coloured_fraction(path):
