@@ -403,8 +403,7 @@ NoiseSpectrum EstimateNoiseSpectrum(
     return SpectrumOf(correlated, sample.Whole, spacing);
   }
   const bool largeOnes = sample.Large.Values.size() >= 3 * fewest;
-  const NoiseSpectrum background =
-    BackgroundSpectrum(largeOnes ? ofLarge : ofSmall, sample, spacing);
+  NoiseSpectrum background = BackgroundSpectrum(largeOnes ? ofLarge : ofSmall, sample, spacing);
   if (background.Found)
   {
     return background;
