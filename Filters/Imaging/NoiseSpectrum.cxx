@@ -229,11 +229,15 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
   return mean >= standsOut ? quiet : std::vector<std::size_t>();
 }
 
-/// Of all values in the blocks.
-double VarianceOf(const NoiseBlocks& blocks)
+/// Of the volume; of one with a constant background, in the blocks without it.
+double VarianceOf(const VolumeSample& sample)
 {
+  if (!sample.HasFill)
+  {
+    return 1.0; // values are in units of their standard deviation
+  }
   double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const std::vector<float>& block : blocks.Values)
+  for (const std::vector<float>& block : sample.Small.Values)
   {
     for (const float value : block)
     {
@@ -351,7 +355,7 @@ NoiseSpectrum BackgroundSpectrum(
   // More than this of the variance is rather a texture that fills the volume.
   // A masked map has no background left, so less is believed there.
   const double mostNoise = sample.HasFill ? 0.45 : 0.62;
-  noise.Found = noise.Deviation * noise.Deviation <= mostNoise * VarianceOf(sample.Small);
+  noise.Found = noise.Deviation * noise.Deviation <= mostNoise * VarianceOf(sample);
   return noise;
 }
 
@@ -395,7 +399,7 @@ NoiseSpectrum EstimateNoiseSpectrum(
   const BlockWaves ofLarge = TransformBlocks(sample.Large, spacing);
   const bool large = sample.Large.Values.size() >= 2 * fewest;
   const SmoothedNoise correlated =
-    FindSmoothedNoise(large ? ofLarge : ofSmall, spacing, VarianceOf(sample.Small));
+    FindSmoothedNoise(large ? ofLarge : ofSmall, spacing, VarianceOf(sample));
   // A fit to the tail of a spectrum says little of the rest if noise is of another shape.
   constexpr double tail = 0.15;
   if (correlated.Found && correlated.Share >= tail)
