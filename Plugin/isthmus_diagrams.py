@@ -68,9 +68,9 @@ for label, threshold in LINES:
 
 
 class _ScriptColours:
-    """Stands for the module below where it is not installed. The panel of a filter with a script, as that of the chart
-    is, asks for it, and in ParaView 5.11 to 6.0 goes on with the error of the failed import: from Python 3.12 on the
-    next import fails as well, and ParaView ends by signal 11 (Debian 13, with or without Isthmus)."""
+    """Replaces the module below where it is not installed. ParaView 5.11 to 6.0 import it for the panel of every filter
+    with a script, such as the chart's, and do not clear the error if that fails. With Python 3.12 or later the next
+    import then fails, too, and ParaView crashes (Debian 13, with or without Isthmus)."""
 
     MODULE = "pygments.formatters.redtabhtml"
 

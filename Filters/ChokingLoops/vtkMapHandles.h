@@ -46,8 +46,8 @@
  *  - `PValue` for the hypothesis that the object has no such handle at the chosen level, by the
  *    basic (pivotal) bootstrap: (1 + k) / (1 + resamples), where k resamples are without the
  *    handle, or their noise extends its interval by as much as that extends beyond the level. 1
- *    where IsThere is 0. It is about one handle by itself: of 100 handles made by noise about 5
- *    have a p-value below 0.05.
+ *    where IsThere is 0. It is for a single handle: of 100 handles made by noise about 5 have a
+ *    p-value below 0.05.
  *
  * Where the half maps are equal, outside of a mask, there is no noise; maps that are equal
  * everywhere are refused. Noise is taken as symmetric, and as uncorrelated beyond blocks. Cost:
