@@ -242,6 +242,33 @@ TEST(DelaunayIsosurface, BadParametersAndValuesEndInASentence)
   DelaunayIsosurfaceParameters wrong;
   wrong.Angle = 40.0;
   EXPECT_THROW(DelaunayIsosurface(set.Field, set.Bounds, set.Guide, wrong), std::invalid_argument);
+  for (const double allowed : { 0.0, 30.0 })
+  {
+    DelaunayIsosurfaceParameters coarse;
+    coarse.Angle = allowed;
+    coarse.Radius = coarse.Distance = 0.5;
+    EXPECT_GT(
+      DelaunayIsosurface(set.Field, set.Bounds, set.Guide, coarse).Surface.Triangles.size(), 3u);
+  }
+  // A millionth of the diagonal is the least, in whatever unit.
+  const double diagonal = set.Bounds.Diagonal();
+  for (const double part : { 0.9e-6, 1.1e-6 })
+  {
+    DelaunayIsosurfaceParameters finest;
+    finest.Radius = 0.5;
+    finest.Distance = part * diagonal;
+    finest.MaximumPoints = 4;
+    try
+    {
+      DelaunayIsosurface(set.Field, set.Bounds, set.Guide, finest);
+      ADD_FAILURE() << "not refused";
+    }
+    catch (const std::runtime_error& refusal)
+    {
+      const bool tooFine = std::string(refusal.what()).find("millionth") != std::string::npos;
+      EXPECT_EQ(tooFine, part < 1e-6) << refusal.what();
+    }
+  }
   DelaunayIsosurfaceParameters fine;
   fine.Radius = fine.Distance = 0.01;
   fine.MaximumPoints = 300;

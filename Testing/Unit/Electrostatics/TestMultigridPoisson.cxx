@@ -201,6 +201,13 @@ TEST(ChargeSums, OfOneChargeAreThoseOnPaper)
     EXPECT_DOUBLE_EQ(CoulombValue(charges, x, 0.1), coulomb);
     const double expected = coulomb * std::exp(-(x[0] - 1.0));
     EXPECT_NEAR(ScreenedSum(charges, 1.0, x) / expected, 1.0, 5e-15) << r;
+    // Eight and more are summed by vector instructions.
+    ChargeList nine;
+    for (int i = 0; i < 9; ++i)
+    {
+      nine.Append(charges, 0, 1);
+    }
+    EXPECT_NEAR(ScreenedSum(nine, 1.0, x) / (9.0 * expected), 1.0, 5e-15) << r;
     const SecondOrderTaylor taylor = CoulombSum(charges, x);
     EXPECT_NEAR(taylor.Gradient[0] / (-coulomb / r), 1.0, 1e-12);
     EXPECT_NEAR(taylor.Hessian[0] / (2.0 * coulomb / (r * r)), 1.0, 1e-12);

@@ -34,6 +34,35 @@ std::string Refusal(const DiffusionParameters& parameters)
 
 }
 
+TEST(SuperTimeStepping, SuperStepsDoubleUpToTheirLastLength)
+{
+  for (const double time : { 0.5, 30.0, 1000.0, 40000.0 })
+  {
+    constexpr double limit = 0.25;
+    const std::vector<TimeStep> steps = SuperSteps(time, limit, 0);
+    const double last =
+      std::max(7.0 * limit, time / std::max(12.0, 0.19 * std::sqrt(time / limit)));
+    // As from one explicit step on, and all shortened alike to end at `time`.
+    double length = limit, sum = 0.0, made = 0.0;
+    std::size_t count = 0;
+    for (; sum < time; ++count, length = std::min(last, 2.0 * length))
+    {
+      sum += length;
+    }
+    ASSERT_EQ(steps.size(), count) << time;
+    length = limit;
+    for (const TimeStep& step : steps)
+    {
+      EXPECT_NEAR(step.Length, length * time / sum, 1e-9 * step.Length);
+      EXPECT_EQ(step.Stages % 2, 1);
+      EXPECT_GE((step.Stages * step.Stages + step.Stages - 2) / 4.0, step.Length / limit - 1e-9);
+      length = std::min(last, 2.0 * length);
+      made += step.Length;
+    }
+    EXPECT_NEAR(made, time, 1e-9 * time);
+  }
+}
+
 TEST(DiffusionSteps, TheLargestStepIsStableAndTheNextIsRefused)
 {
   const auto grid = Grid<double>(24, 24, 24);

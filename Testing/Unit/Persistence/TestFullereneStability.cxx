@@ -157,6 +157,21 @@ TEST(FullereneStability, CubeByHand)
   EXPECT_NEAR(row.EnergyProxy, -row.FilteredIntegral / 8.0, 1e-15);
 }
 
+TEST(FullereneStability, BarsCountFromFilterDeltaOnOrIfTheyReachTheta)
+{
+  const std::vector<Point3> atoms{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 1, 0 } };
+  const std::vector<DistanceBar> bars{ { 1, 1.0, 1.5 }, { 1, 1.0, 1.25 }, { 1, 1.9375, 2.0 },
+    { 2, 1.0, 1.75 }, { 2, 1.0, 1.5 } };
+  const FullereneStability row = ComputeStability(atoms, bars, 0.5, 2.0);
+  EXPECT_EQ(row.Bars, 2);
+  EXPECT_EQ(row.Integral, 0.8125);
+  EXPECT_EQ(row.FilteredIntegral, 0.5625);
+  EXPECT_EQ(row.Cavity, 0.75);
+  EXPECT_EQ(row.BoxLength, 4.0);
+  EXPECT_EQ(row.EnergyProxy, -0.1875);
+  EXPECT_EQ(ComputeStability(atoms, bars, 0.5, Infinity).Bars, 1);
+}
+
 TEST(FullereneStability, FewAtomsLinesAndCopies)
 {
   EXPECT_TRUE(AlphaBars({}).empty());

@@ -1,6 +1,7 @@
 // Statistics of volumes whose values are known, of every type, and of values at the end of what
 // doubles hold; the place of a value that is no number.
 
+#include "Persistence/ScalarFeatures.h"
 #include "Persistence/VolumeView.h"
 
 #include <gtest/gtest.h>
@@ -88,4 +89,12 @@ TEST(VolumeView, ConstantsInfinitiesAndWhatIsNoNumber)
     EXPECT_NE(std::string(refusal.what()).find("node (1, 2, 3)"), std::string::npos)
       << refusal.what();
   }
+}
+
+TEST(ScalarFeatures, EvenLevelsGoFromEndToEnd)
+{
+  EXPECT_EQ(EvenLevels(1.0, 3.0, 5), (std::vector<double>{ 1.0, 1.5, 2.0, 2.5, 3.0 }));
+  EXPECT_EQ(EvenLevels(-1.0, 1.0, 2), (std::vector<double>{ -1.0, 1.0 }));
+  EXPECT_EQ(EvenLevels(1.0, 3.0, 1), (std::vector<double>{ 1.0 }));
+  EXPECT_EQ(EvenLevels(2.0, 2.0, 9), (std::vector<double>{ 2.0 }));
 }
