@@ -29,6 +29,8 @@ DIAGRAMS = {"ChokingLoops": 3, "MapChokingLoops": 3, "ScalarPersistence": 1}  # 
 CHOKE_POINTS = 2  # port of Choking Loops
 CELL, ROW = 1, 6  # of vtkDataObject's attribute types
 DISC, DIAMOND = "4", "5"  # marker styles of a chart
+# Pixels. ParaView 5.13 draws the loop itself, 5 pixels wide, over its selection.
+SELECTED_WIDTH = 15.0 if servermanager and servermanager.vtkSMProxyManager.GetVersionMinor() == 13 else 9.0
 VERMILION, ORANGE, GREEN, BLUE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.0, 0.620, 0.451), (0.0, 0.447, 0.698), (0.72, 0.72, 0.72))
 BALL = (0.941, 0.894, 0.259)
@@ -286,7 +288,7 @@ def _select_loops(source, ids):
         for display in view.Representations:
             if hasattr(display, "SelectionLineWidth") and getattr(
                     getattr(display, "Input", None), "SMProxy", None) == source.SMProxy:
-                display.SelectionLineWidth = 9.0
+                display.SelectionLineWidth = SELECTED_WIDTH
 
 
 def _selected_ids(source):

@@ -40,9 +40,9 @@ def count(pixels, part, colour, slack=40):
 
 
 def lit(pixels, part):
-    """In the colour of the selection, shaded or not."""
+    """In the colour of the selection, shaded or not, also seen through the ball."""
     red, green, blue = numpy.moveaxis(pixels[part], 2, 0)
-    return int(((red > 110) & (blue > 110) & (green < 70)).sum())
+    return int(((red > 110) & (red > green + 25) & (blue > green - 20)).sum())
 
 
 def yellow(pixels):
@@ -55,19 +55,29 @@ def selected():
     return [line.split("|") for line in path.read_text().splitlines()] if path.exists() else []
 
 
-def select(what, act, where):
-    """Acts, again where a busy window did not heed it, until something is selected there."""
+def select(what, act, where, other=()):
+    """Acts, again where a busy window did not heed it, until something is selected there, other than the features
+    `other`: a slow window tells of the selection before once more."""
     for _ in range(4):
         before = len(selected())
         act()
         for _ in range(20):
             time.sleep(0.5)
-            found = [line for line in selected()[before:] if line[0] == where and line[1] != "[]"]
+            found = [line for line in selected()[before:] if line[0] == where and line[1] not in ("[]", *other)]
             if found:
-                time.sleep(3)  # to draw it
                 return found[-1]
     window("failed")
     raise AssertionError(f"{what} was not selected: {selected()}")
+
+
+def drawn(name, part):
+    """The window as soon as the selection is seen in that part of it, at the latest after 20 s."""
+    for _ in range(10):
+        time.sleep(2)
+        pixels = window(name)
+        if lit(pixels, part) > 20:
+            break
+    return pixels
 
 
 def in_chart():
@@ -93,10 +103,10 @@ def act():
     assert lit(pixels, VIEW) == 0
     found["yellow before"] = yellow(pixels)
     found["tunnel"] = select("the tunnel", in_chart, "chart")
-    pixels = window("tunnel")
+    pixels = drawn("tunnel", VIEW)
     found["loop"], found["ball"] = lit(pixels, VIEW), yellow(pixels)
-    found["handle"] = select("the handle", in_view, "view")
-    found["point"] = lit(window("handle"), CHART)
+    found["handle"] = select("the handle", in_view, "view", other=[found["tunnel"][1]])
+    found["point"] = lit(drawn("handle", CHART), CHART)
 
 
 log, _ = play("DiagramWindow", shared_data("surfaces/torus.obj"), [button(5), PAUSE, button(6), PAUSE], (), FOLDER,

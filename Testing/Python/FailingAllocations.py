@@ -19,9 +19,7 @@ if LIBRARY not in os.environ.get("LD_PRELOAD", ""):
 
 import good_data  # noqa: E402
 import robustness_trials  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkSMPTools  # noqa: E402
 
-vtkSMPTools.SetBackend("Sequential")  # so that the same allocation is the n-th one each time
 MOST = int(os.environ.get("ISTHMUS_TRIALS", "25"))
 BYTES = 2048  # nothing smaller fails, as no real machine is out of it alone
 ALLOCATOR = ctypes.CDLL(LIBRARY)

@@ -13,11 +13,18 @@ import time
 import traceback
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkSMPTools
 
 import numpy
 
 SECONDS, MEGABYTES = 10.0, 1024
+
+# From VTK 9.3 on, STDThread keeps its threads from one call to the next. A child has none of its parent's threads and
+# would wait for them for ever: the parent works on one thread, and each child with what was asked for.
+BACKEND, VARIABLE = vtkSMPTools.GetBackend(), "VTK_SMP_BACKEND_IN_USE"
+ASKED = os.environ.get(VARIABLE)
+vtkSMPTools.SetBackend("Sequential")
+os.environ[VARIABLE] = "Sequential"
 
 
 def run(body, seconds=SECONDS, megabytes=MEGABYTES):
@@ -47,6 +54,10 @@ def run(body, seconds=SECONDS, megabytes=MEGABYTES):
             os.dup2(null, 2)
             resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
             signal.alarm(10 * int(seconds) + 1)
+            vtkSMPTools.SetBackend(BACKEND)
+            del os.environ[VARIABLE]
+            if ASKED is not None:
+                os.environ[VARIABLE] = ASKED
             result = str(body())
         except BaseException:  # whatever it is, the parent has to hear of it
             result, code = traceback.format_exc(), 7
