@@ -269,6 +269,21 @@ bool HasFlatNodes(const std::vector<double>& block, const Index3& size)
   return 50 * flat > static_cast<std::int64_t>(block.size());
 }
 
+/// `count` of `total` tiles in rows: one of each stratum, at the fractional parts of multiples of
+/// the golden ratio, since even steps through rows of 2^n tiles stay on one face of the volume.
+std::vector<std::size_t> SpreadOver(std::size_t total, std::size_t count)
+{
+  constexpr double goldenRatio = 0.61803398874989485;
+  std::vector<std::size_t> chosen;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const std::size_t first = n * total / count, last = (n + 1) * total / count;
+    const double within = std::fmod(static_cast<double>(n) * goldenRatio, 1.0);
+    chosen.push_back(first + static_cast<std::size_t>(within * static_cast<double>(last - first)));
+  }
+  return chosen;
+}
+
 /// Blocks of `side` nodes across that hold no flat background, at most mostNoiseBlocks of them.
 template <typename T>
 NoiseBlocks GatherNoiseBlocks(const Gatherer<T>& gatherer, std::int64_t side, VolumeSample& sample)
@@ -280,11 +295,10 @@ NoiseBlocks GatherNoiseBlocks(const Gatherer<T>& gatherer, std::int64_t side, Vo
     size[a] = std::min(side, sample.Whole[a]);
   }
   std::vector<SampleBox> boxes = Tiles(sample.Whole, size);
-  const std::size_t count = std::min(boxes.size(), mostNoiseBlocks);
   std::vector<std::vector<double>> blocks;
-  for (std::size_t n = 0; n < count; ++n)
+  for (const std::size_t n : SpreadOver(boxes.size(), std::min(boxes.size(), mostNoiseBlocks)))
   {
-    SampleBox box = boxes[n * boxes.size() / count];
+    SampleBox box = boxes[n];
     for (std::size_t a = 0; a < 3; ++a)
     {
       box.End[a] = box.Begin[a] + size[a];

@@ -133,6 +133,33 @@ std::vector<float> ColouredNoise(const DiffusionGrid<float>& grid, double level,
 
 }
 
+TEST(VolumeSample, BlocksForTheNoiseAreSpreadOverTheVolume)
+{
+  // Sides of a power of two: 16 blocks of 8^3 along each axis, of which an eighth is taken.
+  const auto grid = Grid<float>(128, 128, 128);
+  const std::vector<float> noise = Noise(grid, 0.01);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    std::vector<float> values = noise;
+    const std::array<std::int64_t, 3> step{ 1, 128, 128 * 128 };
+    for (std::int64_t n = 0; n < static_cast<std::int64_t>(values.size()); ++n)
+    {
+      values[static_cast<std::size_t>(n)] += static_cast<float>(n / step[axis] % 128);
+    }
+    const VolumeSample sample = SampleVolume<float>(grid, values.data(), nullptr);
+    std::vector<int> taken(16, 0);
+    for (const std::vector<float>& block : sample.Small.Values)
+    {
+      const double first = block.front() * sample.Scale + sample.Offset;
+      ++taken[static_cast<std::size_t>(std::lround(first)) / 8];
+    }
+    EXPECT_EQ(std::accumulate(taken.begin(), taken.end(), 0), 512);
+    // 32 of each layer, were they spread perfectly.
+    EXPECT_GT(*std::min_element(taken.begin(), taken.end()), 20) << axis;
+    EXPECT_LT(*std::max_element(taken.begin(), taken.end()), 44) << axis;
+  }
+}
+
 TEST(DenoisingRisk, IsTheMeanSquaredErrorWithinItsStandardError)
 {
   const auto grid = Grid<float>(40, 40, 40);
