@@ -96,11 +96,10 @@ public:
     std::vector<double> quantiles(waveBins, 0.0);
     for (std::size_t bin = 0; bin < waveBins; ++bin)
     {
-      std::vector<double> powers;
-      for (const BlockPower& power : this->Powers)
-      {
-        powers.push_back(power.Square[bin] / std::max(1.0, this->Count[bin]));
-      }
+      std::vector<double> powers(this->Powers.size());
+      std::transform(this->Powers.begin(), this->Powers.end(), powers.begin(),
+        [&](const BlockPower& power)
+        { return power.Square[bin] / std::max(1.0, this->Count[bin]); });
       quantiles[bin] =
         QuantileOf(powers, 0.25) / SpreadAtQuantile(std::max(1.0, this->Count[bin]), -0.6745);
     }

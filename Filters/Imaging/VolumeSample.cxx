@@ -274,12 +274,12 @@ bool HasFlatNodes(const std::vector<double>& block, const Index3& size)
 std::vector<std::size_t> SpreadOver(std::size_t total, std::size_t count)
 {
   constexpr double goldenRatio = 0.61803398874989485;
-  std::vector<std::size_t> chosen;
+  std::vector<std::size_t> chosen(count);
   for (std::size_t n = 0; n < count; ++n)
   {
     const std::size_t first = n * total / count, last = (n + 1) * total / count;
     const double within = std::fmod(static_cast<double>(n) * goldenRatio, 1.0);
-    chosen.push_back(first + static_cast<std::size_t>(within * static_cast<double>(last - first)));
+    chosen[n] = first + static_cast<std::size_t>(within * static_cast<double>(last - first));
   }
   return chosen;
 }
