@@ -31,6 +31,10 @@
  *    part of the surface that cannot recede), `BottleneckRadius`, `Current_NAME`, `Current`.
  *    In this case output 0 has the field data Rests and ShownUpdate.
  *
+ * Accuracy: rotating molecule and membrane together, or the molecule about the axis, changes the
+ * current by up to 1.8 % at the default Spacing and 0.3 % at half of it (tubes of atoms with pores
+ * of 2.2 and 2.8 angstrom, charged and not; 25 rotations each, 1 at half the spacing).
+ *
  * If the iteration does not converge within MaximumIterations, a warning reports its last change,
  * and the state that changed least is kept, with Converged 0. The same happens if ions are not
  * conserved to 1e-4 because a linear system could not be solved.

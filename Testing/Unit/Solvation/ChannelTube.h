@@ -20,12 +20,16 @@ struct Tube
   std::vector<ChargedAtom> Charges;
 };
 
-inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
+/// Unit vectors along `normal` and across it.
+struct AxisFrame
 {
-  constexpr int rings = 4, around = 10;
-  constexpr double ball = 1.9;
-  const double length = std::hypot(m.Normal[0], m.Normal[1], m.Normal[2]);
-  const Point3 n{ m.Normal[0] / length, m.Normal[1] / length, m.Normal[2] / length };
+  Point3 Along, First, Second;
+};
+
+inline AxisFrame FrameAlong(const Point3& normal)
+{
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  const Point3 n{ normal[0] / length, normal[1] / length, normal[2] / length };
   const Point3 other = std::abs(n[2]) < 0.9 ? Point3{ 0.0, 0.0, 1.0 } : Point3{ 1.0, 0.0, 0.0 };
   Point3 u{ n[1] * other[2] - n[2] * other[1], n[2] * other[0] - n[0] * other[2],
     n[0] * other[1] - n[1] * other[0] };
@@ -35,6 +39,14 @@ inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
     x /= size;
   }
   const Point3 v{ n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0] };
+  return { n, u, v };
+}
+
+inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
+{
+  constexpr int rings = 4, around = 10;
+  constexpr double ball = 1.9;
+  const auto [n, u, v] = FrameAlong(m.Normal);
   Tube tube;
   for (int ring = 0; ring < rings; ++ring)
   {
