@@ -40,6 +40,13 @@ double ValueOf(vtkDataArray* array, vtkIdType i)
   return array ? array->GetComponent(i, 0) : Unknown;
 }
 
+/// A number of a list of words; -1 without one.
+int WordOf(vtkDataArray* array, vtkIdType i)
+{
+  const double value = ValueOf(array, i);
+  return std::isfinite(value) ? static_cast<int>(value) : -1;
+}
+
 /// The items of a list separated by commas, sorted.
 std::vector<std::string> NamesIn(const std::string& list)
 {
@@ -83,7 +90,7 @@ std::vector<InputFeature> RowsOf(vtkTable* table)
         }
       }
       features.push_back({ { { ValueOf(at[0], row), ValueOf(at[1], row), ValueOf(at[2], row) },
-                             radius, {} },
+                             radius, {}, -1, -1 },
         { radius, ValueOf(NumbersOf(data, "Volume"), row), ValueOf(NumbersOf(data, "Score"), row) },
         number ? static_cast<std::int64_t>(ValueOf(number, row)) : row + 1 });
     }
@@ -149,6 +156,8 @@ struct FeatureSum
   double Radius = Unknown;
   double Volume = Unknown;
   double Score = Unknown;
+  int Kind = -1;
+  int Side = -1;
 
   void Add(const Point3& place, double weight, double radius)
   {
@@ -163,7 +172,7 @@ struct FeatureSum
   {
     if (this->Count == 0.0 || radius < this->Radius)
     {
-      *this = { place, 1.0, place, 1.0, radius, Unknown, Unknown };
+      *this = { place, 1.0, place, 1.0, radius, Unknown, Unknown, -1, -1 };
     }
   }
 
@@ -190,6 +199,8 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
   vtkDataArray* atoms = NumbersOf(owner.Data, "Burial");
   vtkDataArray* width = NumbersOf(owner.Data, "Radius");
   width = width ? width : NumbersOf(owner.Data, "Clearance");
+  vtkDataArray* kind = NumbersOf(owner.Data, "Kind");
+  vtkDataArray* side = NumbersOf(owner.Data, "Side");
   std::map<std::pair<double, double>, FeatureSum> groups;
   for (vtkIdType i = 0; i < owner.Whole->GetNumberOfTuples(); ++i)
   {
@@ -217,6 +228,8 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
     }
     const bool isRoom = room && atoms;
     const double n = ValueOf(atoms, i);
+    group.Kind = WordOf(kind, i);
+    group.Side = WordOf(side, i);
     group.Add(
       place, isRoom ? std::max(0.0, ValueOf(room, i)) * BurialWeight(n) : 1.0, ValueOf(width, i));
     if (isRoom)
@@ -228,9 +241,9 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
   for (const auto& [key, group] : groups)
   {
     const auto row = static_cast<std::int64_t>(features.size()) + 1;
-    features.push_back(
-      { { group.Place(), group.Radius, {} }, { group.Radius, group.Volume, group.Score },
-        owner.Part ? row : static_cast<std::int64_t>(key.first) });
+    features.push_back({ { group.Place(), group.Radius, {}, group.Kind, group.Side },
+      { group.Radius, group.Volume, group.Score },
+      owner.Part ? row : static_cast<std::int64_t>(key.first) });
   }
   return features;
 }

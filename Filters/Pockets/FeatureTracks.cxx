@@ -73,7 +73,8 @@ double Cost(const TrackedFeature& a, const TrackedFeature& b, double furthest)
   const bool isKnown = !a.Lining.empty() && !b.Lining.empty();
   const double likeness = Likeness(a, b);
   const bool isNear = distance <= 1.0 && (!isKnown || likeness > 0.0);
-  if (!std::isfinite(distance) || !(isNear || likeness >= Alike))
+  const bool isOneKind = a.Kind == b.Kind && a.Side == b.Side;
+  if (!std::isfinite(distance) || !isOneKind || !(isNear || likeness >= Alike))
   {
     return HUGE_VAL;
   }

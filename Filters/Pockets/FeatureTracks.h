@@ -21,6 +21,8 @@ struct TrackedFeature
   Point3 Place{ 0.0, 0.0, 0.0 };
   double Radius = 0.0;             ///< NaN: not known
   std::vector<std::string> Lining; ///< names of residues, sorted; empty: not known
+  int Kind = -1;                   ///< of a choking loop: handle, tunnel, ...; -1: not known
+  int Side = -1;                   ///< of a choking loop: inside or outside; -1: not known
 };
 
 using TrackFrame = std::vector<TrackedFeature>;
@@ -63,8 +65,9 @@ struct FeatureTracks
  * merged with another one. A pair is possible within MaximumDistance if, where residues are known,
  * they have at least one in common; or at any distance if they have a third of them in common,
  * since the centre of a pocket that gains a chamber moves far. Pairs that cost more than 2 are
- * excluded. A track that would otherwise end takes precedence over one that has split off from it,
- * or that was missing, for features that share at least a third of its residues.
+ * excluded, and so are pairs of different kind or side. A track that would otherwise end takes
+ * precedence over one that has split off from it, or that was missing, for features that share at
+ * least a third of its residues.
  *
  * If half of the residues of a track that ends line the next feature of another track, the first
  * has merged with the second; a track that begins in the same way has split off. A pocket that has

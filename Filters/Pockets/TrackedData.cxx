@@ -12,6 +12,7 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -28,6 +29,14 @@ Array* AddColumn(vtkTable* table, const std::string& name)
   array->SetName(name.c_str());
   table->AddColumn(array);
   return array;
+}
+
+/// Whether any feature has a kind.
+bool AreLoops(const std::vector<TrackFrame>& frames)
+{
+  const auto hasKind = [](const TrackedFeature& feature) { return feature.Kind >= 0; };
+  return std::any_of(frames.begin(), frames.end(),
+    [&](const TrackFrame& frame) { return std::any_of(frame.begin(), frame.end(), hasKind); });
 }
 
 }
@@ -63,10 +72,18 @@ void TrackedData::FillTable(const Tracks& places, vtkTable* table) const
   {
     numbers[k] = AddColumn<vtkDoubleArray>(table, names[k]);
   }
+  const bool areLoops = AreLoops(this->Frames);
+  auto* kind = areLoops ? AddColumn<vtkIntArray>(table, "Kind") : nullptr;
+  auto* side = areLoops ? AddColumn<vtkIntArray>(table, "Side") : nullptr;
   for (std::size_t n = 0; n < places.size(); ++n)
   {
     for (const Place& place : places[n])
     {
+      if (areLoops)
+      {
+        kind->InsertNextValue(this->Frames[place.Frame][place.Feature].Kind);
+        side->InsertNextValue(this->Frames[place.Frame][place.Feature].Side);
+      }
       track->InsertNextValue(static_cast<int>(n) + 1);
       time->InsertNextValue(this->TimeOf(place.Frame));
       feature->InsertNextValue(static_cast<int>(this->Numbers[place.Frame][place.Feature]));

@@ -15,7 +15,8 @@
  *
  * - **Output 0**, vtkTable: one row per feature and time: `Track` (from 1), `Time`, `FeatureId`
  *   (row or point in the input, from 1, or the id of the group), `X`, `Y`, `Z`, `Radius`, `Volume`,
- *   `Score` (NaN if not known).
+ *   `Score` (NaN if not known); of choking loops also `Kind` and `Side` (vtkChokingLoops), which no
+ *   track changes.
  * - **Output 1**, vtkTable for charts: one row per time, with `Time` and a column `Track N` with
  *   Radius, Volume or Score (Charted), NaN where the track is missing; the longest tracks come
  *   first.

@@ -69,6 +69,20 @@ TEST(FeatureTracks, TheLastFourFeaturesAreRemembered)
   EXPECT_EQ(TrackFeatures({ at(0), at(4.001) }, { 4.0, 5 }).NumberOfTracks, 2);
 }
 
+TEST(FeatureTracks, LoopsOfDifferentKindOrSideAreDifferent)
+{
+  const auto loop = [](double x, int kind, int side) {
+    return TrackedFeature{ { x, 0, 0 }, 2.0, {}, kind, side };
+  };
+  // Each is now where the other was.
+  const auto kinds = TrackFeatures(
+    { { loop(0, 0, 0), loop(1, 1, 1) }, { loop(1, 0, 0), loop(0, 1, 1) } }, { 4.0, 5 });
+  EXPECT_EQ(kinds.TrackOf[1], (std::vector<int>{ 0, 1 }));
+  const auto sides = TrackFeatures(
+    { { loop(0, 2, 0), loop(1, 2, 1) }, { loop(1, 2, 0), loop(0, 2, 1) } }, { 4.0, 5 });
+  EXPECT_EQ(sides.TrackOf[1], (std::vector<int>{ 0, 1 }));
+}
+
 TEST(FeatureTracks, MergesAndSplitsAreNamed)
 {
   const TrackedFeature a{ { -1, 0, 0 }, 2.0, { "A|1", "A|2", "A|3" } };
@@ -300,4 +314,27 @@ TEST(FeatureTracks, LinesByPoreLoopsByFeatureAndPointsByThemselves)
   }
   Add<vtkIntArray>(lines->GetPointData(), "Rank", { 1, 2, 3, 1, 2 });
   EXPECT_EQ(TracksOf(lines)->GetNumberOfRows(), 5); // bottlenecks
+}
+
+TEST(FeatureTracks, TheTableHasTheKindsOfLoops)
+{
+  vtkNew<vtkPolyData> chokes;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(9.0, 0.0, 0.0);
+  chokes->SetPoints(points);
+  Add<vtkIdTypeArray>(chokes->GetPointData(), "FeatureId", { 1, 2 });
+  EXPECT_EQ(TracksOf(chokes)->GetColumnByName("Kind"), nullptr);
+  Add<vtkIntArray>(chokes->GetPointData(), "Kind", { 2, 1 });
+  Add<vtkIntArray>(chokes->GetPointData(), "Side", { 0, 1 });
+  const auto table = TracksOf(chokes);
+  ASSERT_EQ(table->GetNumberOfRows(), 2);
+  for (const char* const name : { "Kind", "Side" })
+  {
+    ASSERT_NE(table->GetColumnByName(name), nullptr) << name;
+  }
+  EXPECT_EQ(Value(table, 0, "Kind"), 2.0);
+  EXPECT_EQ(Value(table, 0, "Side"), 0.0);
+  EXPECT_EQ(Value(table, 1, "Kind"), 1.0);
+  EXPECT_EQ(Value(table, 1, "Side"), 1.0);
 }
