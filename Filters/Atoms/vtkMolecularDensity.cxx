@@ -19,8 +19,11 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -50,6 +53,19 @@ MoleculeAtoms ScaledAtoms(vtkDataObject* input, const std::string& radii, double
     ball.Radius *= scale;
   }
   return atoms;
+}
+
+/// At least as many nodes as the pipeline has announced: in another time step the molecule may be
+/// smaller, but downstream filters still request the extent of the first one.
+void Widen(DensityGrid& grid, vtkInformation* outInfo)
+{
+  const isthmus::Extent announced =
+    isthmus::ExtentOf(outInfo, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t nodes = announced[2 * axis + 1] + 1;
+    grid.Dimensions[axis] = std::max(grid.Dimensions[axis], nodes);
+  }
 }
 
 void SetGeometry(const DensityGrid& grid, vtkImageData* image)
@@ -137,12 +153,13 @@ int vtkMolecularDensity::RequestData(
       this->Advance->RequireOneRank(0, "atoms");
       if (input && input->GetNumberOfPoints() > 0)
       {
-        this->FillImage(input, output);
+        this->FillImage(input, outputVector->GetInformationObject(0), output);
       }
     });
 }
 
-void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
+void vtkMolecularDensity::FillImage(
+  vtkPointSet* input, vtkInformation* outInfo, vtkImageData* output)
 {
   const MoleculeAtoms atoms =
     ScaledAtoms(input, isthmus::InputArrayName(this, 0), this->RadiusScale);
@@ -154,8 +171,9 @@ void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
   {
     return;
   }
-  const DensityGrid grid = isthmus::GridAroundBalls(
+  DensityGrid grid = isthmus::GridAroundBalls(
     atoms.Balls, this->Spacing, { this->Padding[0], this->Padding[1], this->Padding[2] });
+  Widen(grid, outInfo);
   SetGeometry(grid, output);
   const isthmus::GridView<float> nodes{ AddDensity(output, grid)->GetPointer(0), grid.Dimensions,
     { grid.Spacing, grid.Spacing, grid.Spacing } };

@@ -20,7 +20,8 @@
  *
  * The grid has cubic cells; its first node lies Padding beyond the outermost ball. The whole grid
  * is produced for any requested part. Atoms without radius (NaN) are dropped, with a warning; atoms
- * with radius 0 have no effect.
+ * with radius 0 have no effect. If the atoms move in time, the grid of a later time step has at
+ * least as many nodes along each axis as that of the first one.
  *
  * **Errors** (one message, empty output): neither radii nor elements; negative radii, coordinates
  * that are not finite; a Spacing that is not positive or so small that the grid does not fit into
@@ -108,7 +109,7 @@ private:
   vtkMolecularDensity(const vtkMolecularDensity&) = delete;
   void operator=(const vtkMolecularDensity&) = delete;
 
-  void FillImage(vtkPointSet* atoms, vtkImageData* output);
+  void FillImage(vtkPointSet* atoms, vtkInformation* outInfo, vtkImageData* output);
 
   int Form = GaussianSum;
   double RadiusScale = 1.0;
