@@ -1,5 +1,6 @@
 #include "IsthmusFirstLook.h"
 
+#include "IsthmusProgress.h"
 #include "RunPython.h"
 
 #include <pqApplicationCore.h>
@@ -25,6 +26,17 @@
 #include <QMainWindow>
 #include <QStatusBar>
 #include <QTimer>
+
+namespace
+{
+
+/// What follows from changes waits (ms) until the button that makes them has ended.
+int Moment()
+{
+  return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
+}
+
+}
 
 IsthmusFirstLook::IsthmusFirstLook(QObject* parent)
   : QObject(parent)
@@ -161,7 +173,7 @@ void IsthmusFirstLook::LookSoon(pqDataRepresentation* representation)
 {
   if (this->Waiting.isEmpty())
   {
-    QTimer::singleShot(0, this, [this] { this->Look(); });
+    QTimer::singleShot(Moment(), this, [this] { this->Look(); });
   }
   this->Waiting.insert(representation);
 }
@@ -172,9 +184,10 @@ void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
   QTimer::singleShot(0, source,
     [source]
     {
-      if (source->modifiedState() != pqProxy::UNINITIALIZED)
+      if (source->modifiedState() != pqProxy::UNINITIALIZED ||
+        IsthmusProgress::Instance().IsRunning())
       {
-        return; // of a state file, or a script's: it has its values
+        return; // of a state file, a script's or a button's: it has its values
       }
       const QString id = QString::number(source->getProxy()->GetGlobalID());
       isthmus::RunPipelines("first_values(" + id + ')');
@@ -189,10 +202,15 @@ void IsthmusFirstLook::ForgetSoon()
     return;
   }
   this->Forgets = true;
-  QTimer::singleShot(0, this,
+  QTimer::singleShot(Moment(), this,
     [this]
     {
       this->Forgets = false;
+      if (IsthmusProgress::Instance().IsRunning())
+      {
+        this->ForgetSoon();
+        return;
+      }
       pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
       if (model->findItems<pqServer*>().isEmpty() || model->findItems<pqView*>().isEmpty())
       {
@@ -211,6 +229,11 @@ void IsthmusFirstLook::ForgetSoon()
 
 void IsthmusFirstLook::Look()
 {
+  if (IsthmusProgress::Instance().IsRunning())
+  {
+    QTimer::singleShot(Moment(), this, [this] { this->Look(); });
+    return;
+  }
   QStringList ids;
   for (pqDataRepresentation* representation : this->Waiting)
   {

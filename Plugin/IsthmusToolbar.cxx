@@ -1,5 +1,6 @@
 #include "IsthmusToolbar.h"
 
+#include "IsthmusProgress.h"
 #include "RunPython.h"
 
 #include <pqActiveObjects.h>
@@ -48,12 +49,19 @@ void ApplyWhatWaits()
 
 /// Runs a pipeline on what the panel shows; what it made is up to date, so that Apply has nothing
 /// to do. Steps before it can no longer be undone, since it stands on them.
-void Run(const QString& call)
+void Run(const QString& call, const QString& title)
 {
+  IsthmusProgress& progress = IsthmusProgress::Instance();
+  if (progress.IsRunning())
+  {
+    return;
+  }
   ApplyWhatWaits();
   const QList<pqPipelineSource*> before = Sources();
-  QApplication::setOverrideCursor(Qt::WaitCursor);
+  QApplication::setOverrideCursor(Qt::BusyCursor);
+  progress.Begin(title);
   isthmus::RunPipelines(call);
+  progress.End();
   CLEAR_UNDO_STACK();
   QApplication::restoreOverrideCursor();
   for (pqPipelineSource* source : Sources())
@@ -101,7 +109,7 @@ const QList<Task>& Tasks()
     { "Curvature", { "map_to_curvature" },
       { "CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature", "ScalarRegions" } },
     { "Loops, handles and persistence",
-      { "map_to_loops", "surface_to_loops", "persistence_diagram" },
+      { "map_to_loops", "surface_to_loops", "trajectory_to_loops", "persistence_diagram" },
       { "MapChokingLoops", "ChokingLoops", "MapHandles", "HandleFilling", "LoopShortening",
         "ScalarPersistence", "FullereneStability" } },
     { "Molecules and their surfaces", { "protein_to_surface" },
@@ -246,6 +254,9 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
   this->Add("map_with_model", "MapWithModel", tr("Map with model"),
     tr("The selected map coloured by the chains of the molecule that is open, and whether that is "
        "fitted"));
+  this->Add("trajectory_to_loops", "TrajectoryToLoops", tr("Trajectory to loops over time"),
+    tr("Choking loops in each frame of the selected trajectory, with a chart of their radius over "
+       "time"));
 }
 
 void IsthmusToolbar::Add(
@@ -256,5 +267,5 @@ void IsthmusToolbar::Add(
   action->setToolTip("<b>" + text + "</b><br>" + tip);
   action->setStatusTip(tip);
   const QString call = QString("run(\"%1\")").arg(function);
-  QObject::connect(action, &QAction::triggered, this, [call] { Run(call); });
+  QObject::connect(action, &QAction::triggered, this, [call, text] { Run(call, text); });
 }

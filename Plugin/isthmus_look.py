@@ -15,8 +15,9 @@ try:
     import isthmus_molecules as molecules
     import isthmus_pockets as pockets_and_pores
     import isthmus_steps as steps
+    import isthmus_tracks as track_views
 except ImportError:
-    from isthmus import diagram_views, loop_views, messages, steps
+    from isthmus import diagram_views, loop_views, messages, steps, track_views
     from isthmus import molecule_views as molecules
     from isthmus import pocket_views as pockets_and_pores
 
@@ -547,6 +548,12 @@ def show(*proxies, view=None, tables=False):
     if proxies[-1].SMProxy.GetXMLName() == "PointDatasetInterpolator":  # pipelines.map_with_model
         display = molecules.show_with_map(proxies[0], proxies[-1], view)
         _seen.update(each.GetGlobalID() for each in view.Representations)  # they have their look
+        return display
+    if proxies[-1].SMProxy.GetXMLName() == "FeatureTracks":  # pipelines.trajectory_to_loops
+        _look(simple.Show(proxies[0], view))
+        simple.ResetCamera(view)
+        display = track_views.show(*proxies, view, tables)
+        _seen.add(display.GetGlobalID())
         return display
     display = None
     for proxy in proxies:

@@ -23,6 +23,25 @@ def show_note(text):
     vtkOutputWindow.GetInstance().InvokeEvent("UserEvent", text)
 
 
+STEP = 1100  # the event of a step, which the window observes (IsthmusProgress)
+
+
+class Cancelled(Exception):
+    """The user has cancelled the button."""
+
+
+def step(what=""):
+    """A button reports the step that begins, for the window's status bar, which keeps the last one if `what` is "".
+    Raises Cancelled if the user has pressed Cancel. Does nothing in scripts."""
+    if is_cancelled(what):
+        raise Cancelled
+
+
+def is_cancelled(what=""):
+    """step(), for callers that must not raise."""
+    return bool(vtkOutputWindow.GetInstance().InvokeEvent(STEP, what))
+
+
 def reports_faults(what):
     """Decorator for functions that the window calls: catches all exceptions."""
     def decorate(function):

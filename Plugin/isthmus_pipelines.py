@@ -31,8 +31,9 @@ try:
     import isthmus_messages as messages
     import isthmus_molecules as molecules
     import isthmus_steps as steps
+    import isthmus_tracks as track_views
 except ImportError:
-    from isthmus import diagram_views, figures, look, loop_views, messages, steps
+    from isthmus import diagram_views, figures, look, loop_views, messages, steps, track_views
     from isthmus import molecule_views as molecules
 
 try:
@@ -122,6 +123,7 @@ def _make(pipeline, name, source=None, **more):
     step = steps.PIPELINES[pipeline][name]
     given = [] if source is None else [source]
     label = pockets_and_pores.name_of(more.get("Input") if source is None else source, step.label)
+    messages.step(label)
     return getattr(simple, step.proxy)(*given, registrationName=label, **{**step.properties, **more})
 
 
@@ -231,6 +233,41 @@ def surface_to_loops(source, significant=False):
     return (loops,)
 
 
+def trajectory_to_loops(source, frames=steps.MOST_FRAMES):
+    """(loops, tracks): the significant choking loops in each frame of a molecule, map or closed surface with time
+    steps, and their tracks from frame to frame, with the radius of each over time (track_views).
+
+    A molecule's loops are those of the surface of its chains, a map's those at the level of its first frame. frames: the
+    most that are looked at; of more, every second, third, ... one is."""
+    times = track_views.times_of(source)
+    if len(times) < 2:
+        raise ValueError(steps.NOTHING["frames"])
+    moving = source
+    if len(times) > frames:
+        moving = simple.ExtractTimeSteps(
+            source, registrationName=pockets_and_pores.name_of(source, "frames"), SelectionMode="Select Time Range",
+            TimeStepRange=[0, len(times) - 1], TimeStepInterval=-(-len(times) // frames))
+        times = times[::-(-len(times) // frames)]
+    moving.UpdatePipeline(times[0])
+    if _has_atoms(moving):
+        surface = _molecule(_chains(moving))[1]
+    elif _is_volume(moving):
+        (surface,) = map_to_surface(moving)
+        surface.LargestComponents = steps.PIPELINES["map_to_loops"]["surface"].properties["LargestComponents"]
+    else:
+        surface = moving
+    (loops,) = surface_to_loops(surface, significant=True)
+    tracks = simple.FeatureTracks(
+        simple.OutputPort(loops, diagram_views.CHOKE_POINTS), MinimumLength=2,
+        registrationName=pockets_and_pores.name_of(source, "loops over time"))
+    track_views.report_frames(tracks, len(times))
+    tracks.UpdatePipeline()
+    messages.step()
+    if not track_views.series_of(tracks):
+        raise ValueError(steps.NOTHING["tracks"])
+    return loops, tracks
+
+
 def protein_to_surface(source):
     """(surface,) or (ligands, surface): the smooth molecular surface of the chains, without cavities
     smaller than a twentieth of it; the ligands and ions, if there are any. Water is left out; the
@@ -258,9 +295,12 @@ def protein_to_sites(source, potential=None):
     density, surface = _molecule(chains)
     if potential is None:
         potential = _make("protein_to_potential", "potential", chains, Surface=density)
+        potential.UpdatePipeline()
     curvature = _make("protein_to_potential", "curvature", Input=surface, Volume=density,
                       Scalars=["POINTS", "Density"])
+    curvature.UpdatePipeline()
     polarized = _make("protein_to_potential", "polarized", curvature, PotentialImage=potential)
+    polarized.UpdatePipeline()
     sites = _make("protein_to_potential", "sites", polarized, Atoms=chains,
                   RankedArray=["POINTS", "PolarizedCurvature"])
     sites.UsePockets = int(_has_pockets(chains))  # asked before, since the filter would warn as well
@@ -474,9 +514,21 @@ def _fits(function):
         return _is_volume
     if function.startswith("protein_"):
         return lambda source: _has_atoms(source) and source.PointData["Element"] is not None
+    if function == "trajectory_to_loops":
+        return _moves
     if function == "persistence_diagram":
         return lambda source: source.SMProxy.GetXMLName() in diagram_views.DIAGRAMS
     return lambda source: True
+
+
+def _moves(source):
+    """Whether a source is a molecule or map with time steps, and no map made from atoms."""
+    if _is_volume(source):
+        made = source.SMProxy
+        while made.GetNumberOfProducers():
+            made = made.GetProducerProxy(0)
+        return not _has_atoms(servermanager._getPyProxy(made)) and len(track_views.times_of(source)) > 1
+    return _has_atoms(source) and source.PointData["Element"] is not None and len(track_views.times_of(source)) > 1
 
 
 @messages.reports_faults("The proposed threshold")
@@ -530,10 +582,14 @@ def run(function):
         proxies = globals()[function](source, **BY_BUTTON.get(function, {}))
         if function == "persistence_diagram":
             return
+        messages.step()
     except Exception as error:
         for proxy in set(simple.GetSources().values()) - before:
             simple.Delete(proxy)
         simple.SetActiveSource(selected)  # what was deleted may have been it
+        if messages.is_cancelled():  # in a filter, whose empty result is then no error
+            messages.show_note("Cancelled: what the button had made was removed.")
+            return
         if not isinstance(error, ValueError):
             raise
         messages.show_error(str(error))

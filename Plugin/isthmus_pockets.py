@@ -64,7 +64,9 @@ def protein_to_pores(source):
 
 def _make(pipeline, name, source):
     step = steps.PIPELINES[pipeline][name]
-    return getattr(simple, step.proxy)(source, registrationName=name_of(source, step.label), **step.properties)
+    label = name_of(source, step.label)
+    messages.step(label)
+    return getattr(simple, step.proxy)(source, registrationName=label, **step.properties)
 
 
 def name_of(source, what):

@@ -16,6 +16,7 @@ SPACING = 0.6  # angstrom, of a molecular surface's grid
 # dB) and the noise is at least this fraction of the range of the values. With white noise of 0.1 standard
 # deviations or more, surfaces have handles caused by the noise; below 0.02 they have none.
 LEAST_GAIN, LEAST_NOISE = 3.0, 0.005
+MOST_FRAMES = 100  # of a trajectory whose loops are followed, which takes some seconds each
 MOST_NODES = 30000000  # of a map whose noise is estimated, which takes about 30 s
 
 # Properties that menus and buttons of the window set on a new filter. Scripts have other defaults, so that earlier
@@ -95,6 +96,9 @@ NOTHING = {
                "Pockets.",
     "pores": "No channel runs through the molecule. Pore Profile can follow a path between two points or along a "
              "direction: choose its Mode.",
+    "frames": "This needs a trajectory, that is a molecule, map or closed surface with several time steps: open a DCD, "
+              "XTC or TRR file, a PDB file with several models, or a series of files.",
+    "tracks": "No choking loop of this surface is found in two frames.",
     "charges": "The atoms have no charges, which the potential needs, and the force field could not assign any; the "
                "previous message says why. Alternatives: open a PQR file, or a potential (.dx) for Polarized Curvature.",
 }

@@ -234,10 +234,53 @@ SCENES = {
     "HandleFilling": handle_filling, "OffsetSurface": offset_surface, "NonpolarSolvation": nonpolar_solvation,
     "FeatureTracks": feature_tracks}
 
+def trajectory_loops(picture):
+    """The view and the chart of the button, on the ring of the tests."""
+    sys.path.insert(0, str(HERE.parents[1] / "Testing" / "Python"))
+    import ring_models
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "ring.pdb"
+        ring_models.write(path, 12)
+        made = pipelines.trajectory_to_loops(simple.OpenDataFile(str(path)))
+        view = simple.CreateView("RenderView")
+        simple.AssignViewToLayout(view=view)
+        pipelines.show(*made, view=view, tables=True)
+        chart = next(each for each in simple.GetViews() if each.SMProxy.GetXMLName() == "XYChartView")
+        view.UseColorPaletteForBackground, view.Background, view.OrientationAxesVisibility = 0, [1.0, 1.0, 1.0], 0
+        for display in view.Representations:
+            if hasattr(display, "TitleColor"):
+                display.TitleColor = display.LabelColor = INK
+                display.TitleFontSize = display.LabelFontSize = 12
+            elif hasattr(display, "Color"):
+                display.Color = INK
+        chart.ChartTitleFontSize, chart.LegendFontSize = 13, 10
+        for axis in ("Left", "Bottom"):
+            setattr(chart, f"{axis}AxisTitleFontSize", 12)
+            setattr(chart, f"{axis}AxisLabelFontSize", 10)
+        simple.SaveScreenshot(str(picture), simple.GetLayout(view), ImageResolution=[960, 480],
+                              FontScaling="Do not scale fonts")
+        simple.Delete(chart)
+        simple.Delete(view)
+
+
+PICTURES = {"TrajectoryLoops": trajectory_loops}  # of more than one view
+
 TALL = ("ScalarRegions", "SurfaceCurvature", "SurfaceToGrid")
 
 
 def make(name, picture):
+    if name in PICTURES:
+        PICTURES[name](picture)
+    else:
+        make_scene(name, picture)
+    # 128 colours keep a picture small; without ImageMagick it is larger.
+    subprocess.run(["convert", str(picture), "-colors", "128", str(picture)], check=False)
+    for source in list(simple.GetSources().values()):
+        simple.Delete(source)
+
+
+def make_scene(name, picture):
     view = simple.CreateView("RenderView")
     view.ViewSize = SIZE
     view.UseColorPaletteForBackground = 0
@@ -250,11 +293,7 @@ def make(name, picture):
     simple.ResetCamera(view)
     simple.GetActiveCamera().Zoom(1.1 if name in TALL else 1.4)
     simple.SaveScreenshot(str(picture), view, ImageResolution=SIZE)
-    # 128 colours keep a picture small; without ImageMagick it is larger.
-    subprocess.run(["convert", str(picture), "-colors", "128", str(picture)], check=False)
     simple.Delete(view)
-    for source in list(simple.GetSources().values()):
-        simple.Delete(source)
 
 
 def main():
@@ -263,7 +302,7 @@ def main():
         return
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "filters"
     folder.mkdir(parents=True, exist_ok=True)
-    for name in sys.argv[2:] or SCENES:
+    for name in sys.argv[2:] or [*SCENES, *PICTURES]:
         make(name, folder / f"{name}.png")
         print(folder / f"{name}.png", flush=True)
 

@@ -3,6 +3,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/InputOverlap.h"
 #include "Core/NumberText.h"
+#include "Core/Progress.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
@@ -181,6 +182,10 @@ void RequirePlaces(vtkPointSet* data, const std::string& name)
 
 void CheckInputs(vtkAlgorithm* self)
 {
+  if (self->CheckAbort())
+  {
+    throw Cancelled(); // an input is empty because its algorithm was aborted
+  }
   for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < self->GetNumberOfInputConnections(port); ++i)

@@ -1,0 +1,50 @@
+"""Opens the data of ProgressWindow.py, and writes down the steps that buttons report and the names of the sources."""
+
+import os
+import time
+from pathlib import Path
+
+from paraview import simple
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
+
+import isthmus_messages as messages  # there once paraview.simple has loaded the plugin
+import isthmus_pipelines as pipelines
+
+folder = Path(os.environ["ISTHMUS_SESSION_DIR"])
+run = pipelines.run
+
+
+def write(*words):
+    with (folder / "steps.txt").open("a", encoding="utf-8") as file:
+        print(f"{time.monotonic():.3f}", *words, file=file)
+
+
+def names():
+    return "|".join(sorted(name for name, _ in simple.GetSources()))
+
+
+def observe(event, what):
+    def told(_window, _event, text):
+        write(what, text)
+
+    told.CallDataType = VTK_STRING
+    return vtkOutputWindow.GetInstance().AddObserver(event, told)
+
+
+def watched_run(function):
+    observers = [observe(messages.STEP, "step"), observe("UserEvent", "note")]
+    write("begins", names())
+    run(function)
+    write("ends", names())
+    for observer in observers:
+        vtkOutputWindow.GetInstance().RemoveObserver(observer)
+
+
+pipelines.run = watched_run
+
+source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
+simple.Show(source, simple.GetActiveViewOrCreate("RenderView"))
+simple.SetActiveSource(source)
+simple.ResetCamera()
+simple.Render()
+write("opened", names())
