@@ -166,7 +166,7 @@ void IsthmusProgress::Progress(vtkObject* object, unsigned long, void*)
   }
   if (this->IsCancelled)
   {
-    vtkAlgorithm::SafeDownCast(object)->SetAbortExecute(1);
+    vtkAlgorithm::SafeDownCast(object)->SetAbortExecuteAndUpdateTime();
   }
 }
 

@@ -184,6 +184,27 @@ void AddFilters(QMenu* menu, const QStringList& filters)
     });
 }
 
+/// Background, scale bar and shadows of the views: entries of isthmus_pipelines.change_look().
+void AddLooks(QMenu* menu)
+{
+  const QList<QPair<const char*, const char*>> looks{ { "white", "White background" },
+    { "light", "Light background" }, { "dark", "Dark background" },
+    { "standard", "Standard background" }, { "", "" }, { "scale_bar", "Scale bar on or off" },
+    { "soft_shadows", "Soft shadows on or off" } };
+  for (const auto& [name, title] : looks)
+  {
+    if (QString(name).isEmpty())
+    {
+      menu->addSeparator();
+      continue;
+    }
+    QAction* action = menu->addAction(title);
+    action->setObjectName(QString("Look_%1").arg(name));
+    const QString call = QString("change_look(\"%1\")").arg(name);
+    QObject::connect(action, &QAction::triggered, menu, [call] { isthmus::RunPipelines(call); });
+  }
+}
+
 /// All by their tasks, in a menu of the window's bar, before Help.
 void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
 {
@@ -209,6 +230,11 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
     submenu->addSeparator();
     AddFilters(submenu, task.Filters);
   }
+  menu->addSeparator();
+  QMenu* look = menu->addMenu("Look of the view");
+  look->setObjectName("Look_of_the_view");
+  look->menuAction()->setObjectName(look->objectName());
+  AddLooks(look);
   auto* help = bar->findChild<QMenu*>("menu_Help");
   bar->insertMenu(help ? help->menuAction() : nullptr, menu);
 }

@@ -5,7 +5,8 @@ silhouettes.
     pipelines.figure(view, width_mm=85, dpi=300, path="loops.png")
 
 A PNG file and, beside it, an SVG file: text and lines of legends are vectors over the same picture; charts consist
-of vectors only. paper_look() gives the view itself that look, as the button of the window does.
+of vectors only. background(), scale_bar() and soft_shadows() change the view itself, as the menu Isthmus > Look of the
+view does.
 """
 
 import base64
@@ -31,6 +32,11 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
+try:
+    import isthmus_messages as messages  # with the plugin loaded
+except ImportError:
+    from isthmus import messages
+
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
 WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
 BAR_SHARE = 0.25  # of the width, at most, is the scale bar
@@ -41,6 +47,10 @@ REACH, BIAS, SAMPLES = 0.12, 0.08, 32
 # Silhouettes: where the depth changes by more than this (in diagonals of what is shown) from one pixel to the next; their
 # width in print, in points.
 JUMP, LINE_POINTS = 0.02, 0.4
+LETTER = 11.0  # pixels, the width of one in the text of the scale bar of a view
+SCALE_BAR = "scale bar"  # begins its name in the pipeline browser
+PALETTES = {"white": "WhiteBackground", "light": "WhiteBackground", "dark": "BlackBackground"}  # ParaView's
+LIGHT = [0.93, 0.93, 0.93]
 
 
 def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True, shadows=True,
@@ -72,6 +82,8 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
     change = _Changes()
     try:
         if is_render_view:
+            for _, display in _bars(view):
+                change.set(display, Visibility=0)  # the figure has its own
             lines = _Silhouettes(view, size, LINE_POINTS * dpi / POINTS_PER_INCH) if silhouettes else None
             _prepare(view, change, background, scale_bar)
             if shadows:
@@ -149,6 +161,146 @@ class _Changes:
         self.before, self.added = [], []
 
 
+# ---------------------------------------------------------------------------- the look of a view
+
+def background(name):
+    """The background of all views that have no own one: "white", "light", "dark", or "standard" as ParaView starts.
+    Texts, legends and axes have a colour to be read on it: these are ParaView's palettes of colours."""
+    if name not in (*PALETTES, "standard"):
+        raise ValueError(f"There is no background {name}: choose {', '.join(PALETTES)} or standard.")
+    is_new = servermanager.vtkSMProxyManager.GetVersionMajor() > 5
+    standard = "WarmGrayBackground" if is_new else "BlueGrayBackground"
+    simple.LoadPalette(PALETTES.get(name, standard))
+    if name == "light":
+        palette = servermanager.ProxyManager().GetProxy("settings", "ColorPalette")
+        servermanager.vtkSMPropertyHelper(getattr(palette, "SMProxy", palette), "BackgroundColor").Set(LIGHT, 3)
+        palette.UpdateVTKObjects()
+    for view in _render_views():
+        for ruler, display in _bars(view):
+            _place_bar(view, ruler, display)
+        simple.Render(view)
+
+
+def soft_shadows(view=None, on=None):
+    """Ambient occlusion, which darkens crevices of opaque surfaces, in a render view; on=None: the other way round.
+    Returns whether it is on."""
+    view = _render_view(view)
+    on = not int(view.UseAmbientOcclusion) if on is None else bool(on)
+    if on:
+        _occlude(view, _Changes())
+    else:
+        view.UseAmbientOcclusion = 0
+    simple.Render(view)
+    return on
+
+
+def scale_bar(view=None, on=None):
+    """A scale bar of a round length at the lower left of a render view, which follows the camera; on=None: the other way
+    round. Its length holds at the focal point; with perspective, its text says so. Returns whether it is shown."""
+    view = _render_view(view)
+    known = _bars(view)
+    on = not any(display.Visibility for _, display in known) if on is None else bool(on)
+    if on and not known:
+        known = [_make_bar(view)]
+    for ruler, display in known:
+        display.Visibility = int(on)
+        _place_bar(view, ruler, display)
+        _follow_camera(view)
+    simple.Render(view)
+    return on
+
+
+@messages.reports_faults("The look of the view")
+def change_look(what):
+    """An entry of the menu Isthmus > Look of the view."""
+    try:
+        background(what) if what in (*PALETTES, "standard") else globals()[what]()
+    except ValueError as error:
+        messages.show_error(str(error))
+
+
+def refresh(view):
+    """Fits scale bar and soft shadows to what a view shows now."""
+    if int(view.UseAmbientOcclusion):
+        _occlude(view, _Changes())
+    for ruler, display in _bars(view):
+        _place_bar(view, ruler, display)
+
+
+def _render_views():
+    return [view for view in simple.GetViews() if view.SMProxy.GetXMLName() == "RenderView"]
+
+
+def _render_view(view):
+    view = view or simple.GetActiveView()
+    if view is None or view.SMProxy.GetXMLName() != "RenderView":
+        raise ValueError("Only a view of shapes (Render View) has this: click into one first.")
+    return view
+
+
+def _bars(view):
+    """[(ruler, display)] of the scale bars in a view."""
+    found = []
+    for (name, _), ruler in simple.GetSources().items() if hasattr(view, "HiddenLineRemoval") else ():
+        if name.startswith(SCALE_BAR) and ruler.SMProxy.GetXMLName() == "Ruler":
+            found += [(ruler, display) for display in view.Representations if getattr(display, "Input", None) == ruler]
+    return found
+
+
+def visible_bars(view):
+    """The displays of the scale bars that a view shows."""
+    return [display for _, display in _bars(view) if display.Visibility]
+
+
+def _make_bar(view):
+    selected = simple.GetActiveSource()
+    names = {name for name, _ in simple.GetSources()}
+    number = next(i for i in range(1, len(names) + 2) if _bar_name(i) not in names)
+    ruler = simple.Ruler(registrationName=_bar_name(number))
+    display = simple.Show(ruler, view)
+    display.NumberOfTicks, display.AxisLineWidth = 2, 3.0
+    simple.SetActiveSource(selected)
+    return ruler, display
+
+
+def _bar_name(number):
+    return SCALE_BAR if number == 1 else f"{SCALE_BAR} {number}"
+
+
+def _place_bar(view, ruler, display):
+    start, end, words = scale_bar_of(view, in_front=False)
+    ruler.Point1, ruler.Point2, display.LabelFormat = start, end, words
+    display.AxisColor = list(display.Color)  # of texts, which follows the palette
+
+
+_following = set()  # views whose scale bar follows the camera, by global id
+
+
+def _follow_camera(view):
+    """Places the bar again whenever the camera has moved."""
+    number = view.SMProxy.GetGlobalID()
+    interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
+    if interactor is None or number in _following:
+        return
+    _following.add(number)
+
+    def moved(caller, event):
+        try:
+            bars = [(ruler, display) for ruler, display in _bars(view) if display.Visibility]
+            for ruler, display in bars:
+                _place_bar(view, ruler, display)
+            if bars and event != "InteractionEvent":
+                view.SMProxy.StillRender()
+        except Exception:  # moving the camera must never fail
+            messages.fault("Placing the scale bar")
+
+    for event in ("InteractionEvent", "EndInteractionEvent", "MouseWheelForwardEvent", "MouseWheelBackwardEvent"):
+        interactor.AddObserver(event, moved)
+    view.SMProxy.AddObserver("ResetCameraEvent", lambda *_: moved(None, "InteractionEvent"))
+
+
+# ---------------------------------------------------------------------------- figures
+
 def _ink(background):
     return BLACK if sum(background) > 1.5 else WHITE
 
@@ -206,9 +358,9 @@ def place_label(display):
     display.Justification, display.Position = "Left", [0.04, 0.07]
 
 
-def scale_bar_of(view):
+def scale_bar_of(view, in_front=True):
     """(start, end, words) of a scale bar at the lower left of a view: at the depth of the focal point it has a round
-    length. It is drawn in front of what is shown, shortened by perspective."""
+    length. in_front: it is drawn in front of what is shown, shortened by perspective; else at the focal point."""
     camera = view.GetActiveCamera()
     across, up = view.ViewSize
     distance, is_parallel = camera.GetDistance(), camera.GetParallelProjection()
@@ -219,13 +371,17 @@ def scale_bar_of(view):
     eye, focus, ahead = camera.GetPosition(), camera.GetFocalPoint(), camera.GetDirectionOfProjection()
     right = _unit(_cross(ahead, camera.GetViewUp()))
     above = _cross(right, ahead)
-    depth = _depth_in_front(view, eye, ahead, distance)
+    depth = _depth_in_front(view, eye, ahead, distance) if in_front else distance
     factor = 1.0 if is_parallel else depth / distance
-    x, y = -0.46 * across * unit * factor, -0.44 * up * unit * factor
+    words = f"{length / 10.0:g} nm" if length >= NANOMETRES else f"{length:g} \u00c5"
+    words = words if is_parallel else words + " at the focal plane"
+    x, y = -0.46 * across, -0.44 * up  # pixels
+    if not in_front:  # room for the text, whose middle is that of the line
+        x = max(x, -0.5 * across + 0.5 * LETTER * len(words) - 0.5 * length / unit)
+    x, y = x * unit * factor, y * unit * factor
     start = [eye[i] + depth * ahead[i] + x * right[i] + y * above[i] for i in range(3)]
     end = [start[i] + length * factor * right[i] for i in range(3)]
-    words = f"{length / 10.0:g} nm" if length >= NANOMETRES else f"{length:g} \u00c5"
-    return start, end, words if is_parallel else words + " at the focal plane"
+    return start, end, words
 
 
 def _depth_in_front(view, eye, ahead, distance):

@@ -50,7 +50,8 @@ BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"signif
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
 colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
-figure = figures.figure
+figure, change_look = figures.figure, figures.change_look
+background, soft_shadows, scale_bar = figures.background, figures.soft_shadows, figures.scale_bar
 selection_changed = diagram_views.selection_changed
 live_change, preview_level, end_preview = look.live_change, look.preview_level, look.end_preview
 
@@ -386,6 +387,7 @@ def overlap(source, model, surface=None):
     name = _point_array(source)
     level, above = _field_number(surface, "Level"), surface.InsideIsHigher
     sampled = simple.ResampleWithDataset(SourceDataArrays=source, DestinationMesh=chains)
+    messages.step("atoms inside the contour")
     on_map = simple.Threshold(sampled, Scalars=["POINTS", "vtkValidPointMask"], ThresholdMethod="Above Upper Threshold",
                               UpperThreshold=0.5)
     inside = simple.Threshold(on_map, Scalars=["POINTS", name], LowerThreshold=level, UpperThreshold=level,
@@ -408,7 +410,10 @@ def _map_and_model(source, model, level, cartoon=True):
     _require_one(model, "molecule")
     (surface,) = map_to_surface(source, level)
     if cartoon:
-        made = simple.MoleculeCartoon(model, registrationName=pockets_and_pores.name_of(model, "cartoon"))
+        name = pockets_and_pores.name_of(model, "cartoon")
+        messages.step(name)
+        made = simple.MoleculeCartoon(model, registrationName=name)
+        made.UpdatePipeline()
         return surface, None, made
     chains, ligands = _parts(model)
     simple.Delete(chains)
@@ -417,6 +422,7 @@ def _map_and_model(source, model, level, cartoon=True):
 
 def _nearest(points, surface, what):
     """The surface with the arrays of the nearest of the points."""
+    messages.step(what)
     return simple.PointDatasetInterpolator(
         Input=points, Source=surface, Kernel="VoronoiKernel", PassPointArrays=1,
         registrationName=pockets_and_pores.name_of(surface, what))
@@ -595,9 +601,13 @@ def run(function):
         messages.show_error(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")
+    bars = figures.visible_bars(view)
     simple.HideAll(view)
+    for bar in bars:
+        bar.Visibility = 1
     simple.HideUnusedScalarBars(view)
     show(*proxies, view=view, tables=True)
+    figures.refresh(view)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)
 

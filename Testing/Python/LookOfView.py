@@ -1,0 +1,75 @@
+"""Background, scale bar and soft shadows of a view: pipelines.background, scale_bar, soft_shadows, change_look."""
+
+import math
+
+from paraview import simple
+
+import isthmus_figures as figures  # there once paraview.simple has loaded the plugin
+import isthmus_pipelines as pipelines
+import isthmus_pockets as pockets
+from shared_data import shared_data
+
+view = simple.GetActiveViewOrCreate("RenderView")
+view.ViewSize = [600, 450]
+pipelines.show(*pipelines.protein_to_surface(simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb")))), view=view)
+
+
+def check_bar():
+    """The bar of the view is horizontal at its lower left, and its length that of its text, at the focal point."""
+    (ruler, display), = figures._bars(view)
+    length = math.dist(ruler.Point1, ruler.Point2)
+    (x1, y1), (x2, y2) = (pockets._on_screen(view, point) for point in (ruler.Point1, ruler.Point2))
+    assert float(display.LabelFormat.split()[0]) * (10.0 if " nm" in display.LabelFormat else 1.0) == round(length, 6)
+    assert abs(y1 - y2) < 0.5 and 0.03 < y1 / 450 < 0.12 and 0 <= x1 < 0.25 * 600 and 40 < x2 - x1 <= 0.26 * 600, (x1, x2, y1)
+    camera = view.GetActiveCamera()
+    height = (2.0 * camera.GetParallelScale() if camera.GetParallelProjection() else
+              2.0 * camera.GetDistance() * math.tan(math.radians(0.5 * camera.GetViewAngle())))
+    assert abs((x2 - x1) - length * 450 / height) < 0.5
+    return display.LabelFormat
+
+
+assert pipelines.scale_bar(view) is True
+far = check_bar()
+assert far.endswith("Å at the focal plane"), far
+near_before = view.GetActiveCamera().GetDistance()
+view.GetActiveCamera().Zoom(3.0)
+view.SMProxy.GetInteractor().InvokeEvent("EndInteractionEvent")
+near = check_bar()
+assert near != far, "the bar does not follow the camera"
+view.CameraParallelProjection = 1
+simple.ResetCamera(view)
+assert check_bar().endswith("Å"), "with parallel projection it holds everywhere"
+assert pipelines.scale_bar(view) is False and not figures._bars(view)[0][1].Visibility
+assert pipelines.scale_bar(view) is True and len(figures._bars(view)) == 1
+
+# A button hides all else, but not the bar.
+pipelines.run("protein_to_surface")
+assert figures._bars(view)[0][1].Visibility
+check_bar()
+
+# Backgrounds, and texts that can be read on them.
+for name, light in (("white", True), ("light", True), ("dark", False), ("standard", False)):
+    pipelines.change_look(name)
+    (_, display), = figures._bars(view)
+    back, ink = sum(view.SMProxy.GetRenderer().GetBackground()) / 3.0, sum(display.AxisColor) / 3.0
+    assert (ink < 0.2 < 0.5 < back) if light else (back < 0.5 < ink), (name, back, ink)
+
+assert pipelines.soft_shadows(view) is True and view.UseAmbientOcclusion and view.Radius > 1.0
+assert pipelines.soft_shadows(view) is False and not view.UseAmbientOcclusion
+pipelines.figure(view, width_mm=40, dpi=100)
+assert figures._bars(view)[0][1].Visibility, "a figure has its own bar, and leaves that of the view"
+
+chart = simple.CreateView("XYChartView")
+for call in (pipelines.scale_bar, pipelines.soft_shadows):
+    try:
+        call(chart)
+    except ValueError as error:
+        assert "Render View" in str(error)
+    else:
+        raise AssertionError("a chart has none")
+try:
+    pipelines.background("pink")
+except ValueError as error:
+    assert "white, light, dark or standard" in str(error), error
+else:
+    raise AssertionError("there is no such background")
