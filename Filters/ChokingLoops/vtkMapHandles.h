@@ -50,9 +50,11 @@
  *    p-value below 0.05.
  *
  * Where the half maps are equal, outside of a mask, there is no noise; maps that are equal
- * everywhere are refused. Noise is taken as symmetric, and as uncorrelated beyond blocks. Cost:
- * that of vtkScalarPersistence on noisy data for each resample, and 36 bytes a node. Results are
- * bitwise identical for the same Seed.
+ * everywhere are refused. Field data `HalfMapCorrelation`: Pearson's, of means over blocks of 4^3
+ * nodes, without equal nodes; below 0.1, a warning says that the maps have nothing in common. Noise
+ * is taken as symmetric, and as uncorrelated beyond blocks. Cost: that of vtkScalarPersistence on
+ * noisy data for each resample, and 36 bytes a node. Results are bitwise identical for the same
+ * Seed.
  *
  * **Errors** (one message, empty outputs): a value that is not a number; an invalid range or
  * persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and

@@ -521,3 +521,52 @@ TEST(MapHandles, HalfMapsThatDoNotFit)
     EXPECT_EQ(Points(filter, 0)->GetNumberOfPoints(), 0);
   }
 }
+
+TEST(MapHandles, HalfMapsWithNothingInCommonAreWarnedOf)
+{
+  const auto correlationOf = [](vtkImageData* one, vtkImageData* other, std::string& said)
+  {
+    vtkNew<vtkMapHandles> filter;
+    vtkNew<vtkTest::ErrorObserver> messages;
+    filter->AddObserver(vtkCommand::WarningEvent, messages);
+    filter->SetInputData(one);
+    filter->SetOtherHalfData(other);
+    filter->UseStableLevelOff();
+    filter->SetLevel(0.5);
+    filter->SetNumberOfResamples(2);
+    filter->Update();
+    said = messages->GetWarning() ? messages->GetWarningMessage() : std::string();
+    vtkDataArray* found = Points(filter, 0)->GetFieldData()->GetArray("HalfMapCorrelation");
+    return found ? found->GetTuple1(0) : -2.0;
+  };
+  std::string said;
+  const auto one = HalfMap(0.5, 1), other = HalfMap(0.5, 2);
+  EXPECT_GT(correlationOf(one, other, said), 0.9);
+  EXPECT_EQ(said, "");
+  // The same noise alone, around another mean: a common offset is nothing in common.
+  const std::array<vtkSmartPointer<vtkImageData>, 2> noises{ HalfMap(0.5, 3), HalfMap(0.5, 4) };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const auto noise = SmoothNoise({ 56, 20, 20 }, static_cast<unsigned>(3 + i));
+    vtkDataArray* values = noises[i]->GetPointData()->GetScalars();
+    for (vtkIdType node = 0; node < values->GetNumberOfTuples(); ++node)
+    {
+      values->SetTuple1(node, 5.0 + noise[static_cast<std::size_t>(node)]);
+    }
+  }
+  const double correlation = correlationOf(noises[0], noises[1], said);
+  EXPECT_NEAR(correlation, 0.0, 0.1);
+  EXPECT_NE(said.find("correlation of only " + std::string(correlation < -0.005 ? "-0.0" : "0.0")),
+    std::string::npos)
+    << said;
+  // Outside of a mask both are 0, inside they have a mean: that is nothing in common either.
+  for (vtkIdType node = 0; node < noises[0]->GetNumberOfPoints(); ++node)
+  {
+    if (node % 56 < 28)
+    {
+      noises[0]->GetPointData()->GetScalars()->SetTuple1(node, 0.0);
+      noises[1]->GetPointData()->GetScalars()->SetTuple1(node, 0.0);
+    }
+  }
+  EXPECT_NEAR(correlationOf(noises[0], noises[1], said), 0.0, 0.15);
+}
