@@ -134,6 +134,7 @@ struct ChokingAnalysis
       std::move(cellErrors), std::move(values) }
     , Regions(Context, Between(progress, 0.55, 0.6))
   {
+    this->Filtration.DropTriangleRanks();
     times.Pairing += this->Watch.Lap();
     this->Found.Diagram = FindFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
     this->Found.Membranes.resize(this->Found.Diagram.Features.size());

@@ -231,10 +231,10 @@ Membrane MembraneOf(const FeatureContext& context, const TriangleChain& triangle
 Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
   const ShapeFeature& feature, HomologySpan* span)
 {
-  const auto& boundary = context.Filtration.TriangleEdges[feature.Choke];
+  const auto boundary = context.Filtration.TriangleEdges(feature.Choke);
   TriangleChain swept{ feature.Choke };
   const EdgeChain cycle = context.Pairs.Push(
-    { boundary.begin(), boundary.end() }, context.Filtration.RankOfTriangle[feature.Choke],
+    { boundary.begin(), boundary.end() }, feature.Choke,
     [&context](EdgeId e) { return !context.Embedding.SurfaceEdge(e).Exists(); }, swept);
   Membrane membrane = MembraneOf(context, swept, cycle, span);
   if (membrane.Loops.empty() && span)

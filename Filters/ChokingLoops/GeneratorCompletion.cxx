@@ -47,21 +47,28 @@ Point3 BallCentre(const Point3& p, const Point3& q, const Point3& r)
   return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
 }
 
-/// The complex grows with the balls around its simplices; `surface` gets the ids of its points.
-CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surface)
+double SquaredBall(const CellFiltration& f, TriangleId triangle)
 {
-  const std::vector<double> none(mesh.Points.size(), 0.0);
-  CellFiltration f = LowerStarFiltration(mesh, none, surface);
-  const auto point = [&f](SimplexId p) { return f.Points[At(p)]; };
+  const auto p = f.TrianglePoints(triangle);
+  return SquaredBall(f.Points[At(p[0])], f.Points[At(p[1])], f.Points[At(p[2])]);
+}
+
+/// The complex grows with the balls around its simplices; `surface` gets the ids of its points.
+/// Only tetrahedra keep their values, since those of faces take as long to read as to compute.
+CellFiltration FiltrationByBalls(TetrahedralMesh&& mesh, TriangleMesh& surface)
+{
+  CellFiltration f = ComplexAround(std::move(mesh), surface);
+  f.EdgeValue.resize(f.Edges.size());
   for (const EdgeId e : f.Edges.Keys())
   {
-    const Point3 d = point(f.Edges[e][1]) - point(f.Edges[e][0]);
+    const Point3 d = f.Points[At(f.Edges[e][1])] - f.Points[At(f.Edges[e][0])];
     f.EdgeValue[e] = 0.25 * Dot(d, d);
   }
+  f.TriangleValue.resize(f.TriangleCount());
+  f.TetrahedronValue.assign(f.Tetrahedra.size(), 0.0);
   for (const TriangleId t : f.Triangles())
   {
-    const auto p = f.TrianglePoints(t);
-    f.TriangleValue[t] = SquaredBall(point(p[0]), point(p[1]), point(p[2]));
+    f.TriangleValue[t] = SquaredBall(f, t);
     for (const TetrahedronId cell : f.TriangleSides(t))
     {
       if (cell.Exists())
@@ -72,6 +79,8 @@ CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surf
     }
   }
   f.Order();
+  HandleVector<TriangleId, double>().swap(f.TriangleValue);
+  HandleVector<EdgeId, double>().swap(f.EdgeValue);
   return f;
 }
 
@@ -168,11 +177,13 @@ std::vector<ConformingGenerator> ConformingGenerators(
 {
   std::optional<ConformingMesh> made;
   TriangleMesh embedded = CopyOf(surface);
-  const CellFiltration f = FiltrationByBalls(
+  CellFiltration f = FiltrationByBalls(
     (mesh ? *mesh : made.emplace(surface)).Take(Between(progress, 0.0, 0.6)), embedded);
-  const Renamer renamer(surface, embedded);
+  std::vector<Point3>().swap(embedded.Points); // those of f
+  const Renamer renamer(surface, SurfaceView(f.Points, embedded.Triangles));
   const FiltrationPairs pairs(f, Between(progress, 0.6, 0.8));
-  const SurfaceAdjacency adjacency(embedded);
+  f.DropTriangleRanks();
+  const SurfaceAdjacency adjacency(SurfaceView(f.Points, embedded.Triangles));
   const SurfaceHomology homology(adjacency);
   const SurfaceInComplex embedding(adjacency, f);
   const FeatureContext context{ f, pairs, homology, embedding, adjacency, {}, {} };
@@ -190,7 +201,7 @@ std::vector<ConformingGenerator> ConformingGenerators(
     const auto t = f.TrianglePoints(generator.Filler);
     ConformingGenerator conforming;
     conforming.Side = feature.Side;
-    conforming.Radius = std::sqrt(f.TriangleValue[generator.Filler]);
+    conforming.Radius = std::sqrt(SquaredBall(f, generator.Filler));
     conforming.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
     conforming.Shape = FeatureMembrane(context, regions, feature, &span);
     renamer.Rename(conforming.Shape);

@@ -274,9 +274,8 @@ std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
     this->Around.ForLinks(own,
       [&](TriangleId t, TetrahedronId cell)
       {
-        const bool isOpen = this->ByRank
-          ? this->F.RankOfTriangle[this->Choke] < this->F.RankOfTriangle[t]
-          : this->F.TriangleValue[t] > depth2;
+        const bool isOpen =
+          this->ByRank ? this->F.EntersLater(t, this->Choke) : this->F.TriangleValue[t] > depth2;
         if (!cell.Exists() || !isOpen ||
           !this->Around.IsWithin(this->Around.Middle(cell), Anchor * this->Radius))
         {
@@ -581,8 +580,7 @@ bool GreedyGrowth::IsOpen(TriangleId t) const
     return at == this->Clusters.end() ? Cluster::None : at->second;
   };
   const auto sides = this->F.TriangleSides(t);
-  return this->F.RankOfTriangle[t] < this->F.RankOfTriangle[this->Choke] &&
-    this->Membrane.count(t) == 0 &&
+  return this->F.EntersLater(this->Choke, t) && this->Membrane.count(t) == 0 &&
     (cluster(sides[0]) == Cluster::None || cluster(sides[0]) != cluster(sides[1]));
 }
 

@@ -210,8 +210,6 @@ SurfaceInComplex::SurfaceInComplex(
   , F(f)
   , OnSurface(f.Edges.size(), SurfaceEdgeId::None())
   , InComplex(surface.EdgeCount(), EdgeId::None())
-  , FirstSmaller(f.Points.size() + 1, 0)
-  , SmallerEdges(f.Edges.size())
 {
   for (const SurfaceEdgeId e : surface.Edges())
   {
@@ -235,6 +233,13 @@ SurfaceInComplex::SurfaceInComplex(
     }
   }
   Report(progress, 0.7);
+  constexpr EdgeId none = EdgeId::None();
+  if (std::find(this->InComplex.begin(), this->InComplex.end(), none) == this->InComplex.end())
+  {
+    return; // no edge needs another path
+  }
+  this->FirstSmaller.assign(f.Points.size() + 1, 0);
+  this->SmallerEdges.resize(f.Edges.size());
   for (const auto& edge : f.Edges)
   {
     ++this->FirstSmaller[At(edge[1]) + 1];
@@ -315,7 +320,7 @@ EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles)
   std::set<EdgeId> edges;
   for (const TriangleId t : triangles)
   {
-    for (const EdgeId e : f.TriangleEdges[t])
+    for (const EdgeId e : f.TriangleEdges(t))
     {
       Toggle(edges, e);
     }
@@ -329,7 +334,7 @@ TriangleChain ConnectedPiece(const CellFiltration& f, const SurfaceInComplex& su
   std::map<EdgeId, TriangleChain> beside;
   for (const TriangleId t : triangles)
   {
-    for (const EdgeId e : f.TriangleEdges[t])
+    for (const EdgeId e : f.TriangleEdges(t))
     {
       beside[e].push_back(t);
     }
@@ -338,7 +343,7 @@ TriangleChain ConnectedPiece(const CellFiltration& f, const SurfaceInComplex& su
   TriangleChain piece{ seed };
   for (std::size_t i = 0; i < piece.size(); ++i)
   {
-    for (const EdgeId e : f.TriangleEdges[piece[i]])
+    for (const EdgeId e : f.TriangleEdges(piece[i]))
     {
       if (surface.SurfaceEdge(e).Exists())
       {

@@ -546,6 +546,7 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t m
     again = mesh.Points.size() > before;
     left *= 0.5;
   }
+  mesh.Points.shrink_to_fit();
   return mesh;
 }
 

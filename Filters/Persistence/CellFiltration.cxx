@@ -158,36 +158,129 @@ std::vector<std::int64_t> RunStarts(const std::vector<Entry>& entries)
   return starts;
 }
 
-/// Entries of ids 0 to n - 1, sorted by the lowest `bits` bits of key(id); equal ones stay in the
-/// order of ids.
-template <typename Key>
-std::vector<Entry> SortedEntries(std::size_t n, unsigned int bits, const Key& key)
-{
-  std::vector<Entry> entries(n);
-  ParallelFor(0, static_cast<std::int64_t>(n), ValuesPerTask,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t i = begin; i < end; ++i)
-      {
-        entries[At(i)] = Entry{ key(At(i)) } << 32 | static_cast<Entry>(i);
-      }
-    });
-  RadixSort(entries, 32, 32 + bits, [](Entry entry) { return entry; });
-  return entries;
-}
-
-/// Writes down the order and the ranks of the entries [begin, end).
+/// Writes down the order and the ranks of the entries [begin, end); `before` others come first.
 template <typename Id, typename Rank>
 void Number(const std::vector<Entry>& entries, std::size_t begin, std::size_t end,
-  HandleVector<Rank, Id>& order, HandleVector<Id, Rank>& rank)
+  std::size_t before, HandleVector<Rank, Id>& order, HandleVector<Id, Rank>& rank)
 {
   for (std::size_t i = begin; i < end; ++i)
   {
     const auto id = Id::At(IdOf(entries[i]));
-    order[Rank::At(i)] = id;
-    rank[id] = Rank::At(i);
+    order[Rank::At(before + i)] = id;
+    rank[id] = Rank::At(before + i);
   }
 }
+
+/// Entries of ids 0 to n - 1 in pieces of ascending short keys, one after the other, so that
+/// sorting them takes half of the memory.
+class PiecesByKey
+{
+public:
+  PiecesByKey(std::size_t n, const EntryKeys& keys)
+    : Count(n)
+    , Keys(keys)
+  {
+    this->FindEnds(std::clamp<std::size_t>(n / LeastEntries, 1, MostPieces));
+    this->CountEntries();
+  }
+
+  std::size_t Pieces() const { return this->Ends.size(); }
+
+  /// The entries of a piece, by id.
+  std::vector<Entry> Entries(std::size_t piece) const
+  {
+    const std::size_t blocks = this->Blocks();
+    std::vector<std::size_t> place(blocks + 1, 0);
+    for (std::size_t b = 0; b < blocks; ++b)
+    {
+      place[b + 1] = place[b] + this->InBlock[b][piece];
+    }
+    std::vector<Entry> entries(place.back());
+    const std::uint32_t start = piece == 0 ? 0 : this->Ends[piece - 1];
+    this->ForBlocks(
+      [&](std::size_t b, std::size_t i)
+      {
+        const std::uint32_t key = this->Keys.Short(i);
+        if ((key >> BinShift) - start < this->Ends[piece] - start)
+        {
+          entries[place[b]++] = Entry{ key } << 32 | static_cast<Entry>(i);
+        }
+      });
+    return entries;
+  }
+
+private:
+  static constexpr std::size_t MostPieces = 2;
+  static constexpr std::size_t LeastEntries = 1 << 16; ///< of a piece
+  static constexpr unsigned int BinShift = 21;
+  using Bins = std::array<std::size_t, std::size_t{ 1 } << (32 - BinShift)>;
+
+  std::size_t Blocks() const { return (this->Count + ValuesPerTask - 1) / ValuesPerTask; }
+
+  /// Calls visit(block, id) for all ids; blocks run in parallel.
+  template <typename Visit>
+  void ForBlocks(const Visit& visit) const
+  {
+    ParallelFor(0, static_cast<std::int64_t>(this->Blocks()), 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::size_t b = At(begin); b < At(end); ++b)
+        {
+          const std::size_t last = std::min(this->Count, (b + 1) * std::size_t{ ValuesPerTask });
+          for (std::size_t i = b * ValuesPerTask; i < last; ++i)
+          {
+            visit(b, i);
+          }
+        }
+      });
+  }
+
+  /// Ends of the pieces: the leading bits of the keys of the first that is not in one.
+  void FindEnds(std::size_t pieces)
+  {
+    std::vector<Bins> ofBlock(pieces == 1 ? 0 : this->Blocks(), Bins{});
+    if (pieces > 1)
+    {
+      this->ForBlocks(
+        [&](std::size_t b, std::size_t i) { ++ofBlock[b][this->Keys.Short(i) >> BinShift]; });
+    }
+    std::size_t counted = 0;
+    for (std::size_t bin = 0; bin < Bins{}.size() && this->Ends.size() + 1 < pieces; ++bin)
+    {
+      for (const Bins& bins : ofBlock)
+      {
+        counted += bins[bin];
+      }
+      if (counted * pieces >= (this->Ends.size() + 1) * this->Count)
+      {
+        this->Ends.push_back(static_cast<std::uint32_t>(bin + 1));
+      }
+    }
+    this->Ends.push_back(std::numeric_limits<std::uint32_t>::max());
+  }
+
+  void CountEntries()
+  {
+    this->InBlock.assign(this->Blocks(), {});
+    this->ForBlocks([&](std::size_t b, std::size_t i)
+      { ++this->InBlock[b][this->PieceOf(this->Keys.Short(i))]; });
+  }
+
+  std::size_t PieceOf(std::uint32_t key) const
+  {
+    std::size_t piece = 0;
+    while (key >> BinShift >= this->Ends[piece])
+    {
+      ++piece;
+    }
+    return piece;
+  }
+
+  std::size_t Count;
+  const EntryKeys& Keys;
+  std::vector<std::uint32_t> Ends;
+  std::vector<std::array<std::size_t, MostPieces>> InBlock; ///< entries of each block and piece
+};
 
 }
 
@@ -198,25 +291,30 @@ HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
 {
   const EntryKeys keys(value, first);
   Report(progress, 0.1);
-  std::vector<Entry> entries =
-    SortedEntries(value.size(), 32, [&keys](std::size_t i) { return keys.Short(i); });
-  Report(progress, 0.6);
+  const PiecesByKey pieces(value.size(), keys);
   HandleVector<Rank, Id> order(value.size());
   rank.resize(value.size());
-  const std::vector<std::int64_t> starts = RunStarts(entries);
-  ParallelFor(
-    0, static_cast<std::int64_t>(starts.size()) - 1, 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t p = begin; p < end; ++p)
+  std::size_t before = 0;
+  for (std::size_t piece = 0; piece < pieces.Pieces(); ++piece)
+  {
+    std::vector<Entry> entries = pieces.Entries(piece);
+    RadixSort(entries, 32, 64, [](Entry entry) { return entry; });
+    const std::vector<std::int64_t> starts = RunStarts(entries);
+    ParallelFor(0, static_cast<std::int64_t>(starts.size()) - 1, 1,
+      [&](std::int64_t begin, std::int64_t end)
       {
-        const std::size_t from = At(starts[At(p)]);
-        const std::size_t to = At(starts[At(p) + 1]);
-        SortRuns(entries, keys, from, to);
-        Number(entries, from, to, order, rank);
-      }
-    },
-    Between(progress, 0.6, 1.0));
+        for (std::int64_t p = begin; p < end; ++p)
+        {
+          const std::size_t from = At(starts[At(p)]);
+          const std::size_t to = At(starts[At(p) + 1]);
+          SortRuns(entries, keys, from, to);
+          Number(entries, from, to, before, order, rank);
+        }
+      });
+    before += entries.size();
+    Report(
+      progress, 0.2 + 0.8 * static_cast<double>(piece + 1) / static_cast<double>(pieces.Pieces()));
+  }
   return order;
 }
 
@@ -230,14 +328,23 @@ HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level
   {
     ++bits;
   }
-  const std::vector<Entry> entries =
-    SortedEntries(level.size(), bits, [&level](std::size_t i) { return level[Id::At(i)]; });
+  std::vector<Entry> entries(level.size());
+  ParallelFor(0, static_cast<std::int64_t>(level.size()), ValuesPerTask,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::size_t i = At(begin); i < At(end); ++i)
+      {
+        entries[i] = Entry{ level[Id::At(i)] } << 32 | static_cast<Entry>(i);
+      }
+    });
+  RadixSort(entries, 32, 32 + bits, [](Entry entry) { return entry; });
   Report(progress, 0.6);
   HandleVector<Rank, Id> order(level.size());
   rank.resize(level.size());
   ParallelFor(
     0, static_cast<std::int64_t>(level.size()), ValuesPerTask,
-    [&](std::int64_t begin, std::int64_t end) { Number(entries, At(begin), At(end), order, rank); },
+    [&](std::int64_t begin, std::int64_t end)
+    { Number(entries, At(begin), At(end), 0, order, rank); },
     Between(progress, 0.6, 1.0));
   return order;
 }
@@ -439,16 +546,23 @@ std::array<EdgeId, 3> EdgesOf(const CellFiltration& f, const std::array<SimplexI
   return { f.FindEdge(p[1], p[2]), EdgeId(last), EdgeId(middle) };
 }
 
-void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
+void FindEdgePlaces(CellFiltration& f, const ProgressCallback& progress)
 {
-  f.TriangleEdges.resize(f.TriangleCount());
+  const auto place = [&f](EdgeId edge, SimplexId point)
+  {
+    return static_cast<unsigned char>(
+      std::min<SimplexId>(CellFiltration::FarPlace, edge.Value - f.FirstEdge[At(point)].Value));
+  };
+  f.EdgePlaces.resize(f.TriangleCount());
   ParallelFor(
     0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
-    [&f](std::int64_t begin, std::int64_t end)
+    [&](std::int64_t begin, std::int64_t end)
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        f.TriangleEdges[t] = EdgesOf(f, f.TrianglePoints(t));
+        const auto p = f.TrianglePoints(t);
+        const auto edges = EdgesOf(f, p);
+        f.EdgePlaces[t] = { place(edges[0], p[1]), place(edges[1], p[0]), place(edges[2], p[0]) };
       }
     },
     progress);
@@ -468,7 +582,7 @@ void CellFiltration::Connect(const ProgressCallback& progress)
   MakeTriangles(*this, Between(progress, 0.0, 0.3));
   this->TriangleBlocks = BlocksOf(*this);
   MakeEdges(*this, Between(progress, 0.3, 0.7));
-  LinkTriangleEdges(*this, Between(progress, 0.7, 1.0));
+  FindEdgePlaces(*this, Between(progress, 0.7, 1.0));
 }
 
 void CellFiltration::Order(const ProgressCallback& progress)

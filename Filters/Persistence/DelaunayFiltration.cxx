@@ -16,6 +16,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace isthmus
 {
 namespace
@@ -199,9 +203,10 @@ void ValueEdges(CellFiltration& f, const ProgressCallback& progress)
     {
       Report(rest, static_cast<double>(t.Index()) / static_cast<double>(f.TriangleCount()));
     }
+    const auto edges = f.TriangleEdges(t);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const EdgeId e = f.TriangleEdges[t][k];
+      const EdgeId e = edges[k];
       f.EdgeValue[e] = std::min(f.EdgeValue[e], f.TriangleValue[t]);
       if (inside[t] >> k & 1U)
       {
@@ -250,6 +255,19 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
 
 }
 
+namespace
+{
+
+/// The many small blocks of a triangulation are free, but would stay part of the process.
+void ReturnFreeMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}
+
 CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress,
   const std::function<void(double seconds)>& triangulated)
 {
@@ -265,6 +283,7 @@ CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCall
       triangulated(watch.Lap());
     }
   }
+  ReturnFreeMemory();
   f.Connect(Between(progress, 0.45, 0.6));
   ValueCells(f, Between(progress, 0.6, 0.85));
   f.Order(Between(progress, 0.85, 1.0));

@@ -14,34 +14,36 @@ namespace
 
 constexpr std::int64_t SimplicesPerTask = 1 << 14;
 constexpr std::size_t ReportEveryVoid = 1 << 18;
+constexpr std::size_t LeastSides = 1 << 16;
 
-using Sides = HandleVector<TriangleRank, std::array<TetrahedronRank, 2>>;
+using Sides = std::vector<std::array<TetrahedronRank, 2>>;
 
-/// For each triangle, by rank, the ranks of the tetrahedra beside it; the exterior comes last.
-/// Triangles are gone through as they are numbered, since their tetrahedra then lie near each
-/// other.
-Sides SidesInOrder(
-  const CellFiltration& f, const HandleVector<TetrahedronId, TetrahedronRank>& cellRank)
+/// For the triangles of ranks [first, first + sides.size()) the ranks of the tetrahedra beside
+/// them; the exterior comes last. Triangles are gone through as they are numbered, since their
+/// tetrahedra then lie near each other.
+void FindSides(const CellFiltration& f,
+  const HandleVector<TetrahedronId, TetrahedronRank>& cellRank, std::size_t first, Sides& sides)
 {
   const auto rank = [&cellRank](TetrahedronId cell)
   { return cell.Exists() ? cellRank[cell] : TetrahedronRank::At(cellRank.size()); };
-  Sides sides(f.TriangleCount());
-  ParallelFor(0, static_cast<std::int64_t>(sides.size()), SimplicesPerTask,
+  ParallelFor(0, static_cast<std::int64_t>(f.TriangleCount()), SimplicesPerTask,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        const auto beside = f.TriangleSides(t);
-        sides[f.RankOfTriangle[t]] = { rank(beside[0]), rank(beside[1]) };
+        const std::size_t place = f.RankOfTriangle[t].Index() - first; // huge if below `first`
+        if (place < sides.size())
+        {
+          const auto beside = f.TriangleSides(t);
+          sides[place] = { rank(beside[0]), rank(beside[1]) };
+        }
       }
     });
-  return sides;
 }
 
-}
-
-HandleVector<TriangleId, TetrahedronId> VoidPairs(
-  const CellFiltration& f, const ProgressCallback& progress)
+/// Calls pair(triangle, tetrahedron) for each void: see VoidPairs().
+template <typename Pair>
+void ForVoidPairs(const CellFiltration& f, const ProgressCallback& progress, const Pair& pair)
 {
   const std::size_t count = f.TriangleCount();
   HandleVector<TetrahedronId, TetrahedronRank> rank;
@@ -49,24 +51,39 @@ HandleVector<TriangleId, TetrahedronId> VoidPairs(
   // Basins of tetrahedra by rank, the last one the exterior. The root of each is its latest one, so
   // that the elder rule is which of two roots is the greater number.
   DisjointSets<TetrahedronRank> basins(inOrder.size() + 1);
-  HandleVector<TriangleId, TetrahedronId> filledBy(count, TetrahedronId::None());
-  const Sides sides = SidesInOrder(f, rank);
-  HandleVector<TetrahedronId, TetrahedronRank>().swap(rank);
-  for (std::size_t i = count; i-- > 0;)
+  // A quarter of the triangles at a time, so that their sides need a quarter of the memory.
+  Sides sides;
+  for (std::size_t end = count; end > 0;)
   {
-    if (i % ReportEveryVoid == 0)
+    const std::size_t first = end - std::min(end, std::max(count / 4 + 1, LeastSides));
+    sides.resize(end - first);
+    FindSides(f, rank, first, sides);
+    for (std::size_t i = end; i-- > first;)
     {
-      Report(progress, 1.0 - 0.8 * static_cast<double>(i) / static_cast<double>(count));
+      if (i % ReportEveryVoid == 0)
+      {
+        Report(progress, 1.0 - 0.8 * static_cast<double>(i) / static_cast<double>(count));
+      }
+      const TetrahedronRank a = basins.Find(sides[i - first][0]);
+      const TetrahedronRank b = basins.Find(sides[i - first][1]);
+      if (a != b)
+      {
+        basins.JoinUnder(std::min(a, b), std::max(a, b));
+        pair(f.TrianglesInOrder[TriangleRank::At(i)], inOrder[std::min(a, b)]);
+      }
     }
-    const auto triangle = TriangleRank::At(i);
-    const TetrahedronRank a = basins.Find(sides[triangle][0]);
-    const TetrahedronRank b = basins.Find(sides[triangle][1]);
-    if (a != b)
-    {
-      basins.JoinUnder(std::min(a, b), std::max(a, b));
-      filledBy[f.TrianglesInOrder[triangle]] = inOrder[std::min(a, b)];
-    }
+    end = first;
   }
+}
+
+}
+
+HandleVector<TriangleId, TetrahedronId> VoidPairs(
+  const CellFiltration& f, const ProgressCallback& progress)
+{
+  HandleVector<TriangleId, TetrahedronId> filledBy(f.TriangleCount(), TetrahedronId::None());
+  ForVoidPairs(f, progress,
+    [&filledBy](TriangleId triangle, TetrahedronId cell) { filledBy[triangle] = cell; });
   return filledBy;
 }
 
@@ -159,12 +176,9 @@ FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback
   : F(f)
   , Columns(f.TriangleCount())
 {
-  {
-    const auto fillers = VoidPairs(f, Between(progress, 0.0, 0.3));
-    this->Partner.resize(fillers.size());
-    std::transform(fillers.begin(), fillers.end(), this->Partner.begin(),
-      [](TetrahedronId cell) { return cell.Exists() ? -2 - cell.Value : -1; });
-  }
+  this->Partner.assign(f.TriangleCount(), -1);
+  ForVoidPairs(f, Between(progress, 0.0, 0.3),
+    [this](TriangleId triangle, TetrahedronId cell) { this->Partner[triangle] = -2 - cell.Value; });
   this->PairLoops(Between(progress, 0.3, 1.0));
 }
 
@@ -178,7 +192,7 @@ HandleVector<TriangleRank, EdgeRank> FiltrationPairs::Pivots() const
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        const auto& edges = this->F.TriangleEdges[t];
+        const auto edges = this->F.TriangleEdges(t);
         const auto& rank = this->F.RankOfEdge;
         pivots[this->F.RankOfTriangle[t]] = this->Partner[t] < -1
           ? EdgeRank::None()
@@ -191,7 +205,8 @@ HandleVector<TriangleRank, EdgeRank> FiltrationPairs::Pivots() const
 void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 {
   const std::size_t triangles = this->F.TriangleCount();
-  HandleVector<EdgeRank, TriangleRank> filler(this->F.Edges.size(), TriangleRank::None());
+  HandleVector<EdgeRank, TriangleRank>& filler = this->Filler;
+  filler.assign(this->F.Edges.size(), TriangleRank::None());
   const auto pivots = this->Pivots();
   Reduction work;
   std::size_t done = 0;
@@ -216,15 +231,11 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
     }
   }
   this->Columns.Finish();
-  this->LoopFilledBy.assign(this->F.Edges.size(), TriangleId::None());
   for (const EdgeRank rank : filler.Keys())
   {
     if (filler[rank].Exists())
     {
-      const TriangleId t = this->F.TrianglesInOrder[filler[rank]];
-      const EdgeId edge = this->F.EdgesInOrder[rank];
-      this->LoopFilledBy[edge] = t;
-      this->Partner[t] = edge.Value;
+      this->Partner[this->F.TrianglesInOrder[filler[rank]]] = this->F.EdgesInOrder[rank].Value;
     }
   }
 }
@@ -232,7 +243,7 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 /// Edges of a triangle, all by rank.
 std::array<EdgeRank, 3> FiltrationPairs::BoundaryOf(TriangleRank rank) const
 {
-  const auto& edges = this->F.TriangleEdges[this->F.TrianglesInOrder[rank]];
+  const auto edges = this->F.TriangleEdges(this->F.TrianglesInOrder[rank]);
   const auto& ranks = this->F.RankOfEdge;
   return { ranks[edges[0]], ranks[edges[1]], ranks[edges[2]] };
 }
@@ -293,11 +304,30 @@ bool FiltrationPairs::Reduce(TriangleRank rank, const HandleVector<EdgeRank, Tri
   return true;
 }
 
+/// By what it fills or else, for one of a void, by bisection.
+TriangleRank FiltrationPairs::RankOf(TriangleId triangle) const
+{
+  const EdgeId closer = this->LoopClosed(triangle);
+  if (closer.Exists())
+  {
+    return this->Filler[this->F.RankOfEdge[closer]];
+  }
+  const auto& order = this->F.TrianglesInOrder;
+  const auto at = std::lower_bound(order.begin(), order.end(), triangle,
+    [this](TriangleId one, TriangleId other) { return this->F.EntersLater(other, one); });
+  return TriangleRank::At(static_cast<std::size_t>(at - order.begin()));
+}
+
 TriangleChain FiltrationPairs::Filling(TriangleId triangle) const
+{
+  return this->Filling(this->RankOf(triangle));
+}
+
+TriangleChain FiltrationPairs::Filling(TriangleRank triangle) const
 {
   // A triangle may be reached on many ways: latest first, each is expanded once, with its parity.
   RankHeap<TriangleRank> pending;
-  pending.Add(this->F.RankOfTriangle[triangle]);
+  pending.Add(triangle);
   TriangleChain filling;
   for (TriangleRank rank = pending.Take(); rank.Exists(); rank = pending.Take())
   {
@@ -312,8 +342,9 @@ TriangleChain FiltrationPairs::Filling(TriangleId triangle) const
 }
 
 EdgeChain FiltrationPairs::Push(
-  const EdgeChain& z, TriangleRank limit, const Unwanted& unwanted, TriangleChain& swept) const
+  const EdgeChain& z, TriangleId limit, const Unwanted& unwanted, TriangleChain& swept) const
 {
+  const TriangleRank end = this->RankOf(limit);
   RankHeap<EdgeRank> cycle;
   for (const EdgeId e : z)
   {
@@ -323,13 +354,13 @@ EdgeChain FiltrationPairs::Push(
   for (EdgeRank rank = cycle.Take(); rank.Exists(); rank = cycle.Take())
   {
     const EdgeId e = this->F.EdgesInOrder[rank];
-    const TriangleId filler = this->LoopFilledBy[e];
-    if (!filler.Exists() || this->F.RankOfTriangle[filler] >= limit || !unwanted(e))
+    const TriangleRank filler = this->Filler[rank];
+    if (!filler.Exists() || filler >= end || !unwanted(e))
     {
       kept.push_back(e);
       continue;
     }
-    this->AddColumn(this->F.RankOfTriangle[filler], rank, cycle);
+    this->AddColumn(filler, rank, cycle);
     const TriangleChain passed = this->Filling(filler);
     swept.insert(swept.end(), passed.begin(), passed.end());
   }
@@ -347,14 +378,14 @@ std::vector<std::int64_t> FiltrationPairs::Bounding(const EdgeChain& z) const
   std::vector<std::int64_t> ranks;
   for (EdgeRank rank = cycle.Take(); rank.Exists(); rank = cycle.Take())
   {
-    const TriangleId filler = this->LoopFilledBy[this->F.EdgesInOrder[rank]];
+    const TriangleRank filler = this->Filler[rank];
     if (!filler.Exists())
     {
       ranks.push_back(rank.Value + static_cast<std::int64_t>(this->F.TriangleCount()));
       continue;
     }
-    ranks.push_back(this->F.RankOfTriangle[filler].Value);
-    this->AddColumn(this->F.RankOfTriangle[filler], rank, cycle);
+    ranks.push_back(filler.Value);
+    this->AddColumn(filler, rank, cycle);
   }
   std::sort(ranks.begin(), ranks.end(), std::greater<>());
   return ranks;

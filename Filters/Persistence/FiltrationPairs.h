@@ -131,8 +131,8 @@ private:
  * Tetrahedra are joined across triangles from the last to the first; the younger of two basins,
  * i.e. the one whose latest tetrahedron enters earlier, ends there (the elder rule for the
  * complement; C. J. A. Delfinado, H. Edelsbrunner, 1995). All data are ordered by rank, so that
- * simplices that enter together are stored together. Nearly linear; 8 bytes for each tetrahedron
- * and each triangle in addition to the result.
+ * simplices that enter together are stored together. Nearly linear; 12 bytes for each
+ * tetrahedron and 2 for each triangle in addition to the result.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});
@@ -147,7 +147,8 @@ class FiltrationPairs
 {
 public:
   /**
-   * Pairs all simplices of `f`, which must outlive this object.
+   * Pairs all simplices of `f`, which must outlive this object. f.DropTriangleRanks() is allowed
+   * afterwards.
    *
    * Voids are paired by union-find over tetrahedra in descending order (the elder rule for the
    * complement), in nearly linear time. Loops are paired by reduction of the columns of negative
@@ -177,12 +178,12 @@ public:
 
   /**
    * Pushes cycle `z` downhill: while it has an unwanted edge whose loop was filled by a triangle
-   * ranked below `limit`, that loop's boundary is added, latest edge first. Returns the new cycle;
-   * the triangles passed are added (mod 2) to `swept`, so that z + result is the boundary of
+   * that enters before `limit`, that loop's boundary is added, latest edge first. Returns the new
+   * cycle; the triangles passed are added (mod 2) to `swept`, so that z + result is the boundary of
    * `swept`.
    */
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT EdgeChain Push(
-    const EdgeChain& z, TriangleRank limit, const Unwanted& unwanted, TriangleChain& swept) const;
+    const EdgeChain& z, TriangleId limit, const Unwanted& unwanted, TriangleChain& swept) const;
 
   /**
    * Ranks of triangles, latest first, whose reduced boundaries add up to a cycle of edges; edges
@@ -198,6 +199,8 @@ private:
   bool Reduce(TriangleRank rank, const HandleVector<EdgeRank, TriangleRank>& filler,
     EdgeRank& pivot, Reduction& work, const std::function<void()>& tick);
   std::array<EdgeRank, 3> BoundaryOf(TriangleRank rank) const;
+  TriangleRank RankOf(TriangleId triangle) const;
+  TriangleChain Filling(TriangleRank rank) const;
   template <typename Heap>
   void AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) const;
 
@@ -205,7 +208,7 @@ private:
   /// Per triangle: the edge that closes the loop which it fills; -1: it fills none; below that,
   /// -2 - the tetrahedron that fills the void which it closes. No triangle does both.
   HandleVector<TriangleId, SimplexId> Partner;
-  HandleVector<EdgeId, TriangleId> LoopFilledBy;
+  HandleVector<EdgeRank, TriangleRank> Filler; ///< of the loop that an edge closes, or None
   ColumnStore Columns;
 };
 
@@ -216,7 +219,8 @@ inline TetrahedronId FiltrationPairs::VoidFilled(TriangleId triangle) const
 
 inline TriangleId FiltrationPairs::LoopFilled(EdgeId edge) const
 {
-  return this->LoopFilledBy[edge];
+  const TriangleRank filler = this->Filler[this->F.RankOfEdge[edge]];
+  return filler.Exists() ? this->F.TrianglesInOrder[filler] : TriangleId::None();
 }
 
 inline EdgeId FiltrationPairs::LoopClosed(TriangleId triangle) const

@@ -199,7 +199,7 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
     {
       found[static_cast<std::size_t>(w - wanted.begin())] = 1;
       f.TriangleFirst[t] = 1;
-      for (const EdgeId e : f.TriangleEdges[t])
+      for (const EdgeId e : f.TriangleEdges(t))
       {
         f.EdgeFirst[e] = 1;
       }
@@ -298,6 +298,30 @@ void EnterByPoints(
   Report(progress, 1.0);
 }
 
+HandleVector<TetrahedronId, std::array<SimplexId, 4>> ShortIds(
+  const std::vector<Tetrahedron>& tetrahedra)
+{
+  HandleVector<TetrahedronId, std::array<SimplexId, 4>> ids;
+  ids.reserve(tetrahedra.size());
+  for (const Tetrahedron& t : tetrahedra)
+  {
+    ids.push_back({ static_cast<SimplexId>(t[0]), static_cast<SimplexId>(t[1]),
+      static_cast<SimplexId>(t[2]), static_cast<SimplexId>(t[3]) });
+  }
+  return ids;
+}
+
+/// All that follows from points and tetrahedra; `surface` gets their points.
+void Derive(CellFiltration& f, TriangleMesh& surface, const ProgressCallback& progress)
+{
+  FindNeighbours(f, Between(progress, 0.0, 0.5));
+  Report(progress, 0.5);
+  f.Connect(Between(progress, 0.5, 0.75));
+  Match(f, surface);
+  MarkSurface(f, surface);
+  Report(progress, 1.0);
+}
+
 }
 
 CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vector<double>& values,
@@ -320,19 +344,20 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
   }
   CellFiltration f;
   f.Points = mesh.Points;
-  f.Tetrahedra.reserve(mesh.Tetrahedra.size());
-  for (const Tetrahedron& t : mesh.Tetrahedra)
-  {
-    f.Tetrahedra.push_back({ static_cast<SimplexId>(t[0]), static_cast<SimplexId>(t[1]),
-      static_cast<SimplexId>(t[2]), static_cast<SimplexId>(t[3]) });
-  }
-  FindNeighbours(f, Between(progress, 0.0, 0.4));
-  Report(progress, 0.4);
-  f.Connect(Between(progress, 0.4, 0.6));
-  Match(f, surface);
-  MarkSurface(f, surface);
-  Report(progress, 0.8);
+  f.Tetrahedra = ShortIds(mesh.Tetrahedra);
+  Derive(f, surface, Between(progress, 0.0, 0.8));
   EnterByPoints(f, square, Between(progress, 0.8, 1.0));
+  return f;
+}
+
+CellFiltration ComplexAround(
+  TetrahedralMesh&& mesh, TriangleMesh& surface, const ProgressCallback& progress)
+{
+  CellFiltration f;
+  f.Points = std::move(mesh.Points);
+  f.Tetrahedra = ShortIds(mesh.Tetrahedra);
+  mesh = {};
+  Derive(f, surface, progress);
   return f;
 }
 

@@ -27,6 +27,15 @@ namespace isthmus
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh,
   const std::vector<double>& values, TriangleMesh& surface, const ProgressCallback& progress = {});
 
+/**
+ * The complex of a mesh with its `surface` marked as first, as above, but without values and order:
+ * fill them and call Order().
+ *
+ * The mesh is given up: it is freed before the simplices are derived from it.
+ */
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration ComplexAround(
+  TetrahedralMesh&& mesh, TriangleMesh& surface, const ProgressCallback& progress = {});
+
 }
 
 #endif

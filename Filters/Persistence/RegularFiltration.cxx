@@ -249,9 +249,10 @@ void ValueEdges(RegularFiltration& f)
   HandleVector<EdgeId, char> attached(c.Edges.size(), 0);
   for (const TriangleId t : c.Triangles())
   {
+    const auto edges = c.TriangleEdges(t);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const EdgeId e = c.TriangleEdges[t][k];
+      const EdgeId e = edges[k];
       c.EdgeValue[e] = std::min(c.EdgeValue[e], c.TriangleValue[t]);
       if (!attached[e] && CutsInto(f, c.Edges[e], spheres[e], c.TrianglePoints(t)[k]))
       {

@@ -93,7 +93,7 @@ struct OuterShare
       for (std::size_t k = 0; k < 3; ++k)
       {
         this->HullVertex[At(c.TrianglePoints(t)[k])] = 1;
-        this->HullEdge[c.TriangleEdges[t][k]] = 1;
+        this->HullEdge[c.TriangleEdges(t)[k]] = 1;
       }
     }
     for (const auto& cell : c.Tetrahedra)

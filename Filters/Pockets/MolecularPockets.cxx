@@ -143,7 +143,7 @@ double OpenArea(const RegularFiltration& f, TriangleId triangle)
     {
       area -= 0.5 * std::atan2(Length(normal), Dot(u, v)) * r * r;
     }
-    if (c.EdgeValue[c.TriangleEdges[triangle][(k + 2) % 3]] <= 0.0)
+    if (c.EdgeValue[c.TriangleEdges(triangle)[(k + 2) % 3]] <= 0.0)
     {
       // Half of the lens of two discs, as segments beyond their common chord.
       const double q = f.Radii[At(second)];
@@ -168,7 +168,7 @@ std::vector<PocketMouth> Group(
   std::map<EdgeId, std::size_t> firstAt;
   for (std::size_t i = 0; i < open.size(); ++i)
   {
-    for (const EdgeId edge : f.Complex.TriangleEdges[open[i]])
+    for (const EdgeId edge : f.Complex.TriangleEdges(open[i]))
     {
       sets.Join(firstAt.emplace(edge, i).first->second, i);
     }

@@ -82,6 +82,62 @@ TEST_P(CellFiltrationOf, PointsFindsTheTriangleOppositeToACorner)
   }
 }
 
+void ExpectEdgesOfTriangles(const CellFiltration& f)
+{
+  for (const TriangleId t : f.Triangles())
+  {
+    const auto p = f.TrianglePoints(t);
+    const auto edges = f.TriangleEdges(t);
+    EXPECT_EQ(edges[0], f.FindEdge(p[1], p[2]));
+    EXPECT_EQ(edges[1], f.FindEdge(p[0], p[2]));
+    EXPECT_EQ(edges[2], f.FindEdge(p[0], p[1]));
+    EXPECT_EQ(f.Edges[edges[0]], (std::array<SimplexId, 2>{ p[1], p[2] }));
+  }
+}
+
+TEST_P(CellFiltrationOf, PointsFindsTheEdgesOppositeToCorners)
+{
+  ExpectEdgesOfTriangles(OfRandomPoints(GetParam()));
+}
+
+TEST_P(CellFiltrationOf, PointsComparesTrianglesAsTheyAreRanked)
+{
+  CellFiltration f = OfRandomPoints(GetParam());
+  for (const bool some : { false, true })
+  {
+    f.TriangleFirst.assign(some ? f.TriangleCount() : 0, 0);
+    for (std::size_t i = 0; some && i < f.TriangleCount(); i += 3)
+    {
+      f.TriangleFirst[TriangleId::At(i)] = 1;
+    }
+    f.Order();
+    for (std::size_t i = 1; i < f.TriangleCount(); ++i)
+    {
+      const TriangleId before = f.TrianglesInOrder[TriangleRank::At(i - 1)];
+      const TriangleId t = f.TrianglesInOrder[TriangleRank::At(i)];
+      EXPECT_TRUE(f.EntersLater(t, before));
+      EXPECT_FALSE(f.EntersLater(before, t));
+      EXPECT_FALSE(f.EntersLater(t, t));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Few, CellFiltrationOf, ::testing::Values(4, 5, 7, 30, 2000));
+
+// The centre of a sphere has more edges than places of one byte can number.
+TEST(CellFiltration, EdgesOfAPointWithManyNeighboursAreFound)
+{
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  std::vector<Point3> points{ { 0.0, 0.0, 0.0 } };
+  while (points.size() <= 700)
+  {
+    const Point3 p{ normal(random), normal(random), normal(random) };
+    points.push_back((1.0 / Length(p)) * p);
+  }
+  const CellFiltration f = DelaunayFiltration(points);
+  ASSERT_GT(f.FirstEdge[1].Value, 600);
+  ExpectEdgesOfTriangles(f);
+}
 
 }

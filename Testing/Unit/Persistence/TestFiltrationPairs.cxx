@@ -44,7 +44,7 @@ std::set<std::int64_t> BoundaryOf(const CellFiltration& f, const TriangleChain& 
   std::set<std::int64_t> ranks;
   for (const TriangleId t : triangles)
   {
-    for (const EdgeId e : f.TriangleEdges[t])
+    for (const EdgeId e : f.TriangleEdges(t))
     {
       Toggle(ranks, static_cast<std::int64_t>(f.RankOfEdge[e].Value));
     }
