@@ -121,6 +121,73 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
   return choice;
 }
 
+/// Of the atoms `kept`, those that lie exactly at the place of another one with a larger radius, or
+/// with the same and an earlier number, in ascending order.
+std::vector<std::size_t> CopiesAmong(
+  vtkDataObject* input, const std::vector<std::size_t>& kept, const AtomRadii& radii)
+{
+  struct Atom
+  {
+    std::array<double, 3> Place;
+    double Radius;
+    std::size_t Index;
+  };
+  std::vector<Atom> atoms;
+  for (const std::size_t i : kept)
+  {
+    Atom atom{ {}, radii.Values[i], i };
+    AtomPoints(input)->GetPoint(static_cast<vtkIdType>(i), atom.Place.data());
+    if (IsFinite(atom.Place) && atom.Radius >= 0.0) // AddBalls() drops or refuses the others
+    {
+      atoms.push_back(atom);
+    }
+  }
+  std::sort(atoms.begin(), atoms.end(),
+    [](const Atom& a, const Atom& b)
+    {
+      return a.Place != b.Place ? a.Place < b.Place
+        : a.Radius != b.Radius  ? a.Radius > b.Radius
+                                : a.Index < b.Index;
+    });
+  std::vector<std::size_t> copies;
+  for (std::size_t k = 1; k < atoms.size(); ++k)
+  {
+    if (atoms[k].Place == atoms[k - 1].Place)
+    {
+      copies.push_back(atoms[k].Index);
+    }
+  }
+  std::sort(copies.begin(), copies.end());
+  return copies;
+}
+
+/// Finds the copies, says so, and unless they stay, removes them from `kept`. A surface is no
+/// molecule, and has such points.
+void RemoveCopies(vtkDataObject* input, const AtomRadii& radii, const AtomOptions& options,
+  std::vector<std::size_t>& kept, MoleculeAtoms& atoms)
+{
+  if (atoms.IsSurface)
+  {
+    return;
+  }
+  const std::vector<std::size_t> copies = CopiesAmong(input, kept, radii);
+  if (copies.empty())
+  {
+    return;
+  }
+  atoms.Warnings.push_back(std::to_string(copies.size()) + " of " + std::to_string(kept.size()) +
+    " atoms lie exactly where another one lies and were left out; of each such group the largest "
+    "is used. Is the molecule there twice, for instance in several models?");
+  atoms.Copies.assign(copies.begin(), copies.end());
+  if (!options.KeepCopies)
+  {
+    kept.erase(
+      std::remove_if(kept.begin(), kept.end(),
+        [&copies](std::size_t i) { return std::binary_search(copies.begin(), copies.end(), i); }),
+      kept.end());
+  }
+}
+
 void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const AtomRadii& radii,
   const AtomOptions& options, MoleculeAtoms& atoms)
 {
@@ -211,7 +278,9 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
       "There are no hydrogens, so carbon, nitrogen, oxygen, phosphorus and sulphur have the radii "
       "of united atoms: switch UnitedAtoms off to use the radii of the input.");
   }
-  AddBalls(input, choice.Kept, radii, options, atoms);
+  std::vector<std::size_t> kept = choice.Kept;
+  RemoveCopies(input, radii, options, kept, atoms);
+  AddBalls(input, kept, radii, options, atoms);
   if (atoms.Balls.empty() && options.RequireBalls)
   {
     throw std::invalid_argument("None of the " + std::to_string(atoms.NumberOfAtoms) +

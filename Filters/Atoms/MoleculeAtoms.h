@@ -10,6 +10,9 @@
  * - elements: the atomic numbers of a molecule, or the point array `Element`;
  * - names: the point arrays `AtomName`, `ResidueName`, `ResidueId`, `Chain`, `InsertionCode`,
  *   `AltLoc`, `Occupancy` and `IsHetero` of vtkMacromoleculeReader, as far as they exist;
+ * - atoms exactly at the same place: the largest of them (the first of equal ones) is used, and a
+ *   warning states how many others were dropped, with their charges; a molecule that is there twice
+ *   would otherwise count twice in sums over atoms;
  * - waters, ions, ligands, hydrogens and alternate locations: PolymerAtoms.h.
  */
 #ifndef isthmus_MoleculeAtoms_h
@@ -45,6 +48,7 @@ struct AtomOptions
   /// table by element, radii of united atoms (RadiusTable::UnitedAtom) replace them.
   bool UnitedAtoms = false;
   bool ZeroRadii = false;    ///< atoms with radius 0 also get a ball
+  bool KeepCopies = false;   ///< atoms at the place of another one are listed only, not dropped
   bool RequireBalls = false; ///< std::invalid_argument where no atom has a radius above 0
   /// Angstrom. Radii of this size or larger are refused.
   double MaximumRadius = std::numeric_limits<double>::infinity();
@@ -67,9 +71,10 @@ struct MoleculeAtoms
   std::vector<Ball> Balls;       ///< of the atoms with a radius
   std::vector<vtkIdType> Points; ///< of each ball: its point in the input
   std::vector<vtkIdType> Kept;   ///< points of all atoms that are used, including those of radius 0
+  std::vector<vtkIdType> Copies; ///< points of atoms at the place of another one, ascending
   std::vector<NamedAtom> Named;  ///< of all points of the input, where there was a selection
   std::vector<std::string> Notes;    ///< one message per kind of dropped or replaced value
-  std::vector<std::string> Warnings; ///< one message per missing property
+  std::vector<std::string> Warnings; ///< one message per missing property, and for copies of atoms
   vtkIdType NumberOfAtoms = 0;       ///< of the input
   bool HasNames = false;             ///< any residue names
   bool HasElements = false;

@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -111,6 +112,7 @@ SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeed
   AtomOptions all;
   all.RadiusArray = InputArrayName(filter, 1);
   all.ZeroRadii = true;
+  all.KeepCopies = true; // output 2 has a value for each atom
   all.Fallback = radiiNeeded ? RadiusFallback::None : RadiusFallback::Zero;
   all.Missing = MissingRadius::Refuse;
   const MoleculeAtoms atoms = ReadAtoms(points, all);
@@ -121,6 +123,10 @@ SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeed
   {
     ChargedAtom& atom = solute.Atoms[i];
     atom.Radius = atoms.Balls[i].Radius; // every atom has a ball
+    if (std::binary_search(atoms.Copies.begin(), atoms.Copies.end(), atoms.Kept[i]))
+    {
+      atom.Charge = atom.Radius = 0.0;
+    }
     solute.NetCharge += atom.Charge;
     absolute += std::abs(atom.Charge);
   }
@@ -129,9 +135,13 @@ SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeed
     throw std::invalid_argument("All charges are 0, so there is no potential: read a PQR file, or "
                                 "choose another array of charges.");
   }
+  for (const std::string& warning : atoms.Warnings)
+  {
+    solute.Warning += warning + " ";
+  }
   if (std::abs(solute.NetCharge - std::round(solute.NetCharge)) > 0.01)
   {
-    solute.Warning = "The net charge is " + FormatNumber(solute.NetCharge) +
+    solute.Warning += "The net charge is " + FormatNumber(solute.NetCharge) +
       " e, not a whole number: atoms may be missing, or their charges.";
   }
   return solute;

@@ -183,7 +183,7 @@ FullereneStability ComputeStability(const std::vector<Point3>& atoms,
   const std::vector<DistanceBar>& bars, double filterDelta, double theta)
 {
   FullereneStability row;
-  row.Atoms = static_cast<std::int64_t>(atoms.size());
+  row.Atoms = static_cast<std::int64_t>(Places(atoms).size());
   for (const DistanceBar& bar : bars)
   {
     if (bar.Dimension == 2)

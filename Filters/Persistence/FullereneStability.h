@@ -26,7 +26,7 @@ struct DistanceBar
 /// One row of the table.
 struct FullereneStability
 {
-  std::int64_t Atoms = 0;
+  std::int64_t Atoms = 0;        ///< at different positions
   std::int64_t Bars = 0;         ///< of dimension 1, at least FilterDelta long
   double Integral = 0.0;         ///< of beta_1 over distance: sum of the lengths of all bars
   double FilteredIntegral = 0.0; ///< of those at least FilterDelta long

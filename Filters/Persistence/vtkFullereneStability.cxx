@@ -191,7 +191,15 @@ void vtkFullereneStability::AddMolecule(vtkDataObject* input, vtkIdType number, 
   {
     bars = isthmus::AlphaBars(atoms, isthmus::ProgressOf(this));
   }
-  tables.AddRow(number, isthmus::ComputeStability(atoms, bars, this->FilterDelta, theta));
+  const isthmus::FullereneStability row =
+    isthmus::ComputeStability(atoms, bars, this->FilterDelta, theta);
+  if (const auto all = static_cast<std::int64_t>(atoms.size()); row.Atoms < all)
+  {
+    vtkWarningMacro(<< isthmus::TextOf(all - row.Atoms, " of ", all,
+                      " atoms lie exactly where another one lies and count once. Is the molecule "
+                      "there twice, for instance in several models?"));
+  }
+  tables.AddRow(number, row);
   tables.AddBars(number, bars);
 }
 

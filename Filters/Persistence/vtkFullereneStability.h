@@ -13,7 +13,7 @@
  *
  * Output 0 (vtkTable), a row for each molecule, lengths in the unit of the points (angstrom):
  *  - `Molecule`: its number among the inputs;
- *  - `Atoms`: their number;
+ *  - `Atoms`: their number, those at the same position counted once, with a warning;
  *  - `Bars`: classes of dimension 1 (rings) with Death - Birth of at least FilterDelta;
  *  - `Integral`: of beta_1 over the distance, that is the sum of the lengths of all bars of
  *    dimension 1;

@@ -1,6 +1,7 @@
 """The same data in another form, each filter and each of its ports, gives the same numbers: volumes of whole
-numbers in every type that holds them, surfaces and meshes with a point that no cell uses, far away.
-Outputs may keep that point. Points are atoms where cells do not matter, so ports for any points are left out.
+numbers in every type that holds them, surfaces and meshes with a point that no cell uses, far away, atoms with
+copies of some. Outputs may keep such points. Points are atoms where cells do not matter, so ports for any points
+have no unused ones.
 """
 
 import sys
@@ -16,6 +17,11 @@ TYPES = ("SignedChar", "UnsignedChar", "Short", "UnsignedShort", "Int", "Unsigne
          "LongLong", "UnsignedLongLong", "Float")
 BITS = 1e-4  # of the largest number of an array: outputs may be of single precision
 FAR = 1e5
+# Ports for atoms whose outputs are sums over them, or depend on their number. Others give the atoms themselves.
+ATOMS = {(name, "Input") for name in (
+    "MolecularPockets", "PoreProfile", "MolecularDensity", "MolecularFlowSurface", "NonpolarSolvation",
+    "PoissonBoltzmann", "PoissonBoltzmannOnSurface", "IonTransport", "IonTransportOnSurface", "SolvationSurface",
+    "FullereneStability")} | {("BindingSites", "Atoms"), ("BindingSitesInPockets", "Atoms")}
 
 
 def in_type(image, name):
@@ -47,6 +53,32 @@ def with_unused_point(data):
     for i in range(arrays.GetNumberOfArrays()):
         array = arrays.GetArray(i)
         array.InsertNextTuple(array.GetTuple(0))
+    return result
+
+
+def with_copies(data):
+    """Each second atom once more, behind the others, with all that it has; no cells."""
+    result = data.NewInstance()
+    if data.IsA("vtkMolecule"):
+        result.DeepCopy(data)
+        for i in range(0, data.GetNumberOfAtoms(), 2):
+            result.AppendAtom(data.GetAtomAtomicNumber(i), *data.GetAtomPosition(i))
+        return result
+    result.SetPoints(vtkPoints())
+    result.GetPoints().DeepCopy(data.GetPoints())
+    result.GetPointData().DeepCopy(data.GetPointData())
+    for i in range(0, data.GetNumberOfPoints(), 2):
+        result.GetPoints().InsertNextPoint(data.GetPoint(i))
+        for k in range(result.GetPointData().GetNumberOfArrays()):
+            array = result.GetPointData().GetArray(k)
+            array.InsertNextTuple(array.GetTuple(i))
+    return result
+
+
+def without_cells(data):
+    result = data.NewInstance()
+    result.SetPoints(data.GetPoints())
+    result.GetPointData().ShallowCopy(data.GetPointData())
     return result
 
 
@@ -106,6 +138,8 @@ def trials(name):
             data = sound(name, port, kind)
             if data is None:
                 continue
+            if (name, port) in ATOMS:
+                yield "copies", port, kind, data if data.IsA("vtkMolecule") else without_cells(data), with_copies(data)
             if data.IsA("vtkImageData") and data.GetPointData().GetScalars():
                 for type_name in TYPES:
                     yield type_name, port, kind, in_type(data, "Double"), in_type(data, type_name)

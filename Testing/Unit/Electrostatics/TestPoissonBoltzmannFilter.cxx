@@ -287,6 +287,29 @@ TEST(PoissonBoltzmannFilter, BornIonWithoutASurface)
   EXPECT_GT(Field(filter->GetOutput(), "Iterations"), 0.0);
 }
 
+TEST(PoissonBoltzmannFilter, AnAtomThatIsThereTwiceCountsOnce)
+{
+  KirkwoodSphere ion;
+  ion.Charges.push_back({ { 0.2, 0.1, -0.3 }, 1.0, 2.5 });
+  vtkNew<vtkPoissonBoltzmann> filter;
+  filter->SetInputDataObject(0, Atoms(ion));
+  filter->SetPadding(4.0);
+  filter->Update();
+  const double energy = Field(filter->GetOutput(), "SolvationEnergy");
+  ion.Charges.push_back({ ion.Charges.front().Position, 1.0, 2.0 });
+  filter->SetInputDataObject(0, Atoms(ion));
+  vtkNew<vtkTest::ErrorObserver> said;
+  filter->AddObserver(vtkCommand::WarningEvent, said);
+  filter->Update();
+  EXPECT_EQ(Field(filter->GetOutput(), "SolvationEnergy"), energy);
+  EXPECT_NE(said->GetWarningMessage().find("1 of 2 atoms lie exactly where another one lies"),
+    std::string::npos);
+  vtkDataArray* energies = filter->GetAtoms()->GetPointData()->GetArray("AtomEnergy");
+  ASSERT_EQ(energies->GetNumberOfTuples(), 2);
+  EXPECT_EQ(energies->GetTuple1(0), energy);
+  EXPECT_EQ(energies->GetTuple1(1), 0.0);
+}
+
 TEST(PoissonBoltzmannFilter, FocusingTakesTheBorderFromInput2)
 {
   const KirkwoodSphere sphere = Sphere();
