@@ -28,6 +28,8 @@ except ImportError:
 DIAGRAMS = {"ChokingLoops": 3, "MapChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
 CHOKE_POINTS = 2  # port of Choking Loops
 CELL, ROW = 1, 6  # of vtkDataObject's attribute types
+# Of a chart's legend, in pixels: its width, the height of each row; and what axes and title take of a chart.
+LEGEND_WIDTH, ROW_HEIGHT, LEFT_SPACE, BELOW_SPACE = 145, 18, 75, 90
 DISC, DIAMOND = "4", "5"  # marker styles of a chart
 # Pixels. ParaView 5.13 draws the loop itself, 5 pixels wide, over its selection.
 SELECTED_WIDTH = 15.0 if servermanager and servermanager.vtkSMProxyManager.GetVersionMinor() == 13 else 9.0
@@ -213,6 +215,23 @@ def _draw(source, plot, chart):
         _set_range(chart, axis, [rows.GetArrayInformation(column).GetComponentFiniteRange(0) for column in columns])
     superlevel = of_map and int(source.Superlevel)
     chart.LegendLocation = "TopLeft" if superlevel else "BottomRight"  # the empty half
+    _make_room(chart, len(drawn), superlevel)
+
+
+def _make_room(chart, rows, superlevel):
+    """Extends the axis of deaths until a legend with that many rows, in the corner beyond the diagonal, does not reach
+    the diagonal."""
+    low, high, left, right = (getattr(chart, f"{axis}AxisRange{end}") for axis in ("Left", "Bottom")
+                              for end in ("Minimum", "Maximum"))
+    across, up = chart.ViewSize
+    width = min(LEGEND_WIDTH / max(1, across - LEFT_SPACE), 0.6)
+    share = min((ROW_HEIGHT * rows + 8) / max(1, up - BELOW_SPACE), 0.5)
+    if superlevel:
+        corner = left + width * (right - left)
+        chart.LeftAxisRangeMaximum = max(high, low + (corner - low) / (1.0 - share))
+    else:
+        corner = right - width * (right - left)
+        chart.LeftAxisRangeMinimum = min(low, (corner - share * high) / (1.0 - share))
 
 
 def _set_range(chart, axis, ranges):

@@ -590,6 +590,7 @@ def _show_sites(sites, display, view, beside):
     simple.AddCameraLink(view, other, f"Isthmus{other.SMProxy.GetGlobalID()}")
     pockets_and_pores.show_table(sites, 1, HIDDEN, view, "below", 0.7)
     simple.SetActiveView(view)
+    simple.SetActiveSource(sites)
     simple.Render(other)
     return display
 

@@ -564,4 +564,5 @@ def show(features, view=None, tables=True):
         chart = _show_chart(features, view) if "chart" in kind else None
         _show_table(features, chart or view, "below" if chart else "right", 0.6)
         simple.SetActiveView(view)
+    simple.SetActiveSource(features)  # not a table or surface that was made for the display
     return display
