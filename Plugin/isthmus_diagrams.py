@@ -21,8 +21,9 @@ try:
     import isthmus_loops as loop_views
     import isthmus_messages as messages  # with the plugin loaded
     import isthmus_pockets as pockets_and_pores
+    import isthmus_selections as selections
 except ImportError:
-    from isthmus import loop_views, messages
+    from isthmus import loop_views, messages, selections
     from isthmus import pocket_views as pockets_and_pores
 
 DIAGRAMS = {"ChokingLoops": 3, "MapChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
@@ -337,15 +338,9 @@ def _select(source, kind, places):
     """Selects these rows or cells of the first output, as the window would."""
     if not places:
         if source.SMProxy.GetSelectionInput(0) is not None:
-            source.SMProxy.SetSelectionInput(0, None, 0)
+            selections.select(source, 0, None)
         return
-    from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
-
-    chosen = servermanager.sources.IDSelectionSource(
-        FieldType=kind, IDs=[number for place in places for number in (-1, place)])
-    appended = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(chosen.SMProxy)
-    source.SMProxy.SetSelectionInput(0, appended, 0)
-    appended.UnRegister(None)
+    selections.select(source, 0, selections.of_ids(kind, places))
 
 
 def balls_of(source):
@@ -366,10 +361,10 @@ def _show_balls(source, ids):
             return
         selected = simple.GetActiveSource()
         balls = simple.ExtractSelection(
-            simple.OutputPort(source, CHOKE_POINTS), Selection=pockets_and_pores.selected_points([]),
+            simple.OutputPort(source, CHOKE_POINTS), Selection=selections.of_ids("POINT", []),
             registrationName=pockets_and_pores.name_of(source, "selected balls"))
         simple.SetActiveSource(selected)
-    balls.Selection = pockets_and_pores.selected_points(places)
+    balls.Selection = selections.of_ids("POINT", places)
     balls.UpdatePipeline()
     for view in simple.GetViews():
         shows = [display for display in view.Representations if getattr(display, "Visibility", 0) and

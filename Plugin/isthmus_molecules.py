@@ -14,15 +14,15 @@ from vtkmodules.vtkCommonCore import vtkIdList
 
 try:
     from paraview import servermanager, simple
-    from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
     from vtkmodules.numpy_interface import algorithms
 except ImportError:
-    servermanager = simple = vtkSMSelectionHelper = algorithms = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = algorithms = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
     import isthmus_messages as messages  # with the plugin loaded
+    import isthmus_selections as selections
 except ImportError:
-    from isthmus import messages
+    from isthmus import messages, selections
 
 CARTOON, STICKS, RESIDUES = 0, 1, 2  # the ports
 MOST_NAMES = 12  # of chains in a legend
@@ -201,7 +201,7 @@ def atoms_of(model, residues):
             cells.append(cell)
     kind, ids = ("CELL", cells) if cells else ("POINT", sorted(chosen))
     part = simple.ExtractSelection(
-        model, Selection=simple.IDSelectionSource(FieldType=kind, IDs=[number for i in ids for number in (-1, i)]))
+        model, Selection=selections.of_ids(kind, ids))
     part.UpdatePipeline()
     return part
 
@@ -213,29 +213,18 @@ def _one(cartoon, residue):
     return rows[0]
 
 
-def _appended(selection):
-    """The selection as the only kind that ParaView 6.1 takes."""
-    made = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(selection.SMProxy)
-    proxy = servermanager._getPyProxy(made)
-    made.UnRegister(None)
-    return proxy
-
-
 def label(cartoon, residues, view=None):
     """Names of these residues in the view, "LYS 48 A"; returns their display."""
     view = view or simple.GetActiveView()
     rows = rows_of(cartoon, residues)
     if not rows:
         raise ValueError(f"There is no residue {residues} in the cartoon.")
-    chosen = simple.IDSelectionSource(FieldType="POINT", IDs=[number for row in rows for number in (-1, row)])
-    part = simple.ExtractSelection(simple.OutputPort(cartoon, RESIDUES), Selection=_appended(chosen))
+    part = simple.ExtractSelection(simple.OutputPort(cartoon, RESIDUES), Selection=selections.of_ids("POINT", rows))
     part.UpdatePipeline()
     display = simple.Show(part, view)
     display.SetRepresentationType("Points")
     display.PointSize, display.Opacity = 1.0, 0.0
-    everything = simple.IDSelectionSource(
-        FieldType="POINT", IDs=[number for i in range(len(rows)) for number in (-1, i)])
-    part.SMProxy.SetSelectionInput(0, _appended(everything).SMProxy, 0)
+    selections.select(part, 0, selections.of_ids("POINT", range(len(rows))))
     display.SelectionPointLabelVisibility, display.SelectionPointFieldDataArrayName = 1, "Residue"
     display.SelectionPointLabelColor = [0.1, 0.1, 0.1]
     display.SelectionPointLabelFontSize = 18
@@ -293,12 +282,7 @@ def _select(cartoon, rows, ports):
             continue
         word = "in1d" if hasattr(algorithms, "in1d") else "isin"  # the latter from ParaView 6 on
         query = f"{word}(ResidueIndex, [" + ", ".join(map(str, rows)) + "])"
-        source = servermanager.sources.SelectionQuerySource(
-            QueryString=query, ElementType="Point Data" if port == RESIDUES else "Cell Data")
-        # The window expects a list of selections, and crashes if it gets a single one.
-        several = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source.SMProxy)
-        cartoon.SMProxy.SetSelectionInput(port, several, 0)
-        several.UnRegister(None)
+        selections.select(cartoon, port, selections.of_query("Point Data" if port == RESIDUES else "Cell Data", query))
 
 
 _followed = {}

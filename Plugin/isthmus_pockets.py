@@ -16,9 +16,10 @@ except ImportError:
 
 try:
     import isthmus_messages as messages  # with the plugin loaded
+    import isthmus_selections as selections
     import isthmus_steps as steps
 except ImportError:
-    from isthmus import messages, steps
+    from isthmus import messages, selections, steps
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # The arrays that number the features, and the output ports of the parts shown.
@@ -134,24 +135,12 @@ def chart_of(pores):
     return found
 
 
-def selected_points(numbers):
-    """A selection of these points, of the only kind that the panel of Extract Selection can show."""
-    from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
-
-    chosen = servermanager.sources.IDSelectionSource(
-        FieldType="POINT", IDs=[number for i in numbers for number in (-1, i)] or [-1, -1])
-    appended = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(chosen.SMProxy)
-    proxy = servermanager._getPyProxy(appended)
-    appended.UnRegister(None)
-    return proxy
-
-
 def names_of(residues):
     """The filter that passes the atoms that carry the names of residues, so that the names can be hidden."""
     found = _fed_by(residues, 0, "ExtractSelection")
     if found is None:
         found = simple.ExtractSelection(residues, registrationName=name_of(residues, "residue names"),
-                                        Selection=selected_points([0]))
+                                        Selection=selections.of_ids("POINT", [0]))
     return found
 
 
@@ -352,7 +341,7 @@ def place_names(residues, view):
     named.sort(key=lambda one: (-areas.get(one[0], 0.0), one[1]))
     shown = without_overlap([(name, _on_screen(view, data.GetPoint(i)), i) for name, i in named])
     names = names_of(residues)
-    names.Selection = selected_points(shown)
+    names.Selection = selections.of_ids("POINT", shown)
     names.UpdatePipeline()
 
 

@@ -142,7 +142,7 @@ function (isthmus_python_sources folder destination)
   endforeach ()
   # The same files lie beside the plugin, for windows without this package.
   foreach (part IN ITEMS pipelines figures look messages pockets=pocket_views loops=loop_views
-      molecules=molecule_views diagrams=diagram_views tracks=track_views steps
+      molecules=molecule_views diagrams=diagram_views tracks=track_views selections steps
       trajectories)
     string(REGEX REPLACE "=.*$" "" source "${part}")
     string(REGEX REPLACE "^.*=" "" name "${part}")
