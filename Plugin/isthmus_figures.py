@@ -432,7 +432,10 @@ class _Silhouettes:
         if numpy is None or bounds is None or not hasattr(view.SMProxy, "CaptureDepthBuffer"):
             return
         change = _Changes()
+        corners = _corners(view)
         try:
+            for corner in corners:
+                corner.DrawOff()
             for each in (*_legends(view), *_texts(view), *_names(view)):
                 change.set(each, Visibility=0)
             for each in view.Representations:
@@ -444,6 +447,8 @@ class _Silhouettes:
             across, up = view.SMProxy.GetRenderWindow().GetSize()
             low, high = view.GetActiveCamera().GetClippingRange()
         finally:
+            for corner in corners:
+                corner.DrawOn()
             change.undo()
         if depths is None or depths.GetNumberOfTuples() != across * up:
             return
@@ -468,6 +473,14 @@ class _Silhouettes:
         if self.mask is None or not self.mask.any():
             return pixels
         return numpy.rint(pixels * (1.0 - self.mask[..., None])).astype(numpy.uint8)
+
+
+def _corners(view):
+    """Renderers of a part of the view, as that of the orientation axes, which clears the depth there even where they are
+    hidden."""
+    renderers = view.SMProxy.GetRenderWindow().GetRenderers()
+    each = [renderers.GetItemAsObject(i) for i in range(renderers.GetNumberOfItems())]
+    return [renderer for renderer in each if renderer.GetDraw() and renderer.GetViewport() != (0.0, 0.0, 1.0, 1.0)]
 
 
 def _blurred(mask, width):

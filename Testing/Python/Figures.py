@@ -141,6 +141,18 @@ def check_silhouettes_and_shadows():
     assert beside > middle + 5 and abs(outside) < 1, (beside, middle, outside)
 
 
+def check_corner_of_axes():
+    """No lines around the corner where the window shows its axes, which is another renderer's."""
+    view = two_plates()
+    view.OrientationAxesVisibility = 1
+    view.GetActiveCamera().SetParallelScale(25.0)  # the larger plate fills the picture
+    png, _ = pipelines.figure(view, WIDTH_MM, DPI, str(FOLDER / "corner.png"), shadows=False, scale_bar=False)
+    pixels = pixels_of(png).min(axis=2)
+    # From the left edge of the larger plate, and below the smaller one.
+    corner = pixels[:27 * pixels.shape[0] // 100, pixels.shape[1] // 20:2 * pixels.shape[1] // 5]
+    assert corner.min() > 100, f"{(corner < 100).sum()} dark pixels in the lower left corner"
+
+
 def check_scale_bar():
     """A bar of perspective has its length at the focal plane, says so, and is in front of all; long ones are in nm."""
     view = two_plates()
@@ -185,6 +197,7 @@ for most, expected in ((9.99, 5.0), (10.0, 10.0), (49.0, 20.0), (87.5, 50.0), (0
     assert abs(figures.round_length(most) - expected) < 1e-12 * expected, (most, figures.round_length(most))
 check_view()
 check_silhouettes_and_shadows()
+check_corner_of_axes()
 check_scale_bar()
 check_chart()
 check_refusals()
