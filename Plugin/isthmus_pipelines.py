@@ -579,7 +579,7 @@ def run(function):
     """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
     in the active view, with all else hidden."""
     selected = simple.GetActiveSource()
-    if selected is None:
+    if selected is None or not loop_views.registered_name(selected):  # after Reset Session, it is still that of before
         messages.show_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
         return
     source = _upstream(selected, _fits(function))

@@ -104,3 +104,12 @@ molecules = simple.GroupDatasets(Input=[molecule, opened("molecules/1crn_apbs.pq
 check_refusals(molecules, ("protein_to_sites",), "Extract Block")
 maps = simple.GroupDatasets(Input=[opened("maps/emd_1832.map"), opened("maps/emd_1703.map")])
 check_refusals(maps, ("map_to_curvature",), "Extract Block")
+
+# After Reset Session, the source of before still counts as active, though it is nowhere in the window.
+before = simple.Wavelet()
+before.UpdatePipeline()
+simple.ResetSession()
+with Messages() as said:
+    pipelines.run("map_to_surface")
+assert len(said) == 1 and "Select a source" in said[0], said
+assert not simple.GetSources(), simple.GetSources()
