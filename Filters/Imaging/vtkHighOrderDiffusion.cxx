@@ -207,7 +207,10 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 void vtkHighOrderDiffusion::Explain(
   const isthmus::NoiseEstimate& noise, double change, bool background)
 {
-  constexpr char remedy[] = " To smooth it anyway, switch Automatic off and set Time.";
+  // With the default edge stopping, whose Sigma follows from the noise found, hardly anything would
+  // change again.
+  constexpr char remedy[] = " To smooth it anyway, switch Automatic off, set EdgeStopping to None, "
+                            "and set Time.";
   if (noise.FewValues)
   {
     vtkWarningMacro(<< isthmus::TextOf(
