@@ -174,11 +174,23 @@ def _script(source):
             f"LINES = {thresholds(source)!r}\n{SCRIPT}")
 
 
+def _plots():
+    """The filters that make charts of diagrams, each with the proxy of its input, or None."""
+    for proxy in list(simple.GetSources().values()):
+        if proxy.SMProxy.GetXMLName() == "ProgrammableFilter" and str(proxy.Script).startswith("DEATH = "):
+            yield proxy, proxy.SMProxy.GetProducerProxy(0) if proxy.SMProxy.GetNumberOfProducers() else None
+
+
 def plots_of(source):
     """The filters that make charts of the diagrams of `source`."""
-    return [proxy for proxy in simple.GetSources().values()
-            if proxy.SMProxy.GetXMLName() == "ProgrammableFilter" and str(proxy.Script).startswith("DEATH = ") and
-            proxy.SMProxy.GetNumberOfProducers() and proxy.SMProxy.GetProducerProxy(0) == source.SMProxy]
+    return [plot for plot, shown in _plots() if shown == source.SMProxy]
+
+
+def forget():
+    """Deletes the plots whose filter was deleted: ParaView gives them the input of that filter instead."""
+    for plot, shown in _plots():
+        if shown is None or shown.GetXMLName() not in DIAGRAMS:
+            simple.Delete(plot)
 
 
 def _plot_of(source, table):

@@ -571,6 +571,7 @@ def use_inverted_contrast(number):
 def forget():
     """Called by the window when sources were deleted: deletes their texts, tables and charts."""
     loop_views.forget()
+    diagram_views.forget()
     pockets_and_pores.close_empty_views()
 
 

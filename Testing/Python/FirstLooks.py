@@ -10,7 +10,8 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
-import isthmus_look as look  # there once paraview.simple has loaded the plugin
+import isthmus_diagrams as diagrams  # there once paraview.simple has loaded the plugin
+import isthmus_look as look
 import isthmus_pipelines as pipelines
 
 
@@ -200,10 +201,28 @@ def check_sites():
     assert sheet not in simple.GetViews(), "the table stays without its sites"
 
 
+def check_diagram_of_deleted_loops():
+    """ParaView gives the plot of deleted loops their input; it is deleted, and its chart closed."""
+    view = simple.CreateView("RenderView")
+    surface = simple.OpenDataFile(str(shared_data("surfaces/torus.obj")))
+    loops = pipelines.surface_to_loops(surface)[-1]
+    simple.SetActiveView(view)
+    (chart,) = pipelines.persistence_diagram(loops)
+    (plot,) = diagrams.plots_of(loops)
+    pipelines.forget()
+    assert plot in simple.GetSources().values() and chart in simple.GetViews(), "closed without a cause"
+    plot.Input = surface
+    simple.Delete(loops)
+    pipelines.forget()
+    assert plot not in simple.GetSources().values() and chart not in simple.GetViews(), "the diagram stays without its loops"
+    simple.Delete(surface)
+
+
 check_refusal()
 check_sites()
 check_fault()
 check_first_values()
 check_looks(*check_buttons())
+check_diagram_of_deleted_loops()  # last: the plot's script puts numpy's all() in place of Python's
 assert servermanager.ActiveConnection is not None
 print("buttons and first looks")
