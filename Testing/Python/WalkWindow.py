@@ -82,17 +82,19 @@ class Window:
         return path
 
     def reached(self, step, least=0.0):
-        """Waits until nothing moves any more in the window, no bar of progress is in it, and that much is coloured."""
+        """Waits until nothing moves any more in the window, no bar of progress is in it, and that much is coloured. A
+        cursor may blink: it is of fewer than 60 pixels."""
         began, last = time.monotonic(), None
         while True:
             time.sleep(3)
             path = self.picture(step)
             pixels = pixels_of(path)
             bar = pixels[970:, :1000]
-            rests = last is not None and (pixels[:960] == last[:960]).all() and not (numpy.ptp(bar, axis=2) > 90).any()
+            moves = 60 if last is None else (pixels[:960] != last[:960]).any(axis=2).sum()
+            rests = moves < 60 and not (numpy.ptp(bar, axis=2) > 90).any()
             if rests and coloured_fraction(path) >= least:
                 break
-            assert time.monotonic() - began < PATIENCE, f"{step}: the window does not come to rest"
+            assert time.monotonic() - began < PATIENCE, f"{step}: the window does not come to rest: {moves} pixels"
             last = pixels
         said = complaints(self.log.read_text(errors="replace"))
         if len(sys.argv) > 1:  # formats of scalar bars that states of ParaView 5 have
