@@ -247,20 +247,28 @@ LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
   LoopFeature feature;
   feature.Membrane = membrane.Triangles;
   feature.Extra = membrane.Extra;
-  for (std::size_t i = 0; i < membrane.Loops.size(); ++i)
+  const std::size_t count = membrane.Loops.size();
+  const auto holds = [&tight](std::size_t i) { return tight.empty() || !tight[i].Contractible; };
+  std::size_t longest = 0; // of those that are contractible, which are returned unchanged
+  bool anyHolds = false;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    anyHolds = anyHolds || holds(i);
+    longest = !tight.empty() && tight[i].Length > tight[longest].Length ? i : longest;
+  }
+  feature.Collapsed = count > 0 && !anyHolds;
+  for (std::size_t i = 0; i < count; ++i)
   {
     std::vector<SimplexId> loop = membrane.Loops[i];
-    const bool holds = tight.empty() || !tight[i].Contractible;
-    if (!holds && i > 0)
+    if (!holds(i) && (anyHolds || i != longest))
     {
       AddFan(loop, feature.Membrane); // one of several borders, contractible on M: filled
       continue;
     }
-    if (holds && !tight.empty())
+    if (holds(i) && !tight.empty())
     {
       Follow(surface, tight[i], cut, loop, feature);
     }
-    feature.Collapsed = feature.Collapsed || !holds;
     feature.Loops.push_back(std::move(loop));
     feature.Anchors.push_back(membrane.Loops[i].front());
   }

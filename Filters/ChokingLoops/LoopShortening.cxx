@@ -159,6 +159,9 @@ public:
   /// Leads the strip around the points at which the path bends needlessly; false: none.
   bool Lead();
 
+  /// True when all edges of the strip end at one point, to which the curve contracts.
+  bool IsAroundOnePoint() const;
+
 private:
   std::size_t Size() const { return this->Edges.Size(); }
 
@@ -287,6 +290,22 @@ bool Shortener::Lead()
   return led;
 }
 
+bool Shortener::IsAroundOnePoint() const
+{
+  const auto endsAt = [this](SimplexId p)
+  {
+    for (std::size_t i = 0; i < this->Size(); ++i)
+    {
+      if (this->Edges[i].Ends[0] != p && this->Edges[i].Ends[1] != p)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  return this->Size() == 0 || endsAt(this->Edges[0].Ends[0]) || endsAt(this->Edges[0].Ends[1]);
+}
+
 /// Replaces crossings of the closed curve; it begins behind them from then on.
 void Shortener::Replace(std::size_t first, std::size_t count, const EdgeStrip& others)
 {
@@ -374,6 +393,21 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   return true;
 }
 
+/// A loop of less than this part of its first length has contracted to a point.
+constexpr double Vanishing = 1e-6;
+
+/// The curve through points of the surface.
+std::vector<SurfaceCurvePoint> AlongPoints(
+  const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop)
+{
+  std::vector<SurfaceCurvePoint> crossings;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    crossings.push_back({ surface.Find(loop[i], loop[(i + 1) % loop.size()]), 0.0 });
+  }
+  return crossings;
+}
+
 double LengthAlong(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
 {
   double length = 0.0;
@@ -423,20 +457,17 @@ SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<Simp
       shortener.StraightenFully(0.01 * parameters.Tolerance);
       curve.Converged = !shortener.Lead();
     }
-    length = shortener.Length();
-    if (length <= 1e-6 * curve.Length)
+    length = shortener.IsAroundOnePoint() ? 0.0 : shortener.Length();
+    if (length <= Vanishing * curve.Length)
     {
       break;
     }
   }
-  curve.Contractible = length <= 1e-6 * curve.Length;
+  curve.Contractible = length <= Vanishing * curve.Length;
   if (curve.Contractible || length > curve.Length)
   {
     curve.Converged = false;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      curve.Crossings.push_back({ surface.Find(loop[i], loop[(i + 1) % loop.size()]), 0.0 });
-    }
+    curve.Crossings = AlongPoints(surface, loop);
     return curve;
   }
   curve.Crossings = shortener.Curve();
@@ -694,6 +725,13 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
     curve.Crossings.insert(curve.Crossings.end(), crossings.begin(), crossings.end());
   }
   curve.Length = LengthOf(surface, curve.Crossings);
+  if (const double before = LengthAlong(surface, loop); curve.Length <= Vanishing * before)
+  {
+    curve = {};
+    curve.Contractible = true;
+    curve.Length = before;
+    curve.Crossings = AlongPoints(surface, loop);
+  }
   return curve;
 }
 
