@@ -137,6 +137,7 @@ struct ChokingAnalysis
     this->Filtration.DropTriangleRanks();
     times.Pairing += this->Watch.Lap();
     this->Found.Diagram = FindFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
+    this->Filtration.DropEdgeAndCellValues();
     this->Found.Membranes.resize(this->Found.Diagram.Features.size());
     for (const ShapeFeature& feature : this->Found.Diagram.Features)
     {

@@ -35,21 +35,20 @@ EnclosureTest::EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& hom
   : Mesh(mesh)
   , Homology(homology)
 {
-  this->Points.reserve(mesh.Points.size());
   this->Box.Min = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
   this->Box.Max = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   for (const Point3& p : mesh.Points)
   {
-    this->Points.push_back(Turned(p));
-    this->Box.Add(this->Points.back());
+    this->Box.Add(Turned(p));
   }
   this->Bins = std::clamp<std::size_t>(
     static_cast<std::size_t>(0.5 * std::sqrt(static_cast<double>(mesh.Triangles.size()))), 1, 2048);
   const auto forEachBin = [this](const Triangle& t, auto&& visit)
   {
-    Bounds3 box{ this->Points[At(t[0])], this->Points[At(t[0])] };
-    box.Add(this->Points[At(t[1])]);
-    box.Add(this->Points[At(t[2])]);
+    const auto corner = this->Corners(t);
+    Bounds3 box{ corner[0], corner[0] };
+    box.Add(corner[1]);
+    box.Add(corner[2]);
     for (std::size_t j = this->Bin(box.Min[1], 1); j <= this->Bin(box.Max[1], 1); ++j)
     {
       for (std::size_t k = this->Bin(box.Min[2], 2); k <= this->Bin(box.Max[2], 2); ++k)
@@ -74,6 +73,12 @@ EnclosureTest::EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& hom
     forEachBin(mesh.Triangles[i],
       [&](std::size_t bin) { this->Inside[At(next[bin]++)] = static_cast<SimplexId>(i); });
   }
+}
+
+std::array<Point3, 3> EnclosureTest::Corners(const Triangle& t) const
+{
+  return { Turned(this->Mesh.Points[At(t[0])]), Turned(this->Mesh.Points[At(t[1])]),
+    Turned(this->Mesh.Points[At(t[2])]) };
 }
 
 std::size_t EnclosureTest::Bin(double v, std::size_t axis) const
@@ -102,13 +107,12 @@ std::vector<int> EnclosureTest::Enclosing(const Point3& point) const
   for (SimplexId i = this->First[bin]; i < this->First[bin + 1]; ++i)
   {
     const Triangle& t = this->Mesh.Triangles[At(this->Inside[At(i)])];
+    const auto corner = this->Corners(t);
     std::array<double, 3> area; // of p with the edge opposite to corner k
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const std::int64_t a = t[(k + 1) % 3];
-      const std::int64_t b = t[(k + 2) % 3];
-      area[k] = a < b ? Area(this->Points[At(a)], this->Points[At(b)], p)
-                      : -Area(this->Points[At(b)], this->Points[At(a)], p);
+      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+      area[k] = t[a] < t[b] ? Area(corner[a], corner[b], p) : -Area(corner[b], corner[a], p);
     }
     // "Positive" for an edge in one direction must be "not positive" in the other direction.
     const auto left = [&](std::size_t k)
@@ -118,9 +122,8 @@ std::vector<int> EnclosureTest::Enclosing(const Point3& point) const
       continue;
     }
     const double sum = area[0] + area[1] + area[2];
-    const double x = (area[0] * this->Points[At(t[0])][0] + area[1] * this->Points[At(t[1])][0] +
-                       area[2] * this->Points[At(t[2])][0]) /
-      sum;
+    const double x =
+      (area[0] * corner[0][0] + area[1] * corner[1][0] + area[2] * corner[2][0]) / sum;
     if (x > p[0])
     {
       crossed.push_back(this->Homology.ComponentOf(static_cast<SimplexId>(t[0])));

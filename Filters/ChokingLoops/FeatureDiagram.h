@@ -39,8 +39,9 @@ public:
 
 private:
   std::size_t Bin(double v, std::size_t axis) const;
+  /// Rotated into general position.
+  std::array<Point3, 3> Corners(const Triangle& t) const;
 
-  std::vector<Point3> Points; ///< rotated into general position
   SurfaceView Mesh;
   const SurfaceHomology& Homology;
   Bounds3 Box;

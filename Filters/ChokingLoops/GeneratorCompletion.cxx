@@ -1,6 +1,7 @@
 #include "ChokingLoops/GeneratorCompletion.h"
 
 #include "Core/Index.h"
+#include "Core/ParallelFor.h"
 #include "Core/TetrahedralMesh.h"
 #include "Persistence/LowerStarFiltration.h"
 #include "Tetrahedra/TetrahedralMesher.h"
@@ -47,10 +48,24 @@ Point3 BallCentre(const Point3& p, const Point3& q, const Point3& r)
   return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
 }
 
-double SquaredBall(const CellFiltration& f, TriangleId triangle)
+/// Of a triangle whose points ascend: rounding depends on their order.
+double SquaredBall(const CellFiltration& f, const std::array<SimplexId, 3>& p)
 {
-  const auto p = f.TrianglePoints(triangle);
   return SquaredBall(f.Points[At(p[0])], f.Points[At(p[1])], f.Points[At(p[2])]);
+}
+
+/// Calls work(id) for the ids below `count`, in parallel.
+template <typename Id, typename Work>
+void ForEach(std::size_t count, const Work& work)
+{
+  ParallelFor(0, static_cast<std::int64_t>(count), 1 << 14,
+    [&work](std::int64_t begin, std::int64_t end)
+    {
+      for (const Id id : HandleRange<Id>(begin, end))
+      {
+        work(id);
+      }
+    });
 }
 
 /// The complex grows with the balls around its simplices; `surface` gets the ids of its points.
@@ -58,29 +73,29 @@ double SquaredBall(const CellFiltration& f, TriangleId triangle)
 CellFiltration FiltrationByBalls(TetrahedralMesh&& mesh, TriangleMesh& surface)
 {
   CellFiltration f = ComplexAround(std::move(mesh), surface);
-  f.EdgeValue.resize(f.Edges.size());
-  for (const EdgeId e : f.Edges.Keys())
-  {
-    const Point3 d = f.Points[At(f.Edges[e][1])] - f.Points[At(f.Edges[e][0])];
-    f.EdgeValue[e] = 0.25 * Dot(d, d);
-  }
-  f.TriangleValue.resize(f.TriangleCount());
-  f.TetrahedronValue.assign(f.Tetrahedra.size(), 0.0);
-  for (const TriangleId t : f.Triangles())
-  {
-    f.TriangleValue[t] = SquaredBall(f, t);
-    for (const TetrahedronId cell : f.TriangleSides(t))
+  f.TetrahedronValue.resize(f.Tetrahedra.size());
+  ForEach<TetrahedronId>(f.Tetrahedra.size(),
+    [&f](TetrahedronId cell)
     {
-      if (cell.Exists())
-      {
-        double& value = f.TetrahedronValue[cell];
-        value = std::max(value, f.TriangleValue[t]);
-      }
-    }
-  }
-  f.Order();
+      auto p = f.Tetrahedra[cell];
+      std::sort(p.begin(), p.end());
+      f.TetrahedronValue[cell] =
+        std::max({ SquaredBall(f, { p[1], p[2], p[3] }), SquaredBall(f, { p[0], p[2], p[3] }),
+          SquaredBall(f, { p[0], p[1], p[3] }), SquaredBall(f, { p[0], p[1], p[2] }) });
+    });
+  f.TriangleValue.resize(f.TriangleCount());
+  ForEach<TriangleId>(f.TriangleCount(),
+    [&f](TriangleId t) { f.TriangleValue[t] = SquaredBall(f, f.TrianglePoints(t)); });
+  f.TrianglesInOrder = SimplexOrder(f.TriangleValue, f.TriangleFirst, f.RankOfTriangle);
   HandleVector<TriangleId, double>().swap(f.TriangleValue);
-  HandleVector<EdgeId, double>().swap(f.EdgeValue);
+  HandleVector<EdgeId, double> edgeValue(f.Edges.size());
+  ForEach<EdgeId>(f.Edges.size(),
+    [&](EdgeId e)
+    {
+      const Point3 d = f.Points[At(f.Edges[e][1])] - f.Points[At(f.Edges[e][0])];
+      edgeValue[e] = 0.25 * Dot(d, d);
+    });
+  f.EdgesInOrder = SimplexOrder(edgeValue, f.EdgeFirst, f.RankOfEdge);
   return f;
 }
 
@@ -91,13 +106,13 @@ public:
   Renamer(const SurfaceView& surface, const SurfaceView& embedded)
     : Embedded(embedded)
     , First(static_cast<SimplexId>(surface.Points.size()))
+    , Own(embedded.Points.size(), -1)
   {
     for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
     {
       for (std::size_t k = 0; k < 3; ++k)
       {
-        this->Own[static_cast<SimplexId>(embedded.Triangles[t][k])] =
-          static_cast<SimplexId>(surface.Triangles[t][k]);
+        this->Own[At(embedded.Triangles[t][k])] = static_cast<SimplexId>(surface.Triangles[t][k]);
       }
     }
   }
@@ -107,10 +122,9 @@ public:
     std::unordered_map<SimplexId, SimplexId> extra;
     const auto rename = [&](SimplexId& p)
     {
-      const auto own = this->Own.find(p);
-      if (own != this->Own.end())
+      if (this->Own[At(p)] >= 0)
       {
-        p = own->second;
+        p = this->Own[At(p)];
         return;
       }
       const auto next = this->First + static_cast<SimplexId>(membrane.Extra.size());
@@ -134,7 +148,7 @@ public:
 private:
   SurfaceView Embedded;
   SimplexId First;
-  std::unordered_map<SimplexId, SimplexId> Own;
+  std::vector<SimplexId> Own; ///< -1 for TetGen's
 };
 
 }
@@ -188,6 +202,7 @@ std::vector<ConformingGenerator> ConformingGenerators(
   const SurfaceInComplex embedding(adjacency, f);
   const FeatureContext context{ f, pairs, homology, embedding, adjacency, {}, {} };
   SpaceRegions regions(context);
+  f.DropEdgeAndCellValues();
   std::vector<ConformingGenerator> found;
   HomologySpan span;
   for (const SurfaceGenerator& generator :
@@ -201,7 +216,7 @@ std::vector<ConformingGenerator> ConformingGenerators(
     const auto t = f.TrianglePoints(generator.Filler);
     ConformingGenerator conforming;
     conforming.Side = feature.Side;
-    conforming.Radius = std::sqrt(SquaredBall(f, generator.Filler));
+    conforming.Radius = std::sqrt(SquaredBall(f, t));
     conforming.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
     conforming.Shape = FeatureMembrane(context, regions, feature, &span);
     renamer.Rename(conforming.Shape);

@@ -12,8 +12,19 @@
 #include <stdexcept>
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace isthmus
 {
+
+void ReturnFreeMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 namespace
 {
@@ -43,11 +54,12 @@ public:
     return bits >> 63 != 0 ? ~bits : bits | Zero;
   }
 
-  /// The leading bits in which keys differ, in the same order.
+  /// The leading bits in which keys differ, in the same order; 0 for those below the range.
   std::uint32_t Short(std::size_t i) const
   {
     const std::uint64_t key = this->Of(i);
-    return key <= this->Least ? 0 : static_cast<std::uint32_t>((key - this->Least) >> this->Shift);
+    return key < this->Least ? 0
+                             : 1 + static_cast<std::uint32_t>((key - this->Least) >> this->Shift);
   }
 
 private:
@@ -76,7 +88,7 @@ private:
         most = std::max(most, high);
       });
     this->Least = std::min(least, most);
-    for (const std::uint64_t width = most - this->Least; width >> this->Shift >> 32 != 0;)
+    for (const std::uint64_t width = most - this->Least; ((width >> this->Shift) + 1) >> 32 != 0;)
     {
       ++this->Shift;
     }
@@ -570,7 +582,7 @@ void FindEdgePlaces(CellFiltration& f, const ProgressCallback& progress)
 
 }
 
-void CellFiltration::Connect(const ProgressCallback& progress)
+void CellFiltration::RequireNumbers() const
 {
   if (this->Tetrahedra.size() > static_cast<std::size_t>(std::numeric_limits<SimplexId>::max() / 4))
   {
@@ -579,6 +591,11 @@ void CellFiltration::Connect(const ProgressCallback& progress)
       " cells, more than the 536 million that can be numbered: simplify the surface or raise the "
       "sample spacing.");
   }
+}
+
+void CellFiltration::Connect(const ProgressCallback& progress)
+{
+  this->RequireNumbers();
   MakeTriangles(*this, Between(progress, 0.0, 0.3));
   this->TriangleBlocks = BlocksOf(*this);
   MakeEdges(*this, Between(progress, 0.3, 0.7));

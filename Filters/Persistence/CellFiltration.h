@@ -85,6 +85,10 @@ extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleRank, T
 SimplexOrder(const HandleVector<TriangleId, std::uint32_t>& level,
   HandleVector<TriangleId, TriangleRank>& rank, const ProgressCallback& progress);
 
+/// Gives memory that was freed, and that the C library keeps for later, back to the system; glibc
+/// only.
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void ReturnFreeMemory();
+
 /**
  * A simplicial 3-complex and the value at which each of its simplices enters.
  *
@@ -132,8 +136,11 @@ struct CellFiltration
   HandleVector<EdgeId, char> EdgeFirst;
   HandleVector<TriangleId, char> TriangleFirst;
 
+  /// Throws std::runtime_error beyond 2^29 tetrahedra.
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RequireNumbers() const;
+
   /// Derives triangles and edges from tetrahedra and their neighbours. O(n), about 100 bytes for
-  /// each tetrahedron in total. Throws std::runtime_error beyond 2^29 tetrahedra.
+  /// each tetrahedron in total. Calls RequireNumbers().
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Connect(const ProgressCallback& progress = {});
 
   /// Sorts triangles and edges by value, ties by index (CellFiltration.h). O(n).
@@ -197,6 +204,13 @@ struct CellFiltration
     const double atA = this->TriangleValue[a];
     const double atB = this->TriangleValue[b];
     return atA != atB ? atA > atB : a > b;
+  }
+
+  /// Frees what only the search for pairs and features needs: EdgeValue and TetrahedronValue.
+  void DropEdgeAndCellValues()
+  {
+    HandleVector<EdgeId, double>().swap(this->EdgeValue);
+    HandleVector<TetrahedronId, double>().swap(this->TetrahedronValue);
   }
 
   /// Frees RankOfTriangle.

@@ -16,10 +16,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace isthmus
 {
 namespace
@@ -255,19 +251,6 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
 
 }
 
-namespace
-{
-
-/// The many small blocks of a triangulation are free, but would stay part of the process.
-void ReturnFreeMemory()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
-}
-
 CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress,
   const std::function<void(double seconds)>& triangulated)
 {
@@ -283,7 +266,7 @@ CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCall
       triangulated(watch.Lap());
     }
   }
-  ReturnFreeMemory();
+  ReturnFreeMemory(); // of the triangulation's many small blocks
   f.Connect(Between(progress, 0.45, 0.6));
   ValueCells(f, Between(progress, 0.6, 0.85));
   f.Order(Between(progress, 0.85, 1.0));

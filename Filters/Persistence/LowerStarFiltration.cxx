@@ -20,12 +20,14 @@ namespace
 /// A face of a tetrahedron, but for its smallest point, which is that of its bucket.
 struct Face
 {
-  std::uint64_t Others; ///< the middle point above the last one
-  std::uint64_t Place;  ///< 4 * cell + the corner opposite to the face
+  std::uint32_t Middle, Last; ///< the other points
+  std::uint32_t Place;        ///< 4 * cell + the corner opposite to the face
+
+  std::uint64_t Others() const { return std::uint64_t{ this->Middle } << 32 | this->Last; }
 
   bool operator<(const Face& o) const
   {
-    return this->Others != o.Others ? this->Others < o.Others : this->Place < o.Place;
+    return this->Others() != o.Others() ? this->Others() < o.Others() : this->Place < o.Place;
   }
 };
 
@@ -40,9 +42,10 @@ void ForFaces(const CellFiltration& f, const Visit& visit)
     {
       const SimplexId a = t[(k + 1) % 4], b = t[(k + 2) % 4], c = t[(k + 3) % 4];
       const SimplexId low = std::min(a, b), high = std::max(a, b);
-      const auto middle = static_cast<std::uint64_t>(std::max(low, std::min(high, c)));
+      const SimplexId middle = std::max(low, std::min(high, c));
       visit(At(std::min(low, c)),
-        Face{ middle << 32 | static_cast<std::uint64_t>(std::max(high, c)), 4 * cell.Index() + k });
+        Face{ static_cast<std::uint32_t>(middle), static_cast<std::uint32_t>(std::max(high, c)),
+          static_cast<std::uint32_t>(4 * cell.Index() + k) });
     }
   }
 }
@@ -65,15 +68,15 @@ std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
   std::sort(begin, end);
   for (Face* face = begin; face != end; ++face)
   {
-    if (face + 1 == end || face[0].Others != face[1].Others)
+    if (face + 1 == end || face[0].Others() != face[1].Others())
     {
       continue;
     }
-    if (face + 2 != end && face[0].Others == face[2].Others)
+    if (face + 2 != end && face[0].Others() == face[2].Others())
     {
       return face - begin;
     }
-    const std::uint64_t one = face[0].Place, other = face[1].Place;
+    const std::uint32_t one = face[0].Place, other = face[1].Place;
     const auto cell = TetrahedronId::At(one / 4), beyond = TetrahedronId::At(other / 4);
     f.Neighbours[cell][one % 4] = beyond;
     f.Neighbours[beyond][other % 4] = cell;
@@ -84,6 +87,7 @@ std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
 
 void FindNeighbours(CellFiltration& f, const ProgressCallback& progress)
 {
+  f.RequireNumbers();
   std::vector<std::size_t> first;
   std::vector<Face> faces = FacesByPoint(f, first);
   constexpr TetrahedronId none = TetrahedronId::None();
@@ -155,50 +159,73 @@ void Match(const CellFiltration& f, TriangleMesh& surface)
   surface.Points = f.Points;
 }
 
-/// Triangles of a surface by their points, in ascending order.
-using WantedTriangle = std::pair<std::array<SimplexId, 3>, std::size_t>;
-
-std::vector<WantedTriangle> WantedTriangles(const SurfaceView& surface)
+/// Triangles of a surface in buckets of their smallest points.
+class TrianglesByPoint
 {
-  std::vector<WantedTriangle> wanted;
-  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+public:
+  /// @pre All points are below `points`.
+  TrianglesByPoint(const SurfaceView& surface, std::size_t points)
+    : First(points + 2, 0)
+    , Entries(surface.Triangles.size())
   {
-    const Triangle& t = surface.Triangles[i];
-    std::array<SimplexId, 3> p{ static_cast<SimplexId>(t[0]), static_cast<SimplexId>(t[1]),
-      static_cast<SimplexId>(t[2]) };
-    std::sort(p.begin(), p.end());
-    wanted.emplace_back(p, i);
+    // Counted two places on: filling moves each start to where the next one begins.
+    for (const Triangle& t : surface.Triangles)
+    {
+      ++this->First[At(std::min({ t[0], t[1], t[2] })) + 2];
+    }
+    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
+    for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+    {
+      const Triangle& t = surface.Triangles[i];
+      std::array<SimplexId, 3> p{ static_cast<SimplexId>(t[0]), static_cast<SimplexId>(t[1]),
+        static_cast<SimplexId>(t[2]) };
+      std::sort(p.begin(), p.end());
+      this->Entries[At(this->First[At(p[0]) + 1]++)] = { p[1], p[2], static_cast<SimplexId>(i) };
+    }
   }
-  std::sort(wanted.begin(), wanted.end());
-  return wanted;
-}
+
+  /// Calls visit(triangle) for each one with these points, ascending.
+  template <typename Visit>
+  void ForTriangles(const std::array<SimplexId, 3>& p, Visit&& visit) const
+  {
+    for (SimplexId i = this->First[At(p[0])]; i < this->First[At(p[0]) + 1]; ++i)
+    {
+      const auto& [middle, last, triangle] = this->Entries[At(i)];
+      if (middle == p[1] && last == p[2])
+      {
+        visit(At(triangle));
+      }
+    }
+  }
+
+private:
+  std::vector<SimplexId> First;
+  std::vector<std::array<SimplexId, 3>> Entries; ///< the other points, and the triangle
+};
 
 void MarkSurface(CellFiltration& f, const SurfaceView& surface)
 {
   f.EdgeFirst.assign(f.Edges.size(), 0);
   f.TriangleFirst.assign(f.TriangleCount(), 0);
-  std::vector<char> onSurface(f.Points.size(), 0);
-  for (const Triangle& t : surface.Triangles)
-  {
-    for (const std::int64_t p : t)
+  const TrianglesByPoint wanted(surface, f.Points.size());
+  std::vector<char> found(surface.Triangles.size(), 0);
+  ParallelFor(0, static_cast<std::int64_t>(f.TriangleCount()), 1 << 14,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      onSurface[At(p)] = 1;
-    }
-  }
-  const std::vector<WantedTriangle> wanted = WantedTriangles(surface);
-  std::vector<char> found(wanted.size(), 0);
+      for (const TriangleId t : HandleRange<TriangleId>(begin, end))
+      {
+        wanted.ForTriangles(f.TrianglePoints(t),
+          [&](std::size_t triangle)
+          {
+            found[triangle] = 1;
+            f.TriangleFirst[t] = 1;
+          });
+      }
+    });
   for (const TriangleId t : f.Triangles())
   {
-    const auto p = f.TrianglePoints(t);
-    if (onSurface[At(p[0])] == 0 || onSurface[At(p[1])] == 0 || onSurface[At(p[2])] == 0)
+    if (f.TriangleFirst[t] != 0)
     {
-      continue;
-    }
-    for (auto w = std::lower_bound(wanted.begin(), wanted.end(), WantedTriangle{ p, 0 });
-         w != wanted.end() && w->first == p; ++w)
-    {
-      found[static_cast<std::size_t>(w - wanted.begin())] = 1;
-      f.TriangleFirst[t] = 1;
       for (const EdgeId e : f.TriangleEdges(t))
       {
         f.EdgeFirst[e] = 1;
@@ -208,8 +235,7 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
   const auto missing = std::find(found.begin(), found.end(), 0);
   if (missing != found.end())
   {
-    throw std::invalid_argument("Triangle " +
-      std::to_string(wanted[static_cast<std::size_t>(missing - found.begin())].second) +
+    throw std::invalid_argument("Triangle " + std::to_string(missing - found.begin()) +
       " of the surface is no face of the tetrahedral mesh: mesh this surface without moving or "
       "splitting it.");
   }
@@ -357,6 +383,7 @@ CellFiltration ComplexAround(
   f.Points = std::move(mesh.Points);
   f.Tetrahedra = ShortIds(mesh.Tetrahedra);
   mesh = {};
+  ReturnFreeMemory(); // of TetGen's files, too
   Derive(f, surface, progress);
   return f;
 }

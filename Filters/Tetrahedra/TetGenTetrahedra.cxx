@@ -463,7 +463,7 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
     (task.IsWanted(region.Id) ? wanted : holes).push_back(region);
   }
   std::vector<std::int64_t> ids;
-  const TriangleMesh used = WithUsedPoints(task.Surface, ids);
+  TriangleMesh used = WithUsedPoints(task.Surface, ids);
   std::vector<SurfaceView> surfaces{ used };
   TriangleMesh box;
   if (boxed)
@@ -477,6 +477,8 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   const TemporaryFolder folder;
   const auto input = folder.Path() / "surface.smesh";
   WriteTetGenSurface(input, surfaces, holes, wanted);
+  surfaces.clear();
+  used = box = {}; // TetGen has them
   const bool isBounded = criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0;
   const std::string switches =
     Switches(criteria, isBounded && Smooths(criteria, folder.Path(), progress));
