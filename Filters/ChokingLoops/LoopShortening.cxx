@@ -401,6 +401,7 @@ std::vector<SurfaceCurvePoint> AlongPoints(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop)
 {
   std::vector<SurfaceCurvePoint> crossings;
+  crossings.reserve(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     crossings.push_back({ surface.Find(loop[i], loop[(i + 1) % loop.size()]), 0.0 });
