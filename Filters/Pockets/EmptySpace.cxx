@@ -2,7 +2,9 @@
 
 #include "Core/Index.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace isthmus
 {
@@ -216,6 +218,156 @@ EmptyCell EmptySpaceOf(const RegularFiltration& f, const FacesByCell& faces, Tet
   TakeLenses(f, corners, p, empty);
   TakeThrees(f, faces[cell], corners, empty);
   return empty;
+}
+
+namespace
+{
+
+using Point2 = std::array<double, 2>;
+
+double Cross2(const Point2& a, const Point2& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// A triangle in its plane, counterclockwise, with discs around its corners.
+struct DiscTriangle
+{
+  std::array<Point2, 3> Corners;
+  std::array<double, 3> Radii;
+
+  bool IsInside(const Point2& x) const
+  {
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point2& p = this->Corners[k];
+      const Point2& q = this->Corners[(k + 1) % 3];
+      inside = inside && Cross2({ q[0] - p[0], q[1] - p[1] }, { x[0] - p[0], x[1] - p[1] }) >= 0.0;
+    }
+    return inside;
+  }
+
+  bool IsOpen(const Point2& x, std::size_t except) const
+  {
+    bool open = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point2& c = this->Corners[k];
+      open = open && (k == except || std::hypot(x[0] - c[0], x[1] - c[1]) >= this->Radii[k]);
+    }
+    return open;
+  }
+
+  /// Twice the part of the integral over the open parts of edge k.
+  double AlongEdge(std::size_t k) const;
+
+  /// The same over the open parts of circle k, clockwise.
+  double AlongCircle(std::size_t k) const;
+};
+
+double DiscTriangle::AlongEdge(std::size_t k) const
+{
+  const Point2& p = this->Corners[k];
+  const Point2& q = this->Corners[(k + 1) % 3];
+  const Point2 along{ q[0] - p[0], q[1] - p[1] };
+  const double square = along[0] * along[0] + along[1] * along[1];
+  const auto at = [&](double s) { return Point2{ p[0] + s * along[0], p[1] + s * along[1] }; };
+  std::vector<double> breaks{ 0.0, 1.0 };
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const Point2 from{ this->Corners[j][0] - p[0], this->Corners[j][1] - p[1] };
+    const double middle = (from[0] * along[0] + from[1] * along[1]) / square;
+    const double off = Cross2(along, from);
+    const double half = this->Radii[j] * this->Radii[j] / square - off * off / (square * square);
+    for (const double sign : { -1.0, 1.0 })
+    {
+      const double s = half > 0.0 ? middle + sign * std::sqrt(half) : 0.0;
+      breaks.push_back(std::clamp(s, 0.0, 1.0));
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  double sum = 0.0;
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+  {
+    if (this->IsOpen(at(0.5 * (breaks[i - 1] + breaks[i])), 3))
+    {
+      sum += Cross2(at(breaks[i - 1]), at(breaks[i]));
+    }
+  }
+  return sum;
+}
+
+double DiscTriangle::AlongCircle(std::size_t k) const
+{
+  const Point2& c = this->Corners[k];
+  const double r = this->Radii[k];
+  if (!(r > 0.0))
+  {
+    return 0.0;
+  }
+  std::vector<double> breaks{ -Pi, Pi };
+  // Where the circle meets the line at a distance from its centre, in the direction of an angle.
+  const auto add = [&](double direction, double distance)
+  {
+    if (std::abs(distance) < r)
+    {
+      const double half = std::acos(distance / r);
+      breaks.push_back(std::remainder(direction - half, 2.0 * Pi));
+      breaks.push_back(std::remainder(direction + half, 2.0 * Pi));
+    }
+  };
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const Point2& p = this->Corners[j];
+    const Point2& q = this->Corners[(j + 1) % 3];
+    const Point2 along{ q[0] - p[0], q[1] - p[1] };
+    const double length = std::hypot(along[0], along[1]);
+    add(std::atan2(along[0], -along[1]), Cross2({ c[0] - p[0], c[1] - p[1] }, along) / length);
+    if (j != k)
+    {
+      const Point2 to{ p[0] - c[0], p[1] - c[1] };
+      const double d = std::hypot(to[0], to[1]);
+      const double q2 = this->Radii[j];
+      add(std::atan2(to[1], to[0]), 0.5 * (d + (r - q2) * (r + q2) / d));
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  double sum = 0.0;
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+  {
+    const double a = breaks[i - 1], b = breaks[i];
+    const double middle = 0.5 * (a + b);
+    const Point2 x{ c[0] + r * std::cos(middle), c[1] + r * std::sin(middle) };
+    if (this->IsInside(x) && this->IsOpen(x, k))
+    {
+      sum -=
+        r * (r * (b - a) + c[0] * (std::sin(b) - std::sin(a)) - c[1] * (std::cos(b) - std::cos(a)));
+    }
+  }
+  return sum;
+}
+
+}
+
+double OpenAreaOf(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii)
+{
+  const Point3 u = corners[1] - corners[0];
+  const Point3 v = corners[2] - corners[0];
+  const double twice = Length(Cross(u, v));
+  const double base = Length(u);
+  if (!(twice > 0.0))
+  {
+    return 0.0;
+  }
+  const DiscTriangle t{ { { { 0.0, 0.0 }, { base, 0.0 }, { Dot(u, v) / base, twice / base } } },
+    radii };
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    sum += t.AlongEdge(k) + t.AlongCircle(k);
+  }
+  return std::max(0.0, 0.5 * sum);
 }
 
 UnionMeasure MeasureUnion(

@@ -41,6 +41,13 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT EmptyCell EmptySpaceOf(
 
 VTKISTHMUSFILTERSPOCKETS_EXPORT FacesByCell FacesOfCells(const CellFiltration& complex);
 
+/**
+ * The area of a triangle outside the discs around its corners, by Green's theorem along its border:
+ * exact also where a disc reaches across the opposite edge or contains another one.
+ */
+VTKISTHMUSFILTERSPOCKETS_EXPORT double OpenAreaOf(
+  const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);
+
 /// Volume and surface of the union of all balls.
 struct UnionMeasure
 {

@@ -124,40 +124,18 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
   return labels;
 }
 
-/// Area of a triangle that is not covered by the discs in which its corners' balls intersect its
-/// plane.
+/// Area of a triangle that is not covered by the balls at its corners.
 double OpenArea(const RegularFiltration& f, TriangleId triangle)
 {
-  const CellFiltration& c = f.Complex;
-  const auto t = c.TrianglePoints(triangle);
-  double area = TriangleArea(c.Points[At(t[0])], c.Points[At(t[1])], c.Points[At(t[2])]);
+  const auto t = f.Complex.TrianglePoints(triangle);
+  std::array<Point3, 3> corners;
+  std::array<double, 3> radii{};
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Point3& p = c.Points[At(t[k])];
-    const SimplexId second = t[(k + 1) % 3];
-    const Point3 u = c.Points[At(second)] - p;
-    const Point3 v = c.Points[At(t[(k + 2) % 3])] - p;
-    const Point3 normal = Cross(u, v);
-    const double r = f.Radii[At(t[k])];
-    if (f.VertexValue[At(t[k])] <= 0.0)
-    {
-      area -= 0.5 * std::atan2(Length(normal), Dot(u, v)) * r * r;
-    }
-    if (c.EdgeValue[c.TriangleEdges(triangle)[(k + 2) % 3]] <= 0.0)
-    {
-      // Half of the lens of two discs, as segments beyond their common chord.
-      const double q = f.Radii[At(second)];
-      const double d = Length(u);
-      const double chord = 0.5 * (d + (r - q) * (r + q) / d);
-      const auto segment = [](double radius, double height)
-      {
-        const double x = std::clamp(height / radius, -1.0, 1.0);
-        return radius * radius * (std::acos(x) - x * std::sqrt(1.0 - x * x));
-      };
-      area += 0.5 * (segment(r, chord) + segment(q, d - chord));
-    }
+    corners[k] = f.Complex.Points[At(t[k])];
+    radii[k] = f.VertexValue[At(t[k])] <= 0.0 ? f.Radii[At(t[k])] : 0.0;
   }
-  return area;
+  return OpenAreaOf(corners, radii);
 }
 
 /// The open triangles of one pocket, in their order, with the group of each.
