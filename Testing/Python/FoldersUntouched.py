@@ -11,6 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import ring_models
 from good_data import filters, made
 from paraview import servermanager, simple
 from shared_data import shared_data
@@ -42,6 +43,8 @@ cif = take("protein.cif", "molecules/1FAS.cif")
 charged = take("charged.pqr", "molecules/1crn_apbs.pqr")
 volume = take("volume.map", "maps/emd_1832.map")
 surface = take("surface.obj", "surfaces/torus.obj")
+trajectory = home / "trajectory.pdb"
+ring_models.write(trajectory, 3)
 # What the charges were once written to, and pdb2pqr's log.
 for name in ("protein.pqr", "protein.log", "packed.pqr", "with_ligand.pqr"):
     (home / name).write_text("the user's own\n")
@@ -117,7 +120,7 @@ press("protein_to_surface", protein)
 assert len(named("AtomSelection")) == 1  # no ligands: nothing to show
 clear()
 for button, path in (("protein_to_pockets", packed), ("map_to_surface", volume), ("map_to_curvature", volume),
-                     ("map_to_loops", volume), ("surface_to_loops", surface)):
+                     ("map_to_loops", volume), ("surface_to_loops", surface), ("trajectory_to_loops", trajectory)):
     press(button, path)
     clear()
 
