@@ -30,7 +30,7 @@ namespace isthmus
  * predicted.
  *
  * `points` are distinct and finite. Throws std::invalid_argument for fewer than four points, or if
- * all lie in one plane. O(n log n) for samples of a surface; about 1.1 KB for each point.
+ * all lie in one plane. O(n log n) for samples of a surface; about 1.0 KB for each point.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration DelaunayFiltration(std::vector<Point3> points,
   const ProgressCallback& progress = {},
