@@ -65,6 +65,40 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::CleanedSurface& old,
   }
 }
 
+/// Points of the input that no triangle uses are no part of the surface.
+void DropUnusedPoints(isthmus::RemeshedSurface& surface)
+{
+  std::vector<isthmus::Point3>& points = surface.Mesh.Points;
+  std::vector<std::int64_t> number(points.size(), -1);
+  for (const auto& triangle : surface.Mesh.Triangles)
+  {
+    for (const auto p : triangle)
+    {
+      number[static_cast<std::size_t>(p)] = 0;
+    }
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (number[i] == 0)
+    {
+      number[i] = static_cast<std::int64_t>(count);
+      points[count] = points[i];
+      surface.Locations[count] = surface.Locations[i];
+      ++count;
+    }
+  }
+  points.resize(count);
+  surface.Locations.resize(count);
+  for (auto& triangle : surface.Mesh.Triangles)
+  {
+    for (auto& p : triangle)
+    {
+      p = number[static_cast<std::size_t>(p)];
+    }
+  }
+}
+
 }
 
 int vtkSurfaceRemesh::RequestData(
@@ -106,6 +140,7 @@ int vtkSurfaceRemesh::RequestData(
         result = this->Method == Delaunay ? this->RefineDelaunay(mesh, length)
                                           : this->RemeshIsotropic(mesh, length);
       }
+      DropUnusedPoints(result);
       isthmus::SetMesh(result.Mesh, after);
       InterpolatePointData(before, taken, result.Locations, after);
       after->GetFieldData()->PassData(before->GetFieldData());

@@ -33,7 +33,7 @@
  *
  * Accuracy: rotating molecule and membrane together, or the molecule about the axis, changes the
  * current by up to 1.8 % at the default Spacing and 0.3 % at half of it (tubes of atoms with pores
- * of 2.2 and 2.8 angstrom, charged and not; 25 rotations each, 1 at half the spacing).
+ * of 2.2 and 2.8 angstrom, charged and not; 15 to 25 rotations each, 1 at half the spacing).
  *
  * If the iteration does not converge within MaximumIterations, a warning reports its last change,
  * and the state that changed least is kept, with Converged 0. The same happens if ions are not

@@ -313,3 +313,33 @@ TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
   parameters.EdgeLength = 0.0;
   EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
 }
+
+TEST(SurfaceRemesh, PointsThatNoTriangleUsesAreDropped)
+{
+  for (const double place : { 3.0, 1e5, std::nan("") })
+  {
+    for (const int target :
+      { vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::ByNumberOfTriangles })
+    {
+      vtkIdType points[2];
+      for (const bool isUnused : { false, true })
+      {
+        vtkSmartPointer<vtkPolyData> sphere = Sphere();
+        if (isUnused)
+        {
+          sphere->GetPoints()->InsertNextPoint(place, 0.0, place);
+          sphere->GetPointData()->Initialize();
+        }
+        vtkNew<vtkSurfaceRemesh> remesh;
+        remesh->SetInputData(sphere);
+        remesh->SetTarget(target);
+        remesh->SetRelativeEdgeLength(2.0);
+        remesh->SetNumberOfTriangles(1000);
+        remesh->Update();
+        points[isUnused ? 1 : 0] = remesh->GetOutput()->GetNumberOfPoints();
+        EXPECT_LT(remesh->GetOutput()->GetLength(), 4.0);
+      }
+      EXPECT_EQ(points[0], points[1]) << place << ", target " << target;
+    }
+  }
+}
