@@ -5,7 +5,7 @@
 #   --module NAME         build and test one module (Imaging), its long tests as well
 #   --changed [REVISION]  the modules with changes since REVISION (default: origin/main), and those that
 #                         depend on them
-#   --quick               only unit tests that take less than a second: under three minutes
+#   --quick               only unit tests that take less than a second, and some of two: under three minutes
 #   --all                 every test, whatever its turn; of long cases within a test still a share
 #   --no-install          leave Debian's packages alone
 #

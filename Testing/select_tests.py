@@ -14,7 +14,8 @@ or else the number of merges: commits on the first-parent line of HEAD, which am
 With --write, FILE gets the numbers of the tests in the form that `ctest -I FILE` reads. With --turns,
 all tests that take turns are listed with the number of merges since they last ran. With --modules,
 the folders of the modules are printed instead of tests. --changed REVISION means the modules with
-changes since then and all that depend on them. --quick: the unit tests that are not in turns.tsv.
+changes since then and all that depend on them. --quick: the unit tests that are not in turns.tsv,
+and those that are marked `quick` there, whatever the turn.
 --all: no test waits for its turn.
 """
 import argparse
@@ -46,18 +47,25 @@ class Group:
         self.name = name
         self.turns = turns
         self.patterns = []
+        self.quick = set()  # those of the patterns that --quick takes as well
 
     def has(self, test):
         return any(fnmatch.fnmatchcase(test, pattern) for pattern in self.patterns)
 
+    def is_quick(self, test):
+        return any(fnmatch.fnmatchcase(test, pattern) for pattern in self.quick)
+
 
 def groups_of(table):
-    """The groups of turns.tsv: lines of group, turns and a test's name or pattern."""
+    """The groups of turns.tsv: lines of group, turns, a test's name or pattern and, for some, `quick`."""
     groups = {}
     for line in table.read_text().splitlines():
         if line and not line.startswith("#"):
-            name, turns, pattern = line.split("\t")[:3]
-            groups.setdefault(name, Group(name, int(turns))).patterns.append(pattern)
+            name, turns, pattern, *marks = line.split("\t")
+            group = groups.setdefault(name, Group(name, int(turns)))
+            group.patterns.append(pattern)
+            if "quick" in marks:
+                group.quick.add(pattern)
     return list(groups.values())
 
 
@@ -143,9 +151,10 @@ def chosen_tests(tests, groups, turn, folders, quick, all_turns):
     for number, (name, labels) in enumerate(tests, start=1):
         if folders is not None and not set(labels) & set(folders):
             continue
-        if quick and (name in where or "unit" not in labels):
+        marked = name in where and where[name][0].is_quick(name)
+        if quick and ((name in where and not marked) or "unit" not in labels):
             continue
-        if not all_turns and name in where and merges_since(*where[name], turn) != 0:
+        if not all_turns and not (quick and marked) and name in where and merges_since(*where[name], turn) != 0:
             later.append(name)
         else:
             numbers.append(number)

@@ -52,6 +52,10 @@ class SelectTests(unittest.TestCase):
         self.assertEqual(chosen(1, ["Maps"], False, False), [1, 3])
         self.assertEqual(chosen(0, ["Maps"], True, True), [1])
         self.assertEqual(chosen(0, None, True, False), [1, 4])
+        group.quick = {"A.Long"}
+        for turn in range(7):
+            self.assertEqual(chosen(turn, ["Maps"], True, False), [1, 2])
+        self.assertEqual(chosen(1, None, False, False), [1, 3, 4])
 
     def test_shares_within_tests_and_turns_of_tests_have_no_common_factor(self):
         hands = set()

@@ -215,6 +215,12 @@ TEST(MolecularDensity, GridHoldsBallsAndPadding)
   EXPECT_EQ(grid.Dimensions, (std::array<std::int64_t, 3>{ 31, 17, 13 }));
   // Not a multiple of the spacing: rounded up.
   EXPECT_EQ(GridAroundBalls(balls, 0.7, { 0.0, 0.0, 0.0 }).Dimensions[0], 20);
+  // Two nodes at least, and no more where two hold everything.
+  for (const double radius : { 0.0, 0.1, 0.5 })
+  {
+    EXPECT_EQ(GridAroundBalls({ { { 1.0, 2.0, 3.0 }, radius } }, 1.0, { 0.0, 0.0, 0.0 }).Dimensions,
+      (std::array<std::int64_t, 3>{ 2, 2, 2 }));
+  }
 }
 
 TEST(MolecularDensity, AnyRadiusIsSafe)

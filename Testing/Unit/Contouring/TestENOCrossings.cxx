@@ -274,15 +274,19 @@ TEST(ENOCrossings, FewNodesAndFlatPlacesGiveNormals)
 TEST(ENOCrossings, CrossingIsOfTheFlatterParabola)
 {
   const std::array<double, 4> values{ 6.0, 1.0, -2.0, -4.0 };
-  const auto image = Sampled(4,
-    [&](const Point3& p)
-    { return values[static_cast<std::size_t>(std::lround(1.5 * (p[0] + 1.0)))]; });
-  const auto crossings = CrossingsOf(image, 0.0, true);
-  ASSERT_EQ(crossings.size(), 16u);
-  for (const GridCrossing& crossing : crossings)
+  for (const double direction : { 1.0, -1.0 })
   {
-    // 1 - 3 t + t (t - 1) / 2 = 0
-    EXPECT_NEAR(crossing.Fraction, 3.5 - std::sqrt(10.25), 1e-9);
+    const auto image = Sampled(4,
+      [&](const Point3& p)
+      { return values[static_cast<std::size_t>(std::lround(1.5 * (direction * p[0] + 1.0)))]; });
+    const auto crossings = CrossingsOf(image, 0.0, true);
+    ASSERT_EQ(crossings.size(), 16u);
+    for (const GridCrossing& crossing : crossings)
+    {
+      // 1 - 3 t + t (t - 1) / 2 = 0
+      const double fromHigh = 3.5 - std::sqrt(10.25);
+      EXPECT_NEAR(crossing.Fraction, direction > 0.0 ? fromHigh : 1.0 - fromHigh, 1e-9);
+    }
   }
 }
 

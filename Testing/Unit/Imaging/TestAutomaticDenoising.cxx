@@ -51,6 +51,18 @@ TEST(ResidualSmoothing, EachWaveComesBackByTheGaussiansFactor)
   }
 }
 
+TEST(AutomaticResult, TellsWhatWasChosen)
+{
+  AutomaticResult result;
+  EXPECT_EQ(result.Sentence(), "Nothing was changed.");
+  result.Parameters.Order = 2;
+  result.Parameters.Time = 0.05;
+  result.Gain = 11.24;
+  EXPECT_EQ(result.Sentence(), "Order 2, linear, time 0.05; estimated gain 11.2 dB");
+  result.Parameters.EdgeStopping = DiffusionParameters::EdgeStoppingType::Gaussian;
+  EXPECT_NE(result.Sentence().find("edge stopping"), std::string::npos);
+}
+
 TEST(ResidualSmoothing, GivesTheInputsMeanBack)
 {
   const auto grid = Grid<double>(20, 18, 16);

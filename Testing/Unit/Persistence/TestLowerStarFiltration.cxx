@@ -17,7 +17,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <random>
+#include <set>
+#include <utility>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -368,6 +374,42 @@ TEST_F(MorseFunctions, MeshMadeInside)
 }
 
 // Beside the faces of a cube, two triangles each, tetrahedra would be as large as these.
+TEST(MorseFunctionsInside, TheyDifferWhereTheNearestPointIsNoPointOfTheMesh)
+{
+  Blocks cube(
+    { 2, 2, 2 }, [](auto, auto, auto) { return true; }, true);
+  // The cube's surface by hand: faces that one tetrahedron has.
+  std::map<std::set<std::int64_t>, std::pair<int, Triangle>> faces;
+  for (const Tetrahedron& t : cube.Mesh.Tetrahedra)
+  {
+    for (const Triangle& face : std::array<Triangle, 4>{ { { t[0], t[2], t[1] },
+           { t[0], t[1], t[3] }, { t[0], t[3], t[2] }, { t[1], t[2], t[3] } } })
+    {
+      auto& found = faces[{ face.begin(), face.end() }];
+      ++found.first;
+      found.second = face;
+    }
+  }
+  TriangleMesh surface;
+  surface.Points = cube.Mesh.Points;
+  for (const auto& [corners, found] : faces)
+  {
+    if (found.first == 1)
+    {
+      surface.Triangles.push_back(found.second);
+    }
+  }
+  ASSERT_EQ(surface.Triangles.size(), 48u);
+  const auto inner =
+    std::find(cube.Mesh.Points.begin(), cube.Mesh.Points.end(), Point3{ 1.0, 1.0, 1.0 });
+  const auto middle = static_cast<std::size_t>(inner - cube.Mesh.Points.begin());
+  *inner = { 1.3, 1.2, 1.0 };
+  const auto value = [&](MorseFunction function)
+  { return MorseValues(surface, cube.Mesh, function)[middle]; };
+  EXPECT_NEAR(value(MorseFunction::ClosestPoint), 0.7, 1e-14);
+  EXPECT_NEAR(value(MorseFunction::EdgePaths), std::sqrt(0.53), 1e-12); // to (2, 1, 1)
+}
+
 TEST(MorseFunctionsInside, SurfacesOfLargeTrianglesAreSplit)
 {
   vtkNew<vtkPolyData> cube;

@@ -232,3 +232,13 @@ TEST(ChannelPassage, ClosesPocketsWithoutABath)
   EXPECT_EQ(two.Water[20], 1.0F);
   EXPECT_EQ(two.Aperture[2][20], 1.0F);
 }
+
+TEST(TransportSpecies, ThoseWithoutANameHaveTheirNumber)
+{
+  std::vector<TransportSpecies> species(4);
+  NameSpecies("Na, Cl", species);
+  EXPECT_EQ(species[0].Name, "Na");
+  EXPECT_EQ(species[1].Name, "Cl");
+  EXPECT_EQ(species[2].Name, "Ion3");
+  EXPECT_EQ(species[3].Name, "Ion4");
+}

@@ -3,6 +3,7 @@
 
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
+#include "Files/TextWords.h"
 #include "MoleculeTexts.h"
 #include "SharedData.h"
 #include "TemporaryFile.h"
@@ -193,6 +194,55 @@ TEST(TextSource, MarksOfUTF8AreSkipped)
       << text.Files[0].first;
     EXPECT_EQ(Written(text, [](const std::string& s) { return Bzip2(Mark + s); }), plain)
       << text.Files[0].first;
+  }
+}
+
+TEST(TextSource, FourBytesTellUTF16AndOtherCompressionsAreNamed)
+{
+  const auto complaint = [](const std::string& bytes)
+  {
+    const TemporaryFile file(bytes, "text");
+    try
+    {
+      OpenTextSource(file.Path());
+    }
+    catch (const ReaderError& refusal)
+    {
+      return std::string(refusal.what());
+    }
+    return std::string();
+  };
+  for (const std::string& wide : { std::string("a\0b\0", 4), std::string("\0a\0b", 4) })
+  {
+    EXPECT_NE(complaint(wide).find("iconv -f UTF-16"), std::string::npos) << complaint(wide);
+  }
+  EXPECT_EQ(complaint(std::string("a\0b", 3)), "");
+  for (const std::string magic : { "\xfd"
+                                   "7zX",
+         "\x28\xb5\x2f\xfd" })
+  {
+    EXPECT_NE(complaint(magic + "and more").find("compress"), std::string::npos)
+      << complaint(magic);
+  }
+}
+
+TEST(TextSource, LinesAreCountedAcrossQuotesAndRests)
+{
+  const TemporaryFile file("a \"b\nc\" d # note\ne\nf", "text");
+  const auto source = OpenByteSource(file.Path());
+  TextWords words(*source);
+  EXPECT_EQ(words.Word(), "a");
+  EXPECT_EQ(words.Word(), "b\nc");
+  EXPECT_EQ(words.RestOfLine(), " d ");
+  EXPECT_EQ(words.RestOfLine(), "e");
+  EXPECT_EQ(words.Word(), "f");
+  try
+  {
+    words.Refuse("enough.");
+  }
+  catch (const ReaderError& refusal)
+  {
+    EXPECT_NE(std::string(refusal.what()).find("4"), std::string::npos) << refusal.what();
   }
 }
 

@@ -40,6 +40,7 @@ TEST(RecommendedLevel, OfBothFormats)
   EXPECT_EQ(LevelOfHeader(Contour("0.0316")), 0.0316);
   EXPECT_EQ(LevelOfHeader("<map><contourLevel source=\"author\"> 2.5 </contourLevel></map>"), 2.5);
   EXPECT_EQ(LevelOfHeader(Contour("-1e-3")), -1e-3);
+  EXPECT_EQ(LevelOfHeader(Contour("0.5<!-- 0.7 or 911-->")), 0.5);
 }
 
 TEST(RecommendedLevel, ThePrimaryOneOfSeveral)
