@@ -94,6 +94,9 @@ TEST(ForceFieldCharges, AtomsGetChargesAndRadii)
     EXPECT_EQ(output->GetPointData()->GetArray("Charge")->GetTuple1(i), 0.25);
     EXPECT_EQ(output->GetPointData()->GetArray("Radius")->GetTuple1(i), 1.5);
     EXPECT_EQ(output->GetPointData()->GetArray("InputAtom")->GetTuple1(i), static_cast<double>(i));
+    vtkAbstractArray* residues = output->GetPointData()->GetAbstractArray("ResidueName");
+    ASSERT_TRUE(residues);
+    EXPECT_EQ(residues->GetVariantValue(i).ToString(), "GLY");
   }
 }
 
