@@ -210,8 +210,9 @@ struct ChokingAnalysis
     {
       const ShapeFeature& f = this->Found.Diagram.Features[i];
       const double reference = this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
+      const std::optional<Membrane>& membrane = this->Found.Membranes[i];
       const bool generator =
-        IsGenerator(f) && (!f.Trusted || this->Found.Membranes[i]->Loops.empty());
+        IsGenerator(f) && (!f.Trusted || (membrane && membrane->Loops.empty()));
       const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
         f.Persistence() > WorthRefining * reference;
       if (generator || blurredVoid)
@@ -545,7 +546,12 @@ const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
 
 const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
 {
-  return this->State->Found.Membranes[feature].value();
+  const std::optional<Membrane>& made = this->State->Found.Membranes[feature];
+  if (!made)
+  {
+    throw std::logic_error("the membrane of this feature was not made");
+  }
+  return *made;
 }
 
 const Membrane* ChokingLoops::MinimumCutMembraneOf(

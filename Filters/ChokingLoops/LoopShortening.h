@@ -58,8 +58,8 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjac
 
 /**
  * Like ShortenLoop(), but the curve stays fixed at `pins`, which are points of `loop`, and may bend
- * there: each piece between two pins becomes a geodesic of its homotopy class. A loop that contracts
- * to its only pin is returned unchanged, as Contractible.
+ * there: each piece between two pins becomes a geodesic of its homotopy class. A loop that
+ * contracts to its only pin is returned unchanged, as Contractible.
  *
  * @pre at least one pin is a point of the loop. @throws the exceptions of ShortenLoop().
  */

@@ -43,7 +43,8 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT FacesByCell FacesOfCells(const CellFiltration& c
 
 /**
  * The area of a triangle outside the discs around its corners, by Green's theorem along its border:
- * exact also where a disc reaches across the opposite edge or contains another one.
+ * exact also where a disc reaches across the opposite edge or contains another one. In the square
+ * of the unit of `corners` and `radii`; a radius of 0 is no disc. Constant time.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT double OpenAreaOf(
   const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);

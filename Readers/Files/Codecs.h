@@ -36,7 +36,7 @@ enum class CodecState
 ///
 /// @throws std::bad_alloc where zlib has no memory.
 ///
-/// The code common to both libraries, whose streams have the same member names. `Inflater provides
+/// The code common to both libraries, whose streams have the same member names. `Inflater` provides
 /// an initialised Stream and Inflate().
 template <typename Inflater>
 class GzipCodecOf : private Inflater

@@ -58,7 +58,7 @@ def selected():
 
 def select(what, act, where, other=()):
     """Acts, again where a busy window did not heed it, until something is selected there, other than the features
-    `other`: a slow window tells of the selection before once more."""
+    `other`: a slow window reports the previous selection once more."""
     for _ in range(4):
         before = len(selected())
         act()

@@ -89,7 +89,7 @@ class Window:
             time.sleep(3)
             path = self.picture(step)
             pixels = pixels_of(path)
-            bar = pixels[970:, :1000]
+            bar = pixels[976:, :1000]  # below the frame of the active view
             moves = 60 if last is None else (pixels[:960] != last[:960]).any(axis=2).sum()
             rests = moves < 60 and not (numpy.ptp(bar, axis=2) > 90).any()
             if rests and coloured_fraction(path) >= least:

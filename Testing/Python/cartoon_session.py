@@ -21,10 +21,10 @@ simple.SetActiveView(view)
 simple.SetActiveSource(cartoon)
 
 
-def tell(*_):
+def write_down(*_):
     rows = [molecules.selected(cartoon, port) for port in (molecules.CARTOON, molecules.STICKS, molecules.RESIDUES)]
     with path.open("a") as file:
         print(*rows, sep="|", file=file)
 
 
-cartoon.SMProxy.AddObserver("SelectionChangedEvent", tell)
+cartoon.SMProxy.AddObserver("SelectionChangedEvent", write_down)

@@ -16,12 +16,12 @@ def watch(number):
     handles = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     handles.NumberOfResamples = 5  # as if it were typed
 
-    def tell(*_):
+    def write_down(*_):
         found = handles.FieldData["HalfMapCorrelation"]
         with (folder / "results.txt").open("a") as file:
             print(handles.PointData["PValue"] is not None, found.GetRange()[0] if found else None, file=file)
 
-    handles.SMProxy.AddObserver("UpdateDataEvent", tell)
+    handles.SMProxy.AddObserver("UpdateDataEvent", write_down)
 
 
 pipelines.first_values = watch

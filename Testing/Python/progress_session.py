@@ -24,11 +24,11 @@ def names():
 
 
 def observe(event, what):
-    def told(_window, _event, text):
+    def keep(_window, _event, text):
         write(what, text)
 
-    told.CallDataType = VTK_STRING
-    return vtkOutputWindow.GetInstance().AddObserver(event, told)
+    keep.CallDataType = VTK_STRING
+    return vtkOutputWindow.GetInstance().AddObserver(event, keep)
 
 
 def watched_run(function):

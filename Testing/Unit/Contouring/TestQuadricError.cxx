@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <tuple>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -201,6 +202,64 @@ TEST(QuadricError, OfNoiseMeetNoWorse)
     { return errors.At(errors.Least(Around, Threshold)); };
     const double value = least(FitQuadricError(planes, Around, Threshold));
     EXPECT_TRUE(value <= least(Tangent(planes))) << value;
+  }
+}
+
+TEST(SharpFeatureGrid, MiddlesStayATenthFromFaces)
+{
+  SharpEdges sharp;
+  sharp.Segments = { { { { 0.5, 0.5, 0.5 }, { 2.5, 0.5, 0.5 } } } };
+  sharp.Corners = { { 0.25, 0.5, 0.5 }, { 0.75, 0.5, 0.5 }, { 1.5, 0.5, 0.5 } };
+  const SharpFeatureGrid features(sharp, { { 5, 2, 2 }, { 1.0, 1.0, 1.0 } });
+  const auto any = [](const Point3&) { return true; };
+  const Point3 left{ -9.0, 0.5, 0.5 }, right{ 9.0, 0.5, 0.5 };
+  const auto onEdge = [&](std::int64_t cell, const Point3& x, SharpFeatureGrid::Part part) {
+    return features.NearestOnEdge(cell, x, part, any).value_or(Point3{ -1, -1, -1 })[0];
+  };
+  for (const auto& [cell, from, to] : { std::tuple(0, 0.5, 1.0), { 1, 1.0, 2.0 }, { 2, 2.0, 2.5 } })
+  {
+    const double beside = 0.1 * (to - from);
+    EXPECT_NEAR(onEdge(cell, left, SharpFeatureGrid::Part::Whole), from, 1e-12);
+    EXPECT_NEAR(onEdge(cell, right, SharpFeatureGrid::Part::Whole), to, 1e-12);
+    EXPECT_NEAR(
+      onEdge(cell, left, SharpFeatureGrid::Part::Middle), cell > 0 ? from + beside : from, 1e-12);
+    EXPECT_NEAR(
+      onEdge(cell, right, SharpFeatureGrid::Part::Middle), cell < 2 ? to - beside : to, 1e-12);
+  }
+  EXPECT_EQ(onEdge(3, right, SharpFeatureGrid::Part::Whole), -1.0);
+  EXPECT_EQ(features.NearestCorner(0, left, any), sharp.Corners[0]);
+  EXPECT_EQ(features.NearestCorner(0, right, any), sharp.Corners[1]);
+  EXPECT_EQ(
+    features.NearestCorner(0, left, [](const Point3& p) { return p[0] > 0.5; }), sharp.Corners[1]);
+  EXPECT_EQ(features.NearestCorner(1, left, any), sharp.Corners[2]);
+  EXPECT_FALSE(features.NearestCorner(2, left, any).has_value());
+}
+
+/// The planes of cell 1 meet on an edge of a cell beside it, the first one as well.
+TEST(VertexPlacement, GoesToTheEdgeInACellBesideIts)
+{
+  for (const double x : { 0.8, 2.2 })
+  {
+    const double side = x < 1.5 ? 1.0 : -1.0;
+    HermiteGrid grid;
+    grid.Shape = { { 4, 2, 2 }, { 1.0, 1.0, 1.0 } };
+    grid.Inside.assign(16, 0);
+    grid.Inside[1] = grid.Inside[2] = 1;
+    grid.Sharp.Segments = { { { { x, 0.1, 0.5 }, { x, 0.9, 0.5 } } } };
+    QuadricError planes;
+    for (const double y : { 0.2, 0.8 })
+    {
+      for (const double z : { 0.2, 0.8 })
+      {
+        planes.Add({ x + side * 0.3, y, z },
+          { side * std::sqrt(0.5), 0.0, z < 0.5 ? std::sqrt(0.5) : -std::sqrt(0.5) });
+      }
+    }
+    const DualCells cells(grid);
+    const DualContouringParameters parameters;
+    const PlacedVertex vertex = VertexPlacement(grid, cells, parameters).Place(1, &planes, 1, 0);
+    EXPECT_TRUE(vertex.IsSharp) << x;
+    EXPECT_LT(Length(vertex.At - Point3{ x, 0.5, 0.5 }), 1e-9) << x;
   }
 }
 

@@ -172,6 +172,20 @@ TEST(VolumeSample, BlocksForTheNoiseAreSpreadOverTheVolume)
   }
 }
 
+TEST(VolumeSample, SixTilesOfALargeVolumeStandForAll)
+{
+  const auto grid = Grid<float>(70, 70, 70);
+  const std::vector<float> noise = Noise(grid);
+  const VolumeSample sample = SampleVolume<float>(grid, noise.data(), nullptr);
+  ASSERT_EQ(sample.Trials.size(), 6u); // of 2^3 that are alike
+  for (const TrialBlock& trial : sample.Trials)
+  {
+    EXPECT_EQ(trial.Inner.Size(), (Index3{ 35, 35, 35 }));
+    EXPECT_EQ(trial.Box.Size(), (Index3{ 41, 41, 41 }));
+    EXPECT_NEAR(trial.Weight * 6.0 * 35.0 * 35.0 * 35.0, 1.0, 0.2);
+  }
+}
+
 TEST(DenoisingRisk, IsTheMeanSquaredErrorWithinItsStandardError)
 {
   const auto grid = Grid<float>(40, 40, 40);
@@ -246,6 +260,23 @@ TEST(DenoisingRisk, TheChoiceBeatsATunedGaussianAndKnowsItsGain)
       EXPECT_NEAR(result.RiskTime.at(at) / result.Parameters.Time, 1.0, 1e-9);
     }
   }
+}
+
+TEST(DenoisingRisk, SurfacesAreJudgedByTheirValuesWhereTheyHaveNoCurvature)
+{
+  // In two layers no node has all its neighbours.
+  const auto grid = Grid<float>(40, 36, 2);
+  const std::vector<float> values = Sum(ColouredNoise(grid, 1.0, 3.0), Noise(grid, 0.2));
+  const VolumeSample sample = SampleVolume<float>(grid, values.data(), nullptr);
+  const NoiseSpectrum noise = WhiteNoise(0.2 / sample.Scale);
+  DenoisingSearch linear;
+  linear.Goal = DenoisingGoal::Volumes;
+  linear.LinearOnly = true;
+  const DenoisingChoice ofValues = ChooseDenoising(sample, noise, grid.Spacing, linear);
+  const DenoisingChoice ofSurfaces = ChooseDenoising(sample, noise, grid.Spacing, {});
+  EXPECT_EQ(ofSurfaces.Parameters.Order, ofValues.Parameters.Order);
+  EXPECT_EQ(ofSurfaces.Parameters.Time, ofValues.Parameters.Time);
+  EXPECT_EQ(ofSurfaces.RiskValue, ofValues.RiskValue);
 }
 
 TEST(DenoisingRisk, MeasuresColouredNoiseInTheBackground)

@@ -1,3 +1,4 @@
+#include "Imaging/LocalResolution.h"
 #include "vtkDenoiseFromHalfMaps.h"
 #include "vtkHighOrderDiffusion.h"
 
@@ -11,8 +12,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -113,6 +116,31 @@ TEST(DenoiseFromHalfMaps, GivesTheLocalResolution)
     const double centre = resolution->GetComponent(20 + N * (20 + N * 20), 0);
     EXPECT_GT(centre, last);
     last = centre;
+  }
+}
+
+TEST(LocalResolution, FrequenciesAreLinearBetweenTheWindows)
+{
+  // Two windows along x, with their centres at 11.5 and 17.5.
+  constexpr int n = 30;
+  std::mt19937 random(5);
+  std::vector<float> one, other;
+  for (int node = 0; node < 4 * n; ++node)
+  {
+    const auto value = static_cast<float>(random() % 1000);
+    const auto another = static_cast<float>(random() % 1000);
+    one.push_back(value);
+    other.push_back(node % n < 18 ? value : another);
+  }
+  std::vector<float> resolution(one.size());
+  isthmus::FindLocalResolution({ n, 2, 2 }, { 2.0, 2.0, 2.0 }, one, other, resolution.data());
+  const double first = 1.0 / resolution.front(), last = 1.0 / resolution.back();
+  EXPECT_GT(first, 1.2 * last);
+  for (int node = 0; node < 4 * n; ++node)
+  {
+    const double part = std::clamp((node % n - 11.5) / 6.0, 0.0, 1.0);
+    EXPECT_NEAR(
+      1.0 / resolution[static_cast<std::size_t>(node)], first + part * (last - first), 1e-6);
   }
 }
 
