@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import numpy
+from paraview import simple
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -18,9 +19,10 @@ from window_play import button, click, complaints, drag, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "DiagramWindow"
 PAUSE = ("pqClientMainWindow", "pause", "2000")
-# Places in a window of 1600 x 1000: the button of the chart that selects a rectangle, rectangles around the point of
-# the tunnel and around a piece of the loop of the handle, the render view and the chart.
-RECTANGLE, TUNNEL, HANDLE, EMPTY = (1236, 183), ((1130, 230), (1190, 300)), ((565, 605), (620, 655)), (450, 900)
+# Places in a window of 1600 x 1000: the button of the chart that selects a rectangle (ParaView 6 has one button more before
+# it), rectangles around the point of the tunnel and around a piece of the loop of the handle, the render view and the chart.
+RECTANGLE = (1253 if simple.GetParaViewVersion().major >= 6 else 1236, 183)
+TUNNEL, HANDLE, EMPTY = ((1130, 230), (1190, 300)), ((565, 605), (620, 655)), (450, 900)
 VIEW, CHART = (slice(210, 950), slice(310, 1060)), (slice(205, 940), slice(1100, 1590))
 POINT = (slice(640, 710), slice(1130, 1190))  # of the handle
 VERMILION, BLUE = (213, 94, 0), (0, 114, 178)
