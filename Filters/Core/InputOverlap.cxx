@@ -1,6 +1,8 @@
 #include "Core/InputOverlap.h"
 
+#include "Core/Index.h"
 #include "Core/NumberText.h"
+#include "Core/ParallelFor.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -16,10 +18,13 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -30,21 +35,17 @@ namespace isthmus
 namespace
 {
 
-constexpr double GrownBy = 0.1;      // of the larger box's diagonal
-constexpr int NodesAlongAnAxis = 16; // of an image that are looked at
-constexpr double SameRatio = 0.05;   // off 10
+constexpr double GrownBy = 0.1;       // of the larger box's diagonal
+constexpr int NodesAlongAnAxis = 16;  // of an image that are looked at
+constexpr double SameRatio = 0.05;    // off 10
+constexpr std::int64_t Grain = 16384; // points or cells of a piece of parallel work
 constexpr double NanometreInAngstrom = 10.0;
 
-void AddPoint(const Point3& p, std::vector<Point3>& places)
+/// Nodes of an image, at most NodesAlongAnAxis along each axis.
+vtkSmartPointer<vtkPoints> NodesOf(vtkImageData* image)
 {
-  if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
-  {
-    places.push_back(p);
-  }
-}
-
-void AddImage(vtkImageData* image, std::vector<Point3>& places)
-{
+  auto nodes = vtkSmartPointer<vtkPoints>::New();
+  nodes->SetDataTypeToDouble();
   int extent[6];
   image->GetExtent(extent);
   int count[3];
@@ -53,7 +54,7 @@ void AddImage(vtkImageData* image, std::vector<Point3>& places)
     count[a] = std::min(extent[2 * a + 1] - extent[2 * a] + 1, NodesAlongAnAxis);
     if (count[a] < 1)
     {
-      return;
+      return nodes;
     }
   }
   for (int k = 0; k < count[2]; ++k)
@@ -71,93 +72,136 @@ void AddImage(vtkImageData* image, std::vector<Point3>& places)
         }
         Point3 p;
         image->TransformContinuousIndexToPhysicalPoint(index, p.data());
-        AddPoint(p, places);
+        nodes->InsertNextPoint(p.data());
       }
     }
   }
+  return nodes;
 }
 
-/// Whether a point counts: those of polygons and strips where there are any.
-std::vector<bool> PointsOfPolygons(vtkPolyData* surface)
+/// Marks of points, which threads may set at the same time.
+using Marks = std::vector<std::atomic<bool>>;
+
+void MarkCorners(vtkCellArray* cells, Marks& marks)
 {
-  const bool has = surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
-  std::vector<bool> used(static_cast<std::size_t>(has ? surface->GetNumberOfPoints() : 0));
-  vtkNew<vtkIdList> ids;
-  for (vtkCellArray* cells :
-    { has ? surface->GetPolys() : nullptr, has ? surface->GetStrips() : nullptr })
-  {
-    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+  ParallelFor(0, cells->GetNumberOfCells(), Grain,
+    [&](std::int64_t first, std::int64_t last)
     {
-      cells->GetCellAtId(cell, ids);
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      vtkNew<vtkIdList> copied; // for ids of 32 bits
+      for (vtkIdType cell = first; cell < last; ++cell)
       {
-        const auto id = static_cast<std::size_t>(ids->GetId(i));
-        if (id < used.size())
+        vtkIdType corners = 0;
+        const vtkIdType* ids = nullptr;
+        cells->GetCellAtId(cell, corners, ids, copied);
+        for (vtkIdType i = 0; i < corners; ++i)
         {
-          used[id] = true;
+          if (const auto id = static_cast<std::size_t>(ids[i]); id < marks.size())
+          {
+            marks[id].store(true, std::memory_order_relaxed);
+          }
         }
       }
-    }
-  }
-  return used;
+    });
 }
 
-std::vector<Point3> PlacesOf(vtkDataObject* data)
+/// Number and box of some points.
+struct PointCount
 {
-  std::vector<Point3> places;
-  if (auto* const image = vtkImageData::SafeDownCast(data))
+  std::int64_t Points = 0;
+  Bounds3 Box{ Point3{ HUGE_VAL, HUGE_VAL, HUGE_VAL }, Point3{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+
+  PointCount& operator+=(const PointCount& other)
   {
-    AddImage(image, places);
-  }
-  else if (auto* const molecule = vtkMolecule::SafeDownCast(data))
-  {
-    for (vtkIdType atom = 0; atom < molecule->GetNumberOfAtoms(); ++atom)
+    if (other.Points > 0)
     {
-      Point3 p;
-      molecule->GetPoint(atom, p.data());
-      AddPoint(p, places);
+      this->Points += other.Points;
+      this->Box.Add(other.Box.Min);
+      this->Box.Add(other.Box.Max);
     }
+    return *this;
   }
-  else if (auto* const set = vtkPointSet::SafeDownCast(data))
+};
+
+/// The points of an input that count.
+class Places
+{
+public:
+  explicit Places(vtkDataObject* data)
   {
-    const std::vector<bool> used = PointsOfPolygons(vtkPolyData::SafeDownCast(data));
-    for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i)
+    if (auto* const image = vtkImageData::SafeDownCast(data))
     {
-      if (used.empty() || used[static_cast<std::size_t>(i)])
+      this->Points = NodesOf(image);
+    }
+    else if (auto* const molecule = vtkMolecule::SafeDownCast(data))
+    {
+      this->Points = molecule->GetNumberOfAtoms() > 0 ? molecule->GetPoints() : nullptr;
+    }
+    else if (auto* const set = vtkPointSet::SafeDownCast(data))
+    {
+      this->Points = set->GetPoints();
+      if (auto* const surface = vtkPolyData::SafeDownCast(set);
+          surface && this->Points && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
       {
-        Point3 p;
-        set->GetPoint(i, p.data());
-        AddPoint(p, places);
+        this->Used = Marks(static_cast<std::size_t>(this->Points->GetNumberOfPoints()));
+        MarkCorners(surface->GetPolys(), this->Used);
+        MarkCorners(surface->GetStrips(), this->Used);
       }
     }
+    this->All = this->Count([](const Point3&) { return true; });
   }
-  return places;
-}
 
-Bounds3 BoxOf(const std::vector<Point3>& places)
-{
-  Bounds3 box{ places.front(), places.front() };
-  for (const Point3& p : places)
-  {
-    box.Add(p);
-  }
-  return box;
-}
+  bool IsEmpty() const { return this->All.Points == 0; }
+  const Bounds3& Box() const { return this->All.Box; }
 
-double ShareWithin(const std::vector<Point3>& places, Bounds3 box)
-{
-  const double more = GrownBy * box.Diagonal();
-  for (std::size_t a = 0; a < 3; ++a)
+  /// Of the points; `box` is enlarged first.
+  double ShareWithin(Bounds3 box) const
   {
-    box.Min[a] -= more;
-    box.Max[a] += more;
+    const double more = GrownBy * box.Diagonal();
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      box.Min[a] -= more;
+      box.Max[a] += more;
+    }
+    if (box.Contains(this->All.Box))
+    {
+      return 1.0;
+    }
+    const PointCount within = this->Count(
+      [&box](const Point3& p) {
+        return box.Contains({ p, p });
+      });
+    return static_cast<double>(within.Points) / static_cast<double>(this->All.Points);
   }
-  const auto within = std::count_if(places.begin(), places.end(),
-    [&box](const Point3& p) {
-      return box.Contains({ p, p });
-    });
-  return static_cast<double>(within) / static_cast<double>(places.size());
-}
+
+private:
+  template <typename Counts>
+  PointCount Count(const Counts& counts) const
+  {
+    const std::int64_t points = this->Points ? this->Points->GetNumberOfPoints() : 0;
+    return ParallelReduce(points, Grain, PointCount{},
+      [&](PointCount& sum, std::int64_t first, std::int64_t last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          if (!this->Used.empty() && !this->Used[At(i)].load(std::memory_order_relaxed))
+          {
+            continue;
+          }
+          Point3 p;
+          this->Points->GetPoint(i, p.data());
+          if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && counts(p))
+          {
+            ++sum.Points;
+            sum.Box.Add(p);
+          }
+        }
+      });
+  }
+
+  vtkSmartPointer<vtkPoints> Points;
+  Marks Used; ///< corners of polygons and strips; empty: all points count
+  PointCount All;
+};
 
 std::string Text(const Bounds3& box)
 {
@@ -218,19 +262,19 @@ bool InputOverlap::IsOfOtherUnit() const
 
 std::optional<InputOverlap> OverlapOf(vtkDataObject* first, vtkDataObject* second)
 {
-  const std::vector<Point3> one = PlacesOf(first);
-  const std::vector<Point3> other = PlacesOf(second);
-  if (one.empty() || other.empty())
+  const Places one(first);
+  const Places other(second);
+  if (one.IsEmpty() || other.IsEmpty())
   {
     return {};
   }
   InputOverlap overlap;
-  overlap.First = BoxOf(one);
-  overlap.Second = BoxOf(other);
+  overlap.First = one.Box();
+  overlap.Second = other.Box();
   const double size = overlap.First.Diagonal();
   const double otherSize = overlap.Second.Diagonal();
   overlap.Share =
-    size < otherSize ? ShareWithin(one, overlap.Second) : ShareWithin(other, overlap.First);
+    size < otherSize ? one.ShareWithin(overlap.Second) : other.ShareWithin(overlap.First);
   overlap.Ratio = size > 0.0 ? otherSize / size : 0.0;
   return overlap;
 }

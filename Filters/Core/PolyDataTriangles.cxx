@@ -12,7 +12,9 @@
 #include <vtkPolygon.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -35,6 +37,20 @@ void ForEachCell(vtkCellArray* cells, vtkIdType first, Visit&& visit)
   }
 }
 
+constexpr std::int64_t grain = 16384; // points or triangles of a piece of parallel work
+
+/// The least of several numbers, for ParallelReduce.
+struct Least
+{
+  std::int64_t Value;
+
+  Least& operator+=(const Least& other)
+  {
+    this->Value = std::min(this->Value, other.Value);
+    return *this;
+  }
+};
+
 bool IsAllTriangles(vtkPolyData* surface)
 {
   return surface->GetNumberOfStrips() == 0 &&
@@ -49,7 +65,7 @@ PolyDataTriangles::PolyDataTriangles(vtkPolyData* surface, Damage damage)
 {
   const vtkIdType points = surface->GetNumberOfPoints();
   this->Mesh.Points.resize(At(points));
-  ParallelFor(0, points, 16384,
+  ParallelFor(0, points, grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (vtkIdType point = first; point < last; ++point)
@@ -57,13 +73,13 @@ PolyDataTriangles::PolyDataTriangles(vtkPolyData* surface, Damage damage)
         surface->GetPoints()->GetPoint(point, this->Mesh.Points[At(point)].data());
       }
     });
-  this->Mesh.Triangles.reserve(At(surface->GetNumberOfPolys()));
   if (IsAllTriangles(surface))
   {
     this->CopyTriangles(surface);
   }
   else
   {
+    this->Mesh.Triangles.reserve(At(surface->GetNumberOfPolys()));
     this->Cells.reserve(At(surface->GetNumberOfPolys()));
     this->AddPolygons(surface);
     this->AddStrips(surface);
@@ -74,17 +90,53 @@ PolyDataTriangles::PolyDataTriangles(vtkPolyData* surface, Damage damage)
   }
 }
 
+template <typename Wrong>
+vtkIdType PolyDataTriangles::FirstTriangleWith(const Wrong& isWrong) const
+{
+  const auto count = static_cast<std::int64_t>(this->Mesh.Triangles.size());
+  return ParallelReduce(count, grain, Least{ count },
+    [&](Least& least, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t t = first; t < last; ++t)
+      {
+        const Triangle& corners = this->Mesh.Triangles[At(t)];
+        if (std::any_of(corners.begin(), corners.end(), isWrong))
+        {
+          least.Value = t;
+          return;
+        }
+      }
+    })
+    .Value;
+}
+
 void PolyDataTriangles::CopyTriangles(vtkPolyData* surface)
 {
-  ForEachCell(surface->GetPolys(), this->FirstCell,
-    [&](vtkIdType corners, const vtkIdType* ids, vtkIdType cell)
+  vtkCellArray* const cells = surface->GetPolys();
+  const vtkIdType count = surface->GetNumberOfPolys();
+  this->Mesh.Triangles.resize(At(count));
+  ParallelFor(0, count, grain,
+    [&](std::int64_t first, std::int64_t last)
     {
-      if (this->OnDamage == Damage::Refused)
+      vtkNew<vtkIdList> copied; // for ids of 32 bits
+      for (vtkIdType cell = first; cell < last; ++cell)
       {
-        this->CheckCorners(ids, corners, cell);
+        vtkIdType corners = 0;
+        const vtkIdType* ids = nullptr;
+        cells->GetCellAtId(cell, corners, ids, copied);
+        this->Mesh.Triangles[At(cell)] = { ids[0], ids[1], ids[2] };
       }
-      this->Mesh.Triangles.push_back({ ids[0], ids[1], ids[2] });
     });
+  if (this->OnDamage == Damage::Refused)
+  {
+    const auto points = static_cast<vtkIdType>(this->Mesh.Points.size());
+    const vtkIdType wrong = this->FirstTriangleWith(
+      [points](vtkIdType corner) { return corner < 0 || corner >= points; });
+    if (wrong < count)
+    {
+      this->CheckCorners(this->Mesh.Triangles[At(wrong)].data(), 3, this->FirstCell + wrong);
+    }
+  }
 }
 
 void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
@@ -160,21 +212,19 @@ void PolyDataTriangles::CheckCorners(
 
 void PolyDataTriangles::CheckPoints() const
 {
-  for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+  const auto isWrong = [this](vtkIdType point)
   {
-    for (const vtkIdType point : this->Mesh.Triangles[t])
-    {
-      const Point3& x = this->Mesh.Points[At(point)];
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-      {
-        throw std::invalid_argument("Point " + std::to_string(point) +
-          " of the surface, a corner of "
-          "cell " +
-          std::to_string(this->CellOf(static_cast<vtkIdType>(t))) +
-          ", has a coordinate that is not a finite "
-          "number. Remove the cell or repair the file.");
-      }
-    }
+    const Point3& x = this->Mesh.Points[At(point)];
+    return !std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]);
+  };
+  const vtkIdType wrong = this->FirstTriangleWith(isWrong);
+  if (wrong < static_cast<vtkIdType>(this->Mesh.Triangles.size()))
+  {
+    const Triangle& corners = this->Mesh.Triangles[At(wrong)];
+    throw std::invalid_argument("Point " +
+      std::to_string(*std::find_if(corners.begin(), corners.end(), isWrong)) +
+      " of the surface, a corner of cell " + std::to_string(this->CellOf(wrong)) +
+      ", has a coordinate that is not a finite number. Remove the cell or repair the file.");
   }
 }
 

@@ -61,6 +61,9 @@ private:
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell);
   void CheckCorners(const vtkIdType* corners, vtkIdType count, vtkIdType cell) const;
   void CheckPoints() const;
+  /// The first triangle with a corner for which isWrong(point) holds, or their number.
+  template <typename Wrong>
+  vtkIdType FirstTriangleWith(const Wrong& isWrong) const;
 
   TriangleMesh Mesh;
   vtkIdType FirstCell = 0;      ///< that has an area

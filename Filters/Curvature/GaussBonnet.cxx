@@ -34,13 +34,18 @@ double IntegralOfGaussian(vtkPolyData* surface)
   vtkDataArray* gaussian = surface->GetPointData()->GetArray("GaussianCurvature");
   vtkDataArray* valid = surface->GetPointData()->GetArray("CurvatureValid");
   std::vector<double> curvature(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0.0);
-  for (vtkIdType i = 0; gaussian && valid && i < surface->GetNumberOfPoints(); ++i)
-  {
-    curvature[At(i)] = valid->GetTuple1(i) != 0.0 ? gaussian->GetTuple1(i) : 0.0;
-  }
+  constexpr std::int64_t block = 1 << 14;
+  ParallelFor(0, gaussian && valid ? surface->GetNumberOfPoints() : 0, block,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const bool isValid = valid->GetComponent(i, 0) != 0.0;
+        curvature[At(i)] = isValid ? gaussian->GetComponent(i, 0) : 0.0;
+      }
+    });
   const PolyDataTriangles triangles(surface);
   const SurfaceView mesh = triangles.View();
-  constexpr std::int64_t block = 1 << 14;
   return ParallelReduce(static_cast<std::int64_t>(mesh.Triangles.size()), block, 0.0,
     [&](double& sum, std::int64_t first, std::int64_t last)
     {
