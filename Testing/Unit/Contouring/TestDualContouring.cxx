@@ -18,7 +18,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <random>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -233,4 +238,103 @@ TEST(DualContouring, WrongInputAndPropertiesAreRefused)
   EXPECT_TRUE(fails(holed, [](vtkDualContouring* f) { f->SetSpacing(0.1); }));
   EXPECT_FALSE(fails(vtkSmartPointer<vtkPolyData>::New(), [](vtkDualContouring*) {}));
   EXPECT_FALSE(fails(vtkSmartPointer<vtkImageData>::New(), [](vtkDualContouring*) {}));
+}
+
+namespace
+{
+
+/// A ring about the z axis.
+TriangleMesh Ring(double large, double small, int around, int across)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < around; ++i)
+  {
+    for (int j = 0; j < across; ++j)
+    {
+      const double u = 2.0 * Pi * i / around, v = 2.0 * Pi * j / across;
+      const double r = large + small * std::cos(v);
+      mesh.Points.push_back({ r * std::cos(u), r * std::sin(u), small * std::sin(v) });
+      const auto id = [&](int a, int b)
+      { return static_cast<vtkIdType>(a % around * across + b % across); };
+      mesh.Triangles.push_back({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
+      mesh.Triangles.push_back({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
+    }
+  }
+  return mesh;
+}
+
+/// Closed, of genus 1, points and area within the discretisation error: tangent planes at crossings
+/// leave the torus by at most the square of a cell's diagonal over twice the tube's radius.
+void ExpectTorus(const TriangleMesh& contour, double large, double small, double h, double facets)
+{
+  const SurfaceDefects defects = FindDefects(contour);
+  EXPECT_TRUE(defects.BoundaryTriangles.empty());
+  EXPECT_TRUE(defects.NonManifoldTriangles.empty());
+  EXPECT_TRUE(defects.FlippedTriangles.empty());
+  EXPECT_EQ(EulerCharacteristic(contour), 0);
+  const double error = 1.5 * h * h / small;
+  const double area = 4.0 * Pi * Pi * large * small;
+  EXPECT_NEAR(SurfaceArea(contour) / area, 1.0, error / small + facets);
+  EXPECT_NEAR(
+    SignedVolume(contour) / (0.5 * area * small), 1.0, 2.0 * error / small + 2.0 * facets);
+}
+
+}
+
+TEST(DualContouring, ToriAtSeveralSpacingsAndPoses)
+{
+  const double large = 0.6, small = 0.25;
+  const TriangleMesh ring = Ring(large, small, 160, 80);
+  // Area of the facets is less by this part at most.
+  const double facets = std::pow(2.0 * Pi / 80, 2) / 4.0;
+  for (const int n : { 21, 41, 101 })
+  {
+    const double h = 2.0 / (n - 1);
+    TriangleMesh surface = ring;
+    for (int pose = 0; pose < 3; ++pose)
+    {
+      SCOPED_TRACE(::testing::Message() << "spacing " << h << ", pose " << pose);
+      ExpectTorus(OnGrid(surface, h, 0.0), large, small, h, facets);
+      TriangleMesh axes{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, {} };
+      for (int turn = 0; turn < pose; ++turn)
+      {
+        axes = Turned(std::move(axes));
+      }
+      const auto depth = [&](const Point3& p)
+      {
+        const double away = std::hypot(Dot(p, axes.Points[0]), Dot(p, axes.Points[1])) - large;
+        return small - std::hypot(away, Dot(p, axes.Points[2]));
+      };
+      ExpectTorus(ContourOf(Sampled(n, depth)), large, small, h, 0.0);
+      surface = Turned(std::move(surface));
+    }
+  }
+}
+
+/// The tilted ring fills little of its grid: 13 million nodes, but only 27 thousand of their edges
+/// cross it. That fits 400 MiB.
+TEST(DualContouring, SlimSurfacesOnFineGridsNeedLittleMemory)
+{
+  vtkNew<vtkPolyData> ring;
+  SetMesh(Turned(Turned(Ring(10.0, 0.3, 400, 24))), ring);
+  vtkNew<vtkDualContouring> filter;
+  filter->SetInputData(ring);
+  filter->SetSpacing(0.08);
+  const pid_t child = fork(); // whose limit ends with it
+  if (child == 0)
+  {
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlimit limit{ pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) +
+        (std::size_t{ 400 } << 20),
+      RLIM_INFINITY };
+    setrlimit(RLIMIT_AS, &limit);
+    vtkSMPTools::LocalScope({ 1, "Sequential", false }, [&] { filter->Update(); });
+    const TriangleMesh contour = MeshOf(filter->GetOutput());
+    _exit(contour.Triangles.empty() ? 1 : EulerCharacteristic(contour) == 0 ? 0 : 2);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
