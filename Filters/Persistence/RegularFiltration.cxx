@@ -188,18 +188,22 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
   }
 }
 
-/// Of all ids of a kind.
+/// Of all ids of a kind. Blocks are so small that progress moves where each body needs exact
+/// arithmetic, as that of flat simplices does.
 template <typename Id>
-void ForAll(std::size_t n, const std::function<void(Id)>& body)
+void ForAll(
+  std::size_t n, const std::function<void(Id)>& body, const ProgressCallback& progress = {})
 {
-  ParallelFor(0, static_cast<std::int64_t>(n), 4096,
+  ParallelFor(
+    0, static_cast<std::int64_t>(n), 1024,
     [&body](std::int64_t begin, std::int64_t end)
     {
       for (const Id id : HandleRange<Id>(begin, end))
       {
         body(id);
       }
-    });
+    },
+    progress);
 }
 
 double TriangleValue(const RegularFiltration& f, TriangleId triangle)
@@ -240,15 +244,20 @@ bool CutsInto(const RegularFiltration& f, const std::array<SimplexId, 2>& edge,
 }
 
 /// The neighbours in the link decide whether an edge is attached, as for Gabriel edges.
-void ValueEdges(RegularFiltration& f)
+void ValueEdges(RegularFiltration& f, const ProgressCallback& progress)
 {
   CellFiltration& c = f.Complex;
   c.EdgeValue.assign(c.Edges.size(), HUGE_VAL);
   HandleVector<EdgeId, Orthosphere> spheres(c.Edges.size());
   ForAll<EdgeId>(c.Edges.size(), [&](EdgeId e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
   HandleVector<EdgeId, char> attached(c.Edges.size(), 0);
+  const auto count = static_cast<double>(c.TriangleCount());
   for (const TriangleId t : c.Triangles())
   {
+    if (t.Index() % 8192 == 0)
+    {
+      Report(progress, static_cast<double>(t.Index()) / count);
+    }
     const auto edges = c.TriangleEdges(t);
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -319,19 +328,20 @@ RegularFiltration MakeRegularFiltration(std::vector<Point3> centres, std::vector
   c.Connect(Between(progress, 0.55, 0.7));
   f.Centres.resize(c.Tetrahedra.size());
   c.TetrahedronValue.resize(c.Tetrahedra.size());
-  ForAll<TetrahedronId>(c.Tetrahedra.size(),
+  ForAll<TetrahedronId>(
+    c.Tetrahedra.size(),
     [&](TetrahedronId cell)
     {
       const Orthosphere sphere = OrthosphereOf(f, c.Tetrahedra[cell]);
       f.Centres[cell] = sphere.Centre;
       c.TetrahedronValue[cell] = sphere.Power;
-    });
-  Report(progress, 0.8);
+    },
+    Between(progress, 0.7, 0.8));
   c.TriangleValue.resize(c.TriangleCount());
   ForAll<TriangleId>(
-    c.TriangleCount(), [&](TriangleId t) { c.TriangleValue[t] = TriangleValue(f, t); });
-  Report(progress, 0.9);
-  ValueEdges(f);
+    c.TriangleCount(), [&](TriangleId t) { c.TriangleValue[t] = TriangleValue(f, t); },
+    Between(progress, 0.8, 0.9));
+  ValueEdges(f, Between(progress, 0.9, 0.97));
   ValueVertices(f);
   Report(progress, 1.0);
   return f;

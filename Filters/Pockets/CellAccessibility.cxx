@@ -52,7 +52,8 @@ struct WidestPath
 
 }
 
-CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe)
+CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe,
+  const ProgressCallback& progress)
 {
   const CellFiltration& c = f.Complex;
   CellAccessibility access;
@@ -77,6 +78,7 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
   HandleVector<TetrahedronId, WidestPath> waiting(c.Tetrahedra.size());
   access.Access.assign(c.Tetrahedra.size(), 0.0);
   access.TowardsOutside.assign(c.Tetrahedra.size(), TriangleId::None());
+  std::size_t reached = 0;
   while (!paths.empty())
   {
     const WidestPath path = paths.top();
@@ -86,6 +88,10 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
       continue;
     }
     access.TowardsOutside[path.Cell] = path.Triangle;
+    if (++reached % 4096 == 0)
+    {
+      Report(progress, static_cast<double>(reached) / static_cast<double>(c.Tetrahedra.size()));
+    }
     const double width = std::min(path.Width, access.CellClearance[path.Cell]);
     access.Access[path.Cell] = width;
     for (const TriangleId triangle : faces[path.Cell])

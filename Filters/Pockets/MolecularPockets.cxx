@@ -614,7 +614,8 @@ PocketResult FindPockets(
     return result;
   }
   const auto faces = FacesOfCells(c);
-  space.Access = FindAccess(space.Filtration, faces, options.ProbeRadius);
+  space.Access =
+    FindAccess(space.Filtration, faces, options.ProbeRadius, Between(progress, 0.4, 0.5));
   Report(progress, 0.5);
   space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
   space.Cores = PocketCores(c, space.Access, options);

@@ -313,8 +313,9 @@ std::vector<Pore> FindPores(
   {
     return pores;
   }
-  const CellAccessibility access = FindAccess(f, FacesOfCells(f.Complex), Probe);
-  const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.3, 0.7));
+  const CellAccessibility access =
+    FindAccess(f, FacesOfCells(f.Complex), Probe, Between(progress, 0.3, 0.35));
+  const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.35, 0.7));
   const AtomField field(atoms);
   std::vector<Pore> found(channels.size());
   ParallelFor(

@@ -5,9 +5,11 @@
 #include "vtkPoreProfile.h"
 
 #include "BallPoints.h"
+#include "Pockets/MolecularPockets.h"
 #include "Pockets/PoreProfile.h"
 #include "Pockets/PoreRadius.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
@@ -27,6 +29,7 @@
 #include <cmath>
 #include <ctime>
 #include <string>
+#include <vector>
 
 using namespace isthmus;
 using isthmus::testing::AtomsOf;
@@ -316,4 +319,85 @@ TEST(PoreProfile, WhatIsOutOfRangeIsToldInASentence)
       p->SetPoint(std::nan(""), 0, 0);
     },
     "Point");
+}
+
+namespace
+{
+
+/// Atoms in convex position: many flat tetrahedra, whose values need exact arithmetic.
+std::vector<Ball> Cone(int count)
+{
+  std::vector<Ball> atoms;
+  for (int i = 0; i < count; ++i)
+  {
+    const double r = std::sqrt((i + 0.5) / count), angle = Pi * (1.0 + std::sqrt(5.0)) * i;
+    atoms.push_back({ { 60.0 * r * std::cos(angle), 60.0 * r * std::sin(angle), 120.0 * r }, 1.7 });
+  }
+  return atoms;
+}
+
+/// Calls of the progress that lie between two fractions, ends excluded.
+std::int64_t CallsBetween(const std::vector<double>& calls, double low, double high)
+{
+  return std::count_if(
+    calls.begin(), calls.end(), [=](double done) { return done > low && done < high; });
+}
+
+}
+
+/// In the steps that take longest, values of tetrahedra and triangles and the widest paths:
+/// fractions of the pores' 0.3 and of the pockets' 0.4.
+TEST(PoreProfile, ProgressMovesAndStopsInTheLoopsOverCells)
+{
+  const auto atoms = Cone(4000);
+  for (const bool isPore : { false, true })
+  {
+    SCOPED_TRACE(isPore ? "pores" : "pockets");
+    const auto run = [&](const ProgressCallback& progress)
+    {
+      return isPore ? FindPores(atoms, {}, progress).size()
+                    : FindPockets(atoms, {}, progress).Pockets.size();
+    };
+    const double whole = isPore ? 0.3 : 0.4;
+    std::vector<double> calls;
+    run(
+      [&](double done)
+      {
+        calls.push_back(done);
+        return true;
+      });
+    EXPECT_TRUE(std::is_sorted(calls.begin(), calls.end()));
+    EXPECT_GE(CallsBetween(calls, 0.701 * whole, 0.799 * whole), 2);
+    EXPECT_GE(CallsBetween(calls, 0.801 * whole, 0.899 * whole), 2);
+    EXPECT_GE(CallsBetween(calls, 0.901 * whole, 0.969 * whole), 2);
+    EXPECT_GE(CallsBetween(calls, 1.001 * whole, isPore ? 0.349 : 0.499), 2);
+    double last = 0.0;
+    const auto stop = [&](double done)
+    {
+      last = done;
+      return done < 0.701 * whole;
+    };
+    EXPECT_THROW(run(stop), Cancelled);
+    EXPECT_LT(last, 0.799 * whole);
+  }
+}
+
+TEST(PoreProfile, AnAbortLeavesNothing)
+{
+  vtkNew<vtkPoreProfile> filter;
+  filter->SetInputData(AtomsOf(Cone(2000)));
+  std::vector<double> events;
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&events);
+  watch->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void*)
+    {
+      auto* const running = static_cast<vtkAlgorithm*>(caller);
+      static_cast<std::vector<double>*>(client)->push_back(running->GetProgress());
+      running->SetAbortExecute(running->GetProgress() > 0.0 ? 1 : 0);
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  filter->Update();
+  EXPECT_EQ(CallsBetween(events, 0.0, 1.0), 1); // the first one aborts
+  EXPECT_EQ(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
 }
