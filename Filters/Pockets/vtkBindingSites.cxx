@@ -11,6 +11,7 @@
 #include "Pockets/HullDepth.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketScore.h"
+#include "Surfaces/AreaQuantiles.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -223,6 +224,12 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
   isthmus::BindingSiteResult result;
   result.Threshold = vtkMath::Nan();
   result.Labels = isthmus::LabelPocketSurfaces(triangles, pockets);
+  const std::vector<double> areas = isthmus::PointAreas(triangles);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    // A point that no triangle uses is no part of the surface.
+    result.Labels[i] = areas[i] > 0.0 ? result.Labels[i] : 0;
+  }
   const isthmus::HullDepth depth(triangles, {});
   for (std::size_t i = 0; i < pockets.size(); ++i)
   {
