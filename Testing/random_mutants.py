@@ -189,14 +189,20 @@ def run_tests(folder, chosen, mutant, trace=None, seconds=None):
     return done.returncode == 0, time.monotonic() - start
 
 
+def numbers_in(chosen):
+    """The numbers of tests in a file for `ctest -I`."""
+    return set(chosen.read_text().strip().split(",")[3:])
+
+
 def choose(folder, module, quick, to):
     """The numbers of a module's unit tests, for ctest."""
     subprocess.run([sys.executable, "-B", str(ROOT / "Testing/select_tests.py"), folder, "--module", module,
                     *(["--quick"] if quick else []), "--write", str(to)], check=True, stdout=subprocess.DEVNULL)
     if not quick:
-        listed = subprocess.run(["ctest", "-N", "-I", str(to), "-L", "unit"], cwd=folder, capture_output=True, text=True)
-        numbers = re.findall(r"Test +#(\d+)", listed.stdout)
-        to.write_text("0,0,0," + ",".join(numbers) + "\n")
+        # Not `-I` together with `-L`: with a label, ctest takes the numbers of -I as those among the labelled tests.
+        listed = subprocess.run(["ctest", "-N", "-L", "unit"], cwd=folder, capture_output=True, text=True)
+        unit = set(re.findall(r"Test +#(\d+)", listed.stdout))
+        to.write_text("0,0,0," + ",".join(sorted(numbers_in(to) & unit, key=int)) + "\n")
 
 
 def equivalent():
@@ -227,6 +233,7 @@ def main():
                 mutants = build(options.build, [f"unit_tests_{module}"], mutants)
                 choose(options.build, module, True, quick)
                 choose(options.build, module, False, every)
+                assert numbers_in(quick) <= numbers_in(every), "the quick tests are not among the module's unit tests"
                 trace.write_text("")
                 run_tests(options.build, every if options.long else quick, -1, trace)
                 reached = set(map(int, trace.read_text().split()))
