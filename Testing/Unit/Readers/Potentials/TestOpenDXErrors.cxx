@@ -160,3 +160,22 @@ TEST(OpenDXReader, ShapesBeyondAThousandAreRefused)
       numbers,
     "values", vtkErrorCode::FileFormatError);
 }
+
+TEST(OpenDXReader, ShapesBelowOneAreRefused)
+{
+  for (const char* shape : { "0", "-1" })
+  {
+    ExpectFailure("object 1 class gridpositions counts 1 1 1\norigin 0 0 0\ndelta 1 0 0\n"
+                  "delta 0 1 0\ndelta 0 0 1\nobject 3 class array type float rank 1 shape " +
+        std::string(shape) + " items 1 data follows\n7\n",
+      "shape of the array", vtkErrorCode::FileFormatError);
+  }
+}
+
+TEST(OpenDXReader, AFieldThatPutsTheArrayOnAnotherGridIsRefused)
+{
+  ExpectFailure(head + twelve +
+      "object \"potential\" class field\ncomponent \"positions\" value 9\n"
+      "component \"data\" value 3\n",
+    "lies on the grid 9", vtkErrorCode::FileFormatError);
+}
