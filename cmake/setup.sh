@@ -55,7 +55,7 @@ guide_packages=(
   optional:libjs-mathjax)
 
 # What benchmarks alone compare with: 170 MB.
-peer_packages=(libinsighttoolkit5-dev python3-skimage)
+peer_packages=(libinsighttoolkit5-dev python3-skimage apbs)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -573,7 +573,8 @@ const Membrane* ChokingLoops::MinimumCutMembraneOf(
     lock.lock();
     known = state.MinimumCuts.emplace(key, std::move(membrane)).first;
   }
-  return known->second ? &*known->second : nullptr;
+  const std::optional<Membrane>& found = known->second;
+  return found ? &*found : nullptr;
 }
 
 std::optional<Membrane> ChokingLoops::GreedyMembraneOf(std::size_t feature) const
