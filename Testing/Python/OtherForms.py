@@ -92,9 +92,11 @@ def without_cells(data):
 
 
 def used(data, points):
-    """Of the points of an output, those of its cells; without cells, those that are near."""
+    """Of the points of an output, those of its cells; without cells, those that are near and not one of UNUSED, which
+    filters may keep that keep all points."""
     if data.GetNumberOfCells() == 0:
-        return numpy.abs(points).max(axis=1, initial=0.0) < FAR
+        kept = numpy.abs(points[:, None, :] - numpy.array(UNUSED["unused points"])).max(axis=2) < 1e-6
+        return (numpy.abs(points).max(axis=1, initial=0.0) < FAR) & ~kept.any(axis=1)
     result = numpy.zeros(len(points), dtype=bool)
     ids = vtkIdList()
     for cell in range(data.GetNumberOfCells()):
