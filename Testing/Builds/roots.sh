@@ -48,8 +48,8 @@ make_root()
   else
     roots=$(mktemp -d)
     root=$roots/$name
-    # The mounts go first, then what is on this file system alone.
-    trap 'umount -R "$root" 2>/dev/null; rm -rf --one-file-system "$(dirname "$root")"' EXIT
+    # The mounts go first (also those that a process still uses), then what is on this file system alone.
+    trap 'umount -R -l "$root" 2>/dev/null || true; rm -rf --one-file-system "$(dirname "$root")"' EXIT
   fi
   if [ ! -e "$root/etc/debian_version" ]; then
     say "Making a root of $suite in $root"
