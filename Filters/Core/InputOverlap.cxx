@@ -1,5 +1,6 @@
 #include "Core/InputOverlap.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/Index.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
@@ -57,6 +58,8 @@ vtkSmartPointer<vtkPoints> NodesOf(vtkImageData* image)
       return nodes;
     }
   }
+  SizePoints(nodes, static_cast<vtkIdType>(count[0]) * count[1] * count[2]);
+  vtkIdType node = 0;
   for (int k = 0; k < count[2]; ++k)
   {
     for (int j = 0; j < count[1]; ++j)
@@ -72,7 +75,7 @@ vtkSmartPointer<vtkPoints> NodesOf(vtkImageData* image)
         }
         Point3 p;
         image->TransformContinuousIndexToPhysicalPoint(index, p.data());
-        nodes->InsertNextPoint(p.data());
+        nodes->SetPoint(node++, p.data());
       }
     }
   }
