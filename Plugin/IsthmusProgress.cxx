@@ -70,6 +70,9 @@ void IsthmusProgress::Begin(const QString& title)
   this->Watched.emplace_back(window, window->AddObserver(StepEvent, this, &IsthmusProgress::Step));
   QObject::connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::sourceAdded, this, &IsthmusProgress::Watch);
+  // ParaView blocks the mouse while a filter reports progress, and from version 6 on reads events
+  // then, in which presses of Cancel would be lost; eventFilter() blocks it here.
+  this->WasUnblocked = pqApplicationCore::instance()->getProgressManager()->unblockEvents(true);
   qApp->installEventFilter(this);
   this->ReadEvents();
 }
@@ -77,6 +80,7 @@ void IsthmusProgress::Begin(const QString& title)
 void IsthmusProgress::End()
 {
   qApp->removeEventFilter(this);
+  pqApplicationCore::instance()->getProgressManager()->unblockEvents(this->WasUnblocked);
   QObject::disconnect(
     pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
   for (const auto& [object, observer] : this->Watched)
@@ -178,11 +182,7 @@ void IsthmusProgress::ReadEvents()
     return;
   }
   this->ReadsEvents = true;
-  // ParaView blocks the mouse while a filter reports progress; eventFilter() does so here.
-  pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
-  const bool unblocked = manager->unblockEvents(true);
   QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::X11ExcludeTimers);
-  manager->unblockEvents(unblocked);
   this->SinceEvents.start();
   this->ReadsEvents = false;
 }

@@ -60,6 +60,7 @@ private:
   bool Runs = false;
   bool IsCancelled = false;
   bool ReadsEvents = false;
+  bool WasUnblocked = false; ///< ParaView's events, before Begin()
 };
 
 #endif
