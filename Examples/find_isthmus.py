@@ -8,8 +8,7 @@ from pathlib import Path
 if importlib.util.find_spec("isthmus") is None:
     for plugins in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
         for above in Path(plugins).resolve().parents:
-            sys.path += [str(found) for folder in ("site-packages", "dist-packages")
-                         for found in above.glob(f"python3*/{folder}") if (found / "isthmus").is_dir()]
+            sys.path += [str(found) for found in above.glob("python3*/site-packages") if (found / "isthmus").is_dir()]
     if importlib.util.find_spec("isthmus") is None:
         sys.exit("The Python package isthmus is not found: set PV_PLUGIN_PATH to the folder of the plugin "
                  "(build/lib/isthmus/plugins), or PYTHONPATH to that of the package.")

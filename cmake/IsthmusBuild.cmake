@@ -55,7 +55,12 @@ endfunction ()
 # `import isthmus`: the wrapped classes of all modules and what __init__.py adds.
 function (isthmus_build_python)
   get_property(modules GLOBAL PROPERTY isthmus_modules)
-  vtk_module_python_default_destination(destination)
+  # As vtk_module_python_default_destination would say, but Debian's of VTK 9.6 names dist-packages.
+  if (NOT DEFINED Python3_VERSION_MINOR)
+    find_package(Python3 REQUIRED COMPONENTS Development.Module)
+  endif ()
+  set(destination
+    "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
   set(wheel_arguments)
   if (ISTHMUS_WHEEL)
     set(destination ".")
