@@ -78,8 +78,8 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
     this->Moving->Run(Between(progress, 0.15, 1.0));
     return;
   }
-  this->Grid = std::make_unique<TransportGrid>(
-    MakeTransportGrid(this->Domain, distances, problem.Charges, p, Between(progress, 0.15, 0.3)));
+  this->Grid = std::make_unique<TransportGrid>(MakeTransportGrid(this->Domain, distances,
+    problem.Charges, p, PermittivityMean::OverFace, Between(progress, 0.15, 0.3)));
   this->Passage = FindPassage(*this->Grid);
   RequireOpen(this->Passage);
   CloseIsolatedPockets(*this->Grid);

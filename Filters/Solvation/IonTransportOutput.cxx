@@ -9,6 +9,7 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -81,21 +82,49 @@ void SetImageGeometry(const TransportDomain& domain, vtkImageData* image)
     static_cast<int>(domain.Dimensions[1]), static_cast<int>(domain.Dimensions[2]));
   image->SetOrigin(domain.Origin.data());
   image->SetSpacing(domain.Spacing, domain.Spacing, domain.Spacing);
+  vtkNew<vtkMatrix3x3> axes;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      axes->SetElement(c, a, domain.Axes[static_cast<std::size_t>(a)][static_cast<std::size_t>(c)]);
+    }
+  }
+  image->SetDirectionMatrix(axes);
 }
 
-void FillTransportImage(
-  const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress)
+TransportDomain ImageBox(const TransportDomain& domain)
+{
+  TransportDomain box = domain;
+  box.Axes = TransportDomain().Axes;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double along = std::abs(domain.Normal[a]);
+    const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
+    const double half = along * domain.HalfLength + across * domain.Radius;
+    const double nodes = std::ceil(half / domain.Spacing - 1e-6) + 1.0;
+    box.Dimensions[a] = 2 * static_cast<std::int64_t>(nodes) + 1;
+    box.Origin[a] = domain.Centre[a] - domain.Spacing * nodes;
+  }
+  return box;
+}
+
+namespace
+{
+
+/// Potential (active), concentrations and fluxes, current density and distance at the nodes.
+void AddNodeArrays(
+  const PoissonNernstPlanck& solution, vtkPointData* to, const ProgressCallback& progress)
 {
   const TransportGrid& grid = solution.GetGrid();
   const std::int64_t nodes = grid.Domain.Size();
-  SetImageGeometry(grid.Domain, image);
   auto potential = Named<vtkDoubleArray>("Potential", nodes);
   auto density = Named<vtkFloatArray>("CurrentDensity", nodes, 3);
   auto distance = Named<vtkFloatArray>("SignedDistance", nodes);
   std::copy(
     solution.GetPotential().begin(), solution.GetPotential().end(), potential->GetPointer(0));
   std::copy(grid.Distance.begin(), grid.Distance.end(), distance->GetPointer(0));
-  image->GetPointData()->SetScalars(potential);
+  to->SetScalars(potential);
   std::vector<float*> concentrations;
   std::vector<float*> fluxes;
   for (const TransportSpecies& s : solution.GetParameters().Species)
@@ -104,11 +133,11 @@ void FillTransportImage(
     auto flux = Named<vtkFloatArray>("Flux_" + s.Name, nodes, 3);
     concentrations.push_back(concentration->GetPointer(0));
     fluxes.push_back(flux->GetPointer(0));
-    image->GetPointData()->AddArray(concentration);
-    image->GetPointData()->AddArray(flux);
+    to->AddArray(concentration);
+    to->AddArray(flux);
   }
-  image->GetPointData()->AddArray(density);
-  image->GetPointData()->AddArray(distance);
+  to->AddArray(density);
+  to->AddArray(distance);
   float* const current = density->GetPointer(0);
   ParallelFor(
     0, nodes, 1 << 12,
@@ -124,12 +153,105 @@ void FillTransportImage(
       }
     },
     progress);
-  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
-    if (auto* const written = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(i)))
+    if (auto* const written = vtkFloatArray::SafeDownCast(to->GetArray(i)))
     {
       DemandFinite(written);
     }
+  }
+}
+
+/// The nodes of a grid around a place, and their weights in trilinear interpolation. Places beyond
+/// the grid have the values of its border.
+struct NodesAround
+{
+  std::array<std::int64_t, 8> Nodes{};
+  std::array<double, 8> Weights{};
+
+  NodesAround(const TransportDomain& grid, const Point3& place)
+  {
+    const Point3 at = grid.InAxes(place);
+    const std::array<std::int64_t, 3> steps = grid.Steps();
+    this->Weights[0] = 1.0;
+    for (std::size_t a = 0, known = 1; a < 3; ++a, known *= 2)
+    {
+      const double last = static_cast<double>(grid.Dimensions[a] - 1);
+      const double x = std::clamp(at[a] / grid.Spacing, 0.0, last);
+      const double low = std::min(std::floor(x), last - 1.0);
+      for (std::size_t i = 0; i < known; ++i)
+      {
+        this->Nodes[i] += static_cast<std::int64_t>(low) * steps[a];
+        this->Nodes[known + i] = this->Nodes[i] + steps[a];
+        this->Weights[known + i] = this->Weights[i] * (x - low);
+        this->Weights[i] *= 1.0 - (x - low);
+      }
+    }
+  }
+};
+
+template <typename Array>
+void Interpolate(const TransportDomain& grid, Array* from, const TransportDomain& box, Array* to)
+{
+  const int components = from->GetNumberOfComponents();
+  const auto* const known = from->GetPointer(0);
+  auto* const result = to->GetPointer(0);
+  ParallelFor(0, box.Size(), 1 << 12,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first; node < last; ++node)
+      {
+        const NodesAround around(grid, box.Place(node));
+        for (int c = 0; c < components; ++c)
+        {
+          double sum = 0.0;
+          for (std::size_t i = 0; i < around.Nodes.size(); ++i)
+          {
+            sum += around.Weights[i] * static_cast<double>(known[components * around.Nodes[i] + c]);
+          }
+          result[components * node + c] = static_cast<typename Array::ValueType>(sum);
+        }
+      }
+    });
+}
+
+/// A new array in `box`.
+template <typename Array>
+vtkSmartPointer<Array> Interpolated(
+  const TransportDomain& grid, Array* from, const TransportDomain& box)
+{
+  auto to = Named<Array>(from->GetName(), box.Size(), from->GetNumberOfComponents());
+  Interpolate(grid, from, box, to.Get());
+  return to;
+}
+
+}
+
+void FillTransportImage(
+  const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress)
+{
+  const TransportDomain& grid = solution.GetGrid().Domain;
+  const TransportDomain box = ImageBox(grid);
+  SetImageGeometry(box, image);
+  if (grid.Axes == box.Axes)
+  {
+    AddNodeArrays(solution, image->GetPointData(), progress);
+    return;
+  }
+  vtkNew<vtkPointData> nodes;
+  AddNodeArrays(solution, nodes, Between(progress, 0.0, 0.5));
+  const int count = nodes->GetNumberOfArrays();
+  for (int i = 0; i < count; ++i)
+  {
+    if (auto* const floats = vtkFloatArray::SafeDownCast(nodes->GetArray(i)))
+    {
+      image->GetPointData()->AddArray(Interpolated(grid, floats, box));
+    }
+    else if (auto* const doubles = vtkDoubleArray::SafeDownCast(nodes->GetArray(i)))
+    {
+      image->GetPointData()->SetScalars(Interpolated(grid, doubles, box));
+    }
+    Report(progress, 0.5 + 0.5 * (i + 1) / count);
   }
 }
 

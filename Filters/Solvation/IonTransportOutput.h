@@ -15,12 +15,17 @@ class vtkTable;
 namespace isthmus
 {
 
-/// Extent, origin and spacing of the domain's grid.
+/// Extent, origin, spacing and direction of the domain's grid.
 void SetImageGeometry(const TransportDomain& domain, vtkImageData* image);
 
+/// The box along the coordinate axes that the image of a domain shows, since filters of VTK and
+/// ParaView, contours among them, ignore directions of images.
+TransportDomain ImageBox(const TransportDomain& domain);
+
 /// Potential (active), Concentration_NAME and Flux_NAME of each species, CurrentDensity,
-/// SignedDistance. Parallel. @throws std::runtime_error if a number exceeds the range of float,
-/// which absurd charges can cause; Cancelled.
+/// SignedDistance, in ImageBox(), interpolated trilinearly if the grid is turned. Parallel. @throws
+/// std::runtime_error if a number exceeds the range of float, which absurd charges can cause;
+/// Cancelled.
 void FillTransportImage(
   const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress = {});
 

@@ -28,12 +28,13 @@ double ToMembrane(
   const double across = std::abs(along) - 0.5 * membrane.Thickness;
   const double within = std::max(membrane.LumenRadius - off, off - (d.Radius + Rim * d.Spacing));
   return std::hypot(std::max(across, 0.0), std::max(within, 0.0)) +
-    std::min(std::max(across, within), 0.0);
+    std::min(std::max(across, within), 0.0) - MembraneExcess * d.Spacing;
 }
 
+/// In the axes of the room, from its first node.
 DensityGrid GridOf(const TransportDomain& room)
 {
-  return { room.Origin, room.Dimensions, room.Spacing };
+  return { {}, room.Dimensions, room.Spacing };
 }
 
 SolverBox FlowBox(const TransportDomain& room)
@@ -42,6 +43,15 @@ SolverBox FlowBox(const TransportDomain& room)
   box.Dimensions = room.Dimensions;
   box.Spacing = { room.Spacing, room.Spacing, room.Spacing };
   return box;
+}
+
+std::vector<DispersionAtom> InAxes(const TransportDomain& room, std::vector<DispersionAtom> atoms)
+{
+  for (DispersionAtom& atom : atoms)
+  {
+    atom.Centre = room.InAxes(atom.Centre);
+  }
+  return atoms;
 }
 
 /// Distances of the flow on the domain's own nodes, angstrom.
@@ -85,10 +95,12 @@ double ChannelUpdate::Current() const
 TransportDomain MovingChannel::Padded(const TransportDomain& domain)
 {
   TransportDomain room = domain;
+  const double wide = static_cast<double>(Margin) * domain.Spacing;
+  const Point3 before = domain.Turned({ wide, wide, wide });
   for (std::size_t a = 0; a < 3; ++a)
   {
     room.Dimensions[a] += 2 * Margin;
-    room.Origin[a] -= static_cast<double>(Margin) * domain.Spacing;
+    room.Origin[a] -= before[a];
   }
   return room;
 }
@@ -112,7 +124,7 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
     "Pressure", parameters.Solvent.Pressure, -1e3, 1e3, "It is an energy per cubic angstrom.");
   this->Start(obstacle);
   this->Steady.assign(this->Field.Distance.size(), 0.0F);
-  SolventPull(atoms, parameters.Solvent)(this->Field.Grid, this->Steady);
+  SolventPull(InAxes(this->Room, atoms), parameters.Solvent)(this->Field.Grid, this->Steady);
   for (float& value : this->Steady)
   {
     value *= static_cast<float>(domain.Spacing);
@@ -144,8 +156,9 @@ void MovingChannel::Start(const std::vector<float>& obstacle)
 
 void MovingChannel::Solve(const ProgressCallback& progress)
 {
-  auto grid = std::make_unique<TransportGrid>(MakeTransportGrid(
-    this->Domain, OnDomain(this->Field, this->Domain), this->Charges, this->Transport));
+  auto grid = std::make_unique<TransportGrid>(
+    MakeTransportGrid(this->Domain, OnDomain(this->Field, this->Domain), this->Charges,
+      this->Transport, PermittivityMean::AlongEdge));
   this->Passage = FindPassage(*grid);
   if (!(this->Passage.Radius > 0.0) && !this->Updates.empty())
   {

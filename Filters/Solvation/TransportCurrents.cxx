@@ -117,7 +117,7 @@ Point3 FluxAt(const PoissonNernstPlanck& solution, SpeciesId species, std::int64
     const double before = at[a] > 0 ? solution.EdgeFlux(species, a, node - steps[a]) : 0.0;
     flux[a] = 0.5 * IonsPerFlux * (behind + before) / (d.Spacing * d.Spacing);
   }
-  return flux;
+  return d.Turned(flux);
 }
 
 namespace

@@ -51,6 +51,66 @@ std::array<double, 2> TransportDomain::AxialAndRadial(const Point3& place) const
   return { along, std::sqrt(square) };
 }
 
+Point3 TransportDomain::Turned(const Point3& vector) const
+{
+  Point3 world{ 0.0, 0.0, 0.0 };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      world[c] += vector[a] * this->Axes[a][c];
+    }
+  }
+  return world;
+}
+
+Point3 TransportDomain::InAxes(const Point3& place) const
+{
+  Point3 local{ 0.0, 0.0, 0.0 };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      local[a] += (place[c] - this->Origin[c]) * this->Axes[a][c];
+    }
+  }
+  return local;
+}
+
+namespace
+{
+
+/// The coordinate axis next to the normal.
+std::size_t NextAxis(const Point3& normal)
+{
+  std::size_t next = 2;
+  for (const std::size_t a : { std::size_t(1), std::size_t(0) })
+  {
+    next = std::abs(normal[a]) > std::abs(normal[next]) ? a : next;
+  }
+  return next;
+}
+
+/// The coordinate axes in the smallest turn that takes e, axis `next` or its opposite, to the
+/// normal n: a vector x goes to x - (x (e + n)) (e + n) / (1 + e n) + 2 (x e) n.
+std::array<Point3, 3> AxesAlong(const Point3& normal, std::size_t next)
+{
+  const double sign = normal[next] < 0.0 ? -1.0 : 1.0;
+  const Point3 along{ sign * normal[0], sign * normal[1], sign * normal[2] };
+  std::array<Point3, 3> axes{ along, along, along };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t c = 0; a != next && c < 3; ++c)
+    {
+      const double both = along[c] + (c == next ? 1.0 : 0.0);
+      axes[a][c] = (a == c ? 1.0 : 0.0) - along[a] * both / (1.0 + along[next]);
+    }
+  }
+  return axes;
+}
+
+}
+
 TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters)
 {
@@ -73,11 +133,12 @@ TransportDomain DomainAround(
   d.Radius = wide + parameters.Padding;
   const double h = d.Spacing;
   d.HalfLength = h * std::ceil((far + parameters.Padding) / h - 1e-6);
+  const std::size_t next = NextAxis(d.Normal);
+  d.Axes = AxesAlong(d.Normal, next);
+  Point3 before{};
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const double across = std::sqrt(std::max(0.0, 1.0 - d.Normal[a] * d.Normal[a]));
-    const double half = std::abs(d.Normal[a]) * d.HalfLength + across * d.Radius;
-    const double nodes = std::ceil(half / h - 1e-6) + 1.0;
+    const double nodes = std::ceil((a == next ? d.HalfLength : d.Radius) / h - 1e-6) + 1.0;
     if (!(nodes < 1e9))
     {
       throw std::invalid_argument("A Spacing of " + FormatNumber(h) + " makes " +
@@ -86,8 +147,10 @@ TransportDomain DomainAround(
         "atom or a MembraneCenter that lies far from the others.");
     }
     d.Dimensions[a] = 2 * static_cast<std::int64_t>(nodes) + 1;
-    d.Origin[a] = d.Centre[a] - h * nodes;
+    before[a] = h * nodes;
   }
+  const Point3 half = d.Turned(before);
+  d.Origin = { d.Centre[0] - half[0], d.Centre[1] - half[1], d.Centre[2] - half[2] };
   RequireMemory(d, BytesPerNode);
   return d;
 }
@@ -95,15 +158,20 @@ TransportDomain DomainAround(
 std::vector<float> DistanceToAtoms(const TransportDomain& domain, const std::vector<Ball>& atoms,
   double probeRadius, const ProgressCallback& progress)
 {
-  const FlowGrid flow(DensityGrid{ domain.Origin, domain.Dimensions, domain.Spacing });
+  const FlowGrid flow(DensityGrid{ {}, domain.Dimensions, domain.Spacing });
+  std::vector<Ball> balls = atoms;
+  for (Ball& ball : balls)
+  {
+    ball.Centre = domain.InAxes(ball.Centre);
+  }
   std::vector<float> to(static_cast<std::size_t>(flow.NumberOfNodes()), FlowGrid::Band);
   if (probeRadius > 0.0)
   {
-    SolventExcludedDistance(flow, atoms, probeRadius, to, progress);
+    SolventExcludedDistance(flow, balls, probeRadius, to, progress);
   }
   else
   {
-    DistanceToBalls(flow, atoms, 1.0, 0.0, static_cast<double>(FlowGrid::Band), to, progress);
+    DistanceToBalls(flow, balls, 1.0, 0.0, static_cast<double>(FlowGrid::Band), to, progress);
   }
   std::vector<float> distances;
   distances.reserve(static_cast<std::size_t>(domain.Size()));
@@ -123,10 +191,11 @@ namespace
 class Builder
 {
 public:
-  Builder(TransportGrid& grid, const IonTransportParameters& parameters)
+  Builder(TransportGrid& grid, const IonTransportParameters& parameters, PermittivityMean kind)
     : Grid(grid)
     , Domain(grid.Domain)
     , Parameters(parameters)
+    , Kind(kind)
     , Steps(grid.Domain.Steps())
     , Side(static_cast<std::size_t>(grid.Domain.Size()))
   {
@@ -146,10 +215,14 @@ private:
   void FillNode(std::int64_t node, double solute);
   void FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis);
   double FacePart(const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
+  std::array<double, 2> SlopesAcross(
+    const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
+  double PermittivityOf(std::int64_t node, std::size_t axis) const;
 
   TransportGrid& Grid;
   const TransportDomain& Domain;
   const IonTransportParameters& Parameters;
+  const PermittivityMean Kind;
   const std::array<std::int64_t, 3> Steps;
   std::vector<float> Side; ///< distance to the side of the cylinder, positive within
 };
@@ -161,7 +234,7 @@ void Builder::FillNode(std::int64_t node, double solute)
   const auto [along, off] = this->Domain.AxialAndRadial(this->Domain.Place(node));
   const MembraneSlab& m = this->Parameters.Membrane;
   const double membrane = std::max(std::abs(along) - 0.5 * m.Thickness, m.LumenRadius - off);
-  const double distance = std::min(solute, membrane);
+  const double distance = std::min(solute, membrane - MembraneExcess * h);
   this->Grid.Distance[n] = static_cast<float>(distance);
   this->Grid.Along[n] = static_cast<float>(along);
   this->Side[n] = static_cast<float>(this->Domain.Radius - off);
@@ -197,14 +270,64 @@ double Builder::FacePart(
   {
     return middle > 0.0 ? 1.0 : 0.0;
   }
-  double across[2];
+  const auto [first, second] = this->SlopesAcross(values, node, axis);
+  return PositiveFraction(middle, first, second);
+}
+
+/// Changes of the values from side to side of the face between a node and the next.
+std::array<double, 2> Builder::SlopesAcross(
+  const std::vector<float>& values, std::int64_t node, std::size_t axis) const
+{
+  const auto value = [&values](std::int64_t at)
+  { return static_cast<double>(values[static_cast<std::size_t>(at)]); };
+  const std::int64_t next = node + this->Steps[axis];
+  std::array<double, 2> slopes{};
   for (std::size_t b = 0; b < 2; ++b)
   {
     const std::int64_t step = this->Steps[(axis + 1 + b) % 3];
-    across[b] =
+    slopes[b] =
       0.25 * (value(node + step) - value(node - step) + value(next + step) - value(next - step));
   }
-  return PositiveFraction(middle, across[0], across[1]);
+  return slopes;
+}
+
+/// Of the edge from a node to the next, or the mean of lines along it, spread over the face
+/// between.
+double Builder::PermittivityOf(std::int64_t node, std::size_t axis) const
+{
+  constexpr int lines = 4; // along each side
+  const std::vector<float>& distances = this->Grid.Distance;
+  const auto here = static_cast<double>(distances[static_cast<std::size_t>(node)]);
+  const auto there =
+    static_cast<double>(distances[static_cast<std::size_t>(node + this->Steps[axis])]);
+  const double solute = this->Parameters.SoluteDielectric;
+  const double solvent = this->Parameters.SolventDielectric;
+  const double low = std::min(here, there);
+  const double high = std::max(here, there);
+  if (low > this->Domain.Spacing || high < -this->Domain.Spacing)
+  {
+    return here > 0.0 ? solvent : solute;
+  }
+  const auto ofLine = [&](double off) // distances there differ by `off` from those on the edge
+  {
+    const double inside = high + off < 0.0 ? 1.0
+      : low + off >= 0.0                   ? 0.0
+                                           : -(low + off) / (high - low);
+    return SeriesPermittivity(solute, solvent, inside);
+  };
+  if (this->Kind == PermittivityMean::AlongEdge)
+  {
+    return ofLine(0.0);
+  }
+  const auto [first, second] = this->SlopesAcross(distances, node, axis);
+  double sum = 0.0;
+  for (int line = 0; line < lines * lines; ++line)
+  {
+    const auto place = [](int i) { return (i + 0.5) / lines - 0.5; };
+    const double off = first * place(line % lines) + second * place(line / lines);
+    sum += ofLine(off);
+  }
+  return sum / (lines * lines);
 }
 
 void Builder::FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis)
@@ -221,15 +344,7 @@ void Builder::FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at,
   {
     return;
   }
-  const double a = static_cast<double>(this->Grid.Distance[p]);
-  const double b =
-    static_cast<double>(this->Grid.Distance[static_cast<std::size_t>(node + this->Steps[axis])]);
-  const double inside = a < 0.0 && b < 0.0 ? 1.0
-    : a >= 0.0 && b >= 0.0                 ? 0.0
-                                           : -std::min(a, b) / (std::abs(a) + std::abs(b));
-  this->Grid.Permittivity[axis][p] = static_cast<float>(part *
-    SeriesPermittivity(
-      this->Parameters.SoluteDielectric, this->Parameters.SolventDielectric, inside));
+  this->Grid.Permittivity[axis][p] = static_cast<float>(part * this->PermittivityOf(node, axis));
   this->Grid.Aperture[axis][p] =
     static_cast<float>(part * this->FacePart(this->Grid.Distance, node, axis));
 }
@@ -323,9 +438,10 @@ void Builder::Charges(const std::vector<ChargedAtom>& charges)
   {
     std::int64_t node = 0;
     double t[3];
+    const Point3 place = this->Domain.InAxes(charge.Position);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const double at = (charge.Position[a] - this->Domain.Origin[a]) / this->Domain.Spacing;
+      const double at = place[a] / this->Domain.Spacing;
       const auto low = std::clamp<std::int64_t>(
         static_cast<std::int64_t>(std::floor(at)), 0, this->Domain.Dimensions[a] - 2);
       node += low * this->Steps[a];
@@ -368,7 +484,7 @@ double PositiveFraction(double distance, double g1, double g2)
 
 TransportGrid MakeTransportGrid(const TransportDomain& domain, const std::vector<float>& solute,
   const std::vector<ChargedAtom>& charges, const IonTransportParameters& parameters,
-  const ProgressCallback& progress)
+  PermittivityMean permittivity, const ProgressCallback& progress)
 {
   TransportGrid grid;
   grid.Domain = domain;
@@ -381,7 +497,7 @@ TransportGrid MakeTransportGrid(const TransportDomain& domain, const std::vector
   }
   grid.Baths.assign(size, 0);
   grid.Charge.assign(size, 0.0);
-  Builder builder(grid, parameters);
+  Builder builder(grid, parameters, permittivity);
   builder.Distances(solute);
   builder.Faces(progress);
   builder.MergeCutCells();

@@ -4,17 +4,19 @@
  * of a grid.
  *
  * The domain is a cylinder around the channel's axis (through the membrane's centre, along its
- * normal) that contains all atoms with a margin on all sides, so that nothing depends on their
- * orientation relative to the grid. The grid is the box around it, with a node in the membrane's
- * centre and a layer of nodes beyond the cylinder. The baths are beyond the flat ends of the
+ * normal) that contains all atoms with a margin on all sides. The grid is the box around it, turned
+ * so that one of its axes is the normal: the baths begin at planes of nodes, and the current does
+ * not depend on how molecule and membrane lie in space. A node is in the membrane's centre, and a
+ * layer of nodes beyond the cylinder. The baths are beyond the flat ends of the
  * cylinder; its side is impermeable. Inside, atoms and membrane are one region, and the rest is
  * water.
  *
  * Nodes have cubes of one spacing around them. The fraction of each face that is water is computed
  * from the signed distance, which is assumed to be linear there. Thus walls lie between the nodes,
  * and the area of a pore is second order. Cubes whose node is not in the water are merged with
- * neighbours whose node is. The permittivity of an edge is that of its two parts in series (smeared
- * over the surface instead, it was 14 to 35 % off for a Born ion).
+ * neighbours whose node is. The permittivity of an edge is that of its parts in the water and in
+ * the atoms in series (smeared over the surface instead, the energy of a Born ion was 14 to 35 %
+ * off), or the mean of lines along it over its face: PermittivityMean.
  */
 #ifndef isthmus_TransportGrid_h
 #define isthmus_TransportGrid_h
@@ -35,8 +37,10 @@ namespace isthmus
 struct TransportDomain
 {
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
-  Point3 Origin{ 0.0, 0.0, 0.0 };
+  Point3 Origin{ 0.0, 0.0, 0.0 }; ///< of the first node
   double Spacing = 1.0;
+  /// Unit vectors along the axes of the grid; one of them is the normal or its opposite.
+  std::array<Point3, 3> Axes{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
   Point3 Centre{ 0.0, 0.0, 0.0 };
   Point3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
   double Radius = 0.0;            ///< of the cylinder
@@ -58,10 +62,16 @@ struct TransportDomain
   Point3 Place(std::int64_t node) const
   {
     const std::array<std::int64_t, 3> at = this->Indices(node);
-    return { this->Origin[0] + this->Spacing * static_cast<double>(at[0]),
-      this->Origin[1] + this->Spacing * static_cast<double>(at[1]),
-      this->Origin[2] + this->Spacing * static_cast<double>(at[2]) };
+    const double h = this->Spacing;
+    const Point3 turned = this->Turned({ h * static_cast<double>(at[0]),
+      h * static_cast<double>(at[1]), h * static_cast<double>(at[2]) });
+    return { this->Origin[0] + turned[0], this->Origin[1] + turned[1],
+      this->Origin[2] + turned[2] };
   }
+  /// A vector along the axes of the grid in world coordinates.
+  Point3 Turned(const Point3& vector) const;
+  /// A place relative to the first node along the axes of the grid, in angstrom.
+  Point3 InAxes(const Point3& place) const;
   /// Coordinates of a place: along the axis, from the centre of the membrane, and its distance from
   /// the axis.
   std::array<double, 2> AxialAndRadial(const Point3& place) const;
@@ -84,12 +94,27 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,
   const std::vector<Ball>& atoms, double probeRadius, const ProgressCallback& progress = {});
 
+/// Spacings by which walls of the membrane are further out than asked, so that nodes on them are in
+/// the membrane however a turned grid rounds their places.
+constexpr double MembraneExcess = 1e-6;
+
 /// The bath to which a node belongs.
 enum class Bath : unsigned char
 {
   None = 0,
   Below = 1,
   Above = 2
+};
+
+/// The mean over faces makes no steps of walls along the grid: turning tubes of atoms of radius 2.2
+/// to 2.8 angstrom about their axis changes the current by 0.7 % at most instead of 1.4 % (Spacing
+/// 0.5). The potential at nodes next to a wall is better with that of the edge alone, and so is the
+/// force that is fitted to it (WallForce.h): 2 % off instead of 19 % (Spacing 0.8, dielectric
+/// constant 2).
+enum class PermittivityMean
+{
+  OverFace,
+  AlongEdge
 };
 
 /// 50 bytes a node.
@@ -112,7 +137,9 @@ struct TransportGrid
 /// @throws Cancelled.
 VTKISTHMUSFILTERSSOLVATION_EXPORT TransportGrid MakeTransportGrid(const TransportDomain& domain,
   const std::vector<float>& solute, const std::vector<ChargedAtom>& charges,
-  const IonTransportParameters& parameters, const ProgressCallback& progress = {});
+  const IonTransportParameters& parameters,
+  PermittivityMean permittivity = PermittivityMean::OverFace,
+  const ProgressCallback& progress = {});
 
 /// The fraction of a unit square on which distance + g1 u + g2 v is positive, with u and v in
 /// [-1/2, 1/2].

@@ -330,7 +330,7 @@ int vtkIonTransport::RequestInformation(
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
-          isthmus::DomainAround(atoms.Balls, internals.Parameters()), image);
+          isthmus::ImageBox(isthmus::DomainAround(atoms.Balls, internals.Parameters())), image);
       }
     });
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_DOUBLE, 1);

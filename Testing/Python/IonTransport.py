@@ -12,6 +12,8 @@ from paraview.simple import (Clip, ColorBy, Contour, CreateView, GetColorTransfe
                              IonTransportOnSurface, MolecularFlowSurface, PVTrivialProducer, ResetCamera,
                              SaveScreenshot, Show, StreamTracer)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkKdTreePointLocator, vtkPolyData
 
 import robustness_trials
 from good_data import channel, channel_surface
@@ -84,7 +86,31 @@ oblique = tube_filter(turned)
 oblique.SetMembraneNormal(numpy.sin(angle), 0.0, numpy.cos(angle))
 oblique.Update()
 print("turned:", number(oblique.GetOutput(), "Current"), "pA")
-assert abs(number(oblique.GetOutput(), "Current") / straight - 1.0) < 0.05
+assert abs(number(oblique.GetOutput(), "Current") / straight - 1.0) < 0.001
+
+
+def surface_points(filter_):
+    producer = PVTrivialProducer()
+    producer.GetClientSideObject().SetOutput(filter_.GetOutput())
+    contour = Contour(Input=producer, ContourBy=["POINTS", "SignedDistance"], Isosurfaces=[0.0])
+    return vtk_to_numpy(servermanager.Fetch(contour).GetPoints().GetData())
+
+
+# ParaView's filters show it where it is: the contour of the turned channel, turned back, is that of the straight one.
+straight_channel = tube_filter(channel())
+straight_channel.Update()
+locator = vtkKdTreePointLocator()
+surface = vtkPolyData()
+surface.SetPoints(vtkPoints())
+surface.GetPoints().SetData(numpy_to_vtk(surface_points(straight_channel), deep=True))
+locator.SetDataSet(surface)
+locator.BuildLocator()
+back = surface_points(oblique) @ matrix
+inner = back[numpy.linalg.norm(back, axis=1) < 8.0]
+nearest = numpy.array([surface.GetPoint(locator.FindClosestPoint(point)) for point in inner])
+off = numpy.linalg.norm(inner - nearest, axis=1).max()
+print("contour of the turned channel: up to", off, "angstrom from that of the straight one,", len(inner), "points")
+assert len(inner) > 500 and off < 0.8  # one spacing: points of the two contours lie differently
 
 
 def said(change, warning=False):
@@ -144,7 +170,7 @@ moving.Update()
 updates = rows_of(moving.GetUpdates())
 print("moving:", updates["Current"], "pA, area", updates["AreaChange"])
 assert number(moving.GetOutput(), "Rests") == 1.0 and 3 <= len(updates["Update"]) <= 10
-assert abs(updates["Current"][0] / straight - 1.0) < 0.01
+assert abs(updates["Current"][0] / straight - 1.0) < 0.03  # another mean of permittivities (PermittivityMean)
 assert updates["Time"][0] == updates["AreaChange"][0] == 0.0 and (numpy.diff(updates["Time"]) > 0).all()
 assert updates["AreaChange"][-1] < 0.0 and updates["EnergyChange"][-1] < 0.0  # tension closes creases
 shown = number(moving.GetOutput(), "Current")

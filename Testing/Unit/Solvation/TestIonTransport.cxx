@@ -10,6 +10,9 @@
 #include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMatrix3x3.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
@@ -121,6 +124,72 @@ TEST(IonTransport, CurrentOfAPoreIsOhms)
   const double density = FieldNumber(filter, "Current") / (Pi * pore * pore);
   EXPECT_NEAR(at(0.0, "CurrentDensity", 2) / density, 1.0, 0.05);
   EXPECT_EQ(at(0.0, "SignedDistance") > 0.0, true);
+}
+
+TEST(IonTransport, ObliqueChannelsHaveAnImageAlongTheAxes)
+{
+  constexpr double pore = 4.0, thickness = 16.0, padding = 8.0; // nodes on the walls
+  const Point3 normal{ 2.0 / 7.0, -6.0 / 7.0, 3.0 / 7.0 };
+  const Point3 centre{ 30.3, -8.2, 4.9 };
+  const auto along = [&](double z)
+  {
+    return Point3{ centre[0] + z * normal[0], centre[1] + z * normal[1],
+      centre[2] + z * normal[2] };
+  };
+  double straight = 0.0;
+  for (const bool turned : { false, true })
+  {
+    vtkNew<vtkIonTransport> filter;
+    filter->SetMembraneThickness(thickness);
+    filter->SetLumenRadius(pore);
+    filter->SetPadding(padding);
+    filter->SetSpacing(1.0);
+    Point3 atom{ 8.0, 0.0, 0.0 }; // uncharged, hidden in the membrane
+    if (turned)
+    {
+      filter->SetMembraneCenter(centre.data());
+      filter->SetMembraneNormal(normal.data());
+      atom = { centre[0] + 6.0 * 8.0 / std::sqrt(40.0), centre[1] + 2.0 * 8.0 / std::sqrt(40.0),
+        centre[2] };
+    }
+    filter->SetInputData(ChargedPoints({ { atom, 1.7 } }, { 0.0 }, 0.1));
+    filter->Update();
+    vtkImageData* const image = filter->GetOutput();
+    const double current = FieldNumber(filter, "Current");
+    if (!turned)
+    {
+      straight = current;
+      continue;
+    }
+    EXPECT_NEAR(current / straight, 1.0, 1e-4); // by as much do sections differ
+    EXPECT_TRUE(image->GetDirectionMatrix()->IsIdentity());
+    int extent[6];
+    filter->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    EXPECT_TRUE(std::equal(extent, extent + 6, image->GetExtent()));
+
+    const auto at = [&](double z, const char* name, int component = 0)
+    {
+      return image->GetPointData()->GetArray(name)->GetComponent(
+        image->FindPoint(along(z).data()), component);
+    };
+    const double far = 0.5 * thickness + padding;
+    const double volt = filter->GetVoltage() / Thermal;
+    constexpr double near = 0.05; // of the voltage: the next node is up to 0.87 angstrom off
+    EXPECT_NEAR(at(-far, "Potential"), volt, near * volt);
+    EXPECT_NEAR(at(0.0, "Potential"), 0.5 * volt, near * volt);
+    EXPECT_NEAR(at(far, "Potential"), 0.0, near * volt);
+    for (const double z : { -5.0, 0.0, 5.0 })
+    {
+      const Point3 density{ at(z, "CurrentDensity", 0), at(z, "CurrentDensity", 1),
+        at(z, "CurrentDensity", 2) };
+      const double size = Dot(density, normal);
+      EXPECT_NEAR(size / (current / (Pi * pore * pore)), 1.0, 0.05) << z;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        EXPECT_NEAR(density[a], size * normal[a], 0.02 * size) << z;
+      }
+    }
+  }
 }
 
 TEST(IonTransport, CurrentsVanishAtNernstsPotentials)

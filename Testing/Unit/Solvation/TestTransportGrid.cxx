@@ -132,7 +132,7 @@ TEST(TransportGrid, TurnedByThirtyDegreesTheCurrentIsTheSame)
   p.Membrane.Centre = { 0.13, -0.21, 0.3 };
   const double turned = Current(p, Ring(p.Membrane, 7.0, -0.8));
   std::cout << straight << " pA, turned " << turned << "\n";
-  EXPECT_NEAR(turned / straight, 1.0, 0.05);
+  EXPECT_NEAR(turned / straight, 1.0, 1e-4);
 }
 
 TEST(TransportGrid, PositivePartIsThatOfASquare)
