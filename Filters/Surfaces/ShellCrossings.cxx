@@ -217,11 +217,39 @@ private:
     }
     std::sort(sorted.begin(), sorted.end());
     const auto same = std::adjacent_find(sorted.begin(), sorted.end());
-    if (same == sorted.end())
+    if (same != sorted.end())
     {
-      return {};
+      return ShellCrossing{ Middle(this->Place(*same)), true };
     }
-    return ShellCrossing{ Middle(this->Place(*same)), true };
+    return this->DoubledTurned();
+  }
+
+  /// A shell and the same one inside out. Single triangles that face each other are those of bodies
+  /// that touch, and sheets with two sides have no inside: neither is one.
+  std::optional<ShellCrossing> DoubledTurned() const
+  {
+    for (const Shell& shell : this->Shells)
+    {
+      std::vector<Triangle> once = shell.Triangles;
+      for (Triangle& t : once)
+      {
+        std::sort(t.begin(), t.end());
+      }
+      std::sort(once.begin(), once.end());
+      once.erase(std::unique(once.begin(), once.end()), once.end());
+      if (2 * once.size() != shell.Triangles.size())
+      {
+        continue;
+      }
+      bool closed = true;
+      ForEachEdge(SortedHalfEdges(SurfaceView(this->Mesh.Points, once), {}),
+        [&](auto first, auto last) { closed = closed && (last - first) % 2 == 0; });
+      if (closed)
+      {
+        return ShellCrossing{ Middle(this->Place(once.front())), true };
+      }
+    }
+    return {};
   }
 
   Corners3 Place(const Triangle& t) const

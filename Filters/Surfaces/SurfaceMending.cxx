@@ -7,6 +7,7 @@
 #include "Surfaces/MeshEdges.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
+#include "Surfaces/TriangleTree.h"
 #include "Surfaces/WindingNumber.h"
 
 #include <algorithm>
@@ -289,7 +290,8 @@ struct Shell
   double Volume = 0.0;
   bool IsClosed = true;
   int Parent = -1;
-  std::unique_ptr<WindingNumber> Winding; ///< made when first asked for
+  std::unique_ptr<WindingNumber> Winding; ///< these two are made when first asked for
+  std::unique_ptr<TriangleTree> Tree;
 };
 
 std::vector<Shell> ShellsOf(const SurfaceView& surface)
@@ -327,39 +329,52 @@ std::vector<Shell> ShellsOf(const SurfaceView& surface)
   return shells;
 }
 
-bool IsWithin(const Bounds3& inner, const Bounds3& outer)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if (!(inner.Min[axis] > outer.Min[axis] && inner.Max[axis] < outer.Max[axis]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Whether several points of `inner`, from all over it, are all inside `outer`.
+/// Whether several points of `inner`, from all over it, are all inside `outer`. Points on `outer`,
+/// where two shells touch, are left out.
 bool IsInside(const SurfaceView& surface, const Shell& inner, Shell& outer)
 {
-  if (!IsWithin(inner.Box, outer.Box))
+  if (!outer.Box.Contains(inner.Box))
   {
     return false;
   }
   if (!outer.Winding)
   {
-    outer.Winding = std::make_unique<WindingNumber>(SurfaceView(surface.Points, outer.Triangles));
+    const SurfaceView view(surface.Points, outer.Triangles);
+    outer.Winding = std::make_unique<WindingNumber>(view);
+    outer.Tree = std::make_unique<TriangleTree>(view);
   }
+  constexpr double touchingPart = 1e-7; // of the diagonal, as in ShellCrossings.cxx
+  const double touch = touchingPart * outer.Box.Diagonal();
   constexpr std::size_t mostAsked = 16;
-  const std::size_t step = std::max<std::size_t>(inner.Triangles.size() / mostAsked, 1);
-  for (std::size_t t = 0; t < inner.Triangles.size(); t += step)
+  std::size_t step = std::max<std::size_t>(inner.Triangles.size() / mostAsked, 1);
+  bool known = false;
+  while (true)
   {
-    if (std::abs((*outer.Winding)(surface.Point(inner.Triangles[t][0]))) < 0.5)
+    for (std::size_t t = 0; t < inner.Triangles.size(); t += step)
     {
-      return false;
+      const Triangle& corners = inner.Triangles[t];
+      const Point3& corner = surface.Point(corners[0]);
+      const Point3 middle =
+        (1.0 / 3.0) * (corner + surface.Point(corners[1]) + surface.Point(corners[2]));
+      for (const Point3& x : { corner, middle })
+      {
+        if (outer.Tree->Find(x, -1).Squared <= touch * touch)
+        {
+          continue;
+        }
+        if (std::abs((*outer.Winding)(x)) < 0.5)
+        {
+          return false;
+        }
+        known = true;
+      }
     }
+    if (known || step == 1)
+    {
+      return known;
+    }
+    step = 1;
   }
-  return true;
 }
 
 /// `outward`: whether the outermost shells face outward even if all of them faced inward.

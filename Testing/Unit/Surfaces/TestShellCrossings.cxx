@@ -161,6 +161,14 @@ TEST(ShellCrossings, TheSameShellTwiceIsFound)
   ASSERT_TRUE(twice.has_value());
   EXPECT_TRUE(twice->Coincide);
   EXPECT_NE(twice->Message().find("coincide"), std::string::npos);
+  const auto turned = CrossingOf(InsideOut(sphere), sphere);
+  ASSERT_TRUE(turned.has_value());
+  EXPECT_TRUE(turned->Coincide);
+  // Whole cubes that face each other by a face, and a sheet with two sides, are no such shells.
+  EXPECT_FALSE(CrossingOf(Cube({ 0, 0, 0 }, 1.0), Cube({ 1.0, 0.0, 0.0 }, 1.0)).has_value());
+  TriangleMesh sheet = sphere;
+  sheet.Triangles.resize(sheet.Triangles.size() / 3);
+  EXPECT_FALSE(CrossingOf(sheet, InsideOut(sheet)).has_value());
 }
 
 TEST(ShellCrossings, NestedShellsAndOpenOnesAreNotLookedAt)
@@ -177,6 +185,46 @@ TEST(ShellCrossings, NestedShellsAndOpenOnesAreNotLookedAt)
   open.Triangles.pop_back();
   EXPECT_FALSE(CrossingOf(Sphere({ 0.0, 0.0, 0.0 }, 5.0), open).has_value());
   EXPECT_FALSE(FindShellCrossing(TriangleMesh{}).has_value());
+}
+
+/// A cavity that touches the wall around it in a face, an edge, a corner or a point was added to
+/// the volume by Surface Measures, and left out by Surface To Grid.
+TEST(ShellCrossings, CavitiesThatTouchTheirWallCountAlike)
+{
+  struct Case
+  {
+    TriangleMesh Outer, Inner;
+  };
+  const TriangleMesh cube = Cube({ 0.0, 0.0, 0.0 }, 2.0);
+  const TriangleMesh ball = Sphere({ 0.0, 0.0, 0.0 }, 2.0);
+  TriangleMesh half = ball; // within the ball, and with one point of it
+  for (Point3& p : half.Points)
+  {
+    p = 0.5 * (p + ball.Points[3]);
+  }
+  const Case cases[] = { { cube, Cube({ 0.0, 0.5, 0.5 }, 1.0) },
+    { cube, Cube({ 0.0, 0.0, 0.5 }, 1.0) }, { cube, Cube({ 0.0, 0.0, 0.0 }, 1.0) },
+    { cube, Sphere({ 1.0, 1.0, 0.5 }, 0.5) }, { ball, half } };
+  for (const Case& c : cases)
+  {
+    const double expected = std::abs(MeasureSurface(c.Outer).Whole.Volume) -
+      std::abs(MeasureSurface(c.Inner).Whole.Volume);
+    for (const bool turned : { false, true })
+    {
+      TriangleMesh mesh = TurnedByOneRadian(c.Outer);
+      Append(mesh, TurnedByOneRadian(turned ? InsideOut(c.Inner) : c.Inner));
+      vtkNew<vtkSurfaceMeasures> measures;
+      measures->SetInputData(DataOf(mesh));
+      measures->Update();
+      const double volume =
+        measures->GetOutputDataObject(0)->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
+      EXPECT_NEAR(volume, expected, 1e-9 * expected) << &c - cases << turned;
+      const GridShape shape{ { 64, 64, 64 }, { 0.1, 0.1, 0.1 } };
+      const auto inside = NodesInside(Moved(mesh, { 3.03, 3.01, 3.07 }), shape);
+      const auto count = std::count(inside.begin(), inside.end(), 1);
+      EXPECT_NEAR(0.001 * static_cast<double>(count), expected, 0.03 * expected) << &c - cases;
+    }
+  }
 }
 
 TEST(ShellCrossings, NestedShellsCountAlikeWhicheverWayTheyFace)
