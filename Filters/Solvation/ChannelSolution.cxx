@@ -20,11 +20,12 @@ namespace
 {
 
 /// The distance from each node to closed triangles, angstrom, negative within, cut at 4.5 spacings.
-/// Parallel. Sets `warning` if charges lie outside.
-/// @throws std::invalid_argument where they are not closed or most charges lie outside, Cancelled.
-std::vector<float> DistanceToClosed(const TransportDomain& domain, vtkPolyData* surface,
-  const std::vector<ChargedAtom>& charges, std::string& warning, const ProgressCallback& progress)
+/// Parallel. Sets `warning` if charges lie outside; atoms if there are no charges.
+/// @throws std::invalid_argument where they are not closed or most of these lie outside, Cancelled.
+std::vector<float> DistanceToClosed(const TransportDomain& domain, const ChannelProblem& problem,
+  std::string& warning, const ProgressCallback& progress)
 {
+  vtkPolyData* const surface = problem.Surface;
   if (surface->GetNumberOfPoints() == 0)
   {
     throw std::invalid_argument(
@@ -45,14 +46,22 @@ std::vector<float> DistanceToClosed(const TransportDomain& domain, vtkPolyData* 
     to[node] = static_cast<float>(inside[node] != 0 ? -distance[node] : distance[node]);
   }
   std::vector<Point3> centres;
-  for (const ChargedAtom& atom : charges)
+  for (const ChargedAtom& atom : problem.Charges)
   {
     if (atom.Charge != 0.0)
     {
       centres.push_back(atom.Position);
     }
   }
-  warning = CheckAtomsInside(image, to, centres, "charged atoms");
+  const bool isCharged = !centres.empty();
+  if (!isCharged) // a pore of carbon, for instance
+  {
+    for (const Ball& ball : problem.Balls)
+    {
+      centres.push_back(ball.Centre);
+    }
+  }
+  warning = CheckAtomsInside(image, to, centres, isCharged ? "charged atoms" : "atoms");
   return to;
 }
 
@@ -69,7 +78,7 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   }
   const auto first = Between(progress, 0.0, 0.15);
   const std::vector<float> distances = problem.Surface
-    ? DistanceToClosed(room, problem.Surface, problem.Charges, this->SurfaceWarning, first)
+    ? DistanceToClosed(room, problem, this->SurfaceWarning, first)
     : DistanceToAtoms(room, problem.Balls, p.ProbeRadius, first);
   if (problem.Moves)
   {

@@ -310,4 +310,16 @@ TEST(IonTransport, SurfacesThatLeaveChargesOutsideAreRefusedOrWarnedAbout)
     said->GetErrorMessage().find("charged atoms lie outside the surface"), std::string::npos)
     << said->GetErrorMessage();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+
+  // Nor were atoms without charges looked at, as those of a pore of carbon.
+  const auto neutral = TubeInSalt(0.0, 0.1, 0.1);
+  vtkNew<vtkTest::ErrorObserver> saidOfNeutral;
+  neutral->AddObserver(vtkCommand::ErrorEvent, saidOfNeutral);
+  neutral->AddObserver(vtkCommand::WarningEvent, saidOfNeutral);
+  neutral->SetInputData(1, surface(-1.0, 1.0));
+  neutral->Update();
+  EXPECT_NE(
+    saidOfNeutral->GetErrorMessage().find("atoms lie outside the surface"), std::string::npos)
+    << saidOfNeutral->GetErrorMessage();
+  EXPECT_EQ(neutral->GetOutput()->GetNumberOfPoints(), 0);
 }
