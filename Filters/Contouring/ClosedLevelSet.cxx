@@ -121,7 +121,9 @@ ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsH
   }
   RefuseMask(grid, low, high);
   result.Field = TrilinearField<T>{ grid, outside };
-  using Array = std::conditional_t<std::is_same_v<T, double>, vtkDoubleArray, vtkFloatArray>;
+  // Integers of more than 16 bits are not all numbers of type float.
+  constexpr bool isWide = std::is_same_v<T, double> || (std::is_integral_v<T> && sizeof(T) > 2);
+  using Array = std::conditional_t<isWide, vtkDoubleArray, vtkFloatArray>;
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(Padded<Array>(grid, outside));
   edges->SetValue(0, level);

@@ -30,7 +30,7 @@ struct ClosedLevelSet
 /**
  * The level set of `scalars` (points of `image`, one component) in the frame of the grid: first
  * node at the origin, axes along the grid, lengths by spacing. Copies the image (with its layer of
- * cells) once for the guide, as double if it is double, otherwise as float.
+ * cells) once for the guide, as double if float does not hold all its values, otherwise as float.
  * @throws std::invalid_argument when a value is not finite, the image has fewer than two nodes
  * along an axis, or it is a mask of two values, at whose corners refinement would not terminate.
  */

@@ -11,8 +11,10 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
@@ -220,6 +222,31 @@ TEST(DelaunayIsosurface, IntegersAnisotropyAndMirroredAxesWork)
   filter->GetOutput()->GetBounds(bounds);
   EXPECT_NEAR(bounds[2], -1.0 - 24.0 * 1.5, 1.0);
   EXPECT_NEAR(bounds[5], -1.0 + 24.0 * 2.0, 1.5);
+}
+
+/// Such integers were rounded to numbers of type float: nothing was found, or another level.
+TEST(DelaunayIsosurface, IntegersBeyondFloatAreExact)
+{
+  const auto cellsOf = [](vtkImageData* image, double level)
+  {
+    vtkNew<vtkDelaunayIsosurface> filter;
+    filter->SetInputData(image);
+    filter->SetLevel(level);
+    filter->Update();
+    return filter->GetOutput()->GetNumberOfCells();
+  };
+  for (const double offset : { 0.0, 1e9, 1e15 })
+  {
+    const auto at = [offset](double x, double y, double z)
+    { return offset + std::round(3000.0 * Ball(x, y, z, 0, 0, 0, 0.6)); };
+    const auto expected = cellsOf(Sampled<vtkDoubleArray>(31, at), offset + 0.5);
+    EXPECT_GT(expected, 100);
+    EXPECT_EQ(cellsOf(Sampled<vtkTypeInt64Array>(31, at), offset + 0.5), expected) << offset;
+    if (offset < 2e9)
+    {
+      EXPECT_EQ(cellsOf(Sampled<vtkIntArray>(31, at), offset + 0.5), expected) << offset;
+    }
+  }
 }
 
 TEST(DelaunayIsosurface, NothingThereGivesNothing)
