@@ -8,8 +8,15 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <mutex>
 #include <string>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace isthmus
 {
@@ -37,6 +44,37 @@ void WithBackend(Work&& work)
   {
     work();
   }
+}
+
+/// Whether the address space that this process may have (ulimit -v) has room for the stacks of
+/// `threads`. VTK's pool ends the program when it cannot start one of its threads.
+bool StacksFit(int threads)
+{
+#if defined(__unix__) || defined(__APPLE__)
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+  {
+    return true;
+  }
+  std::size_t stack = std::size_t{ 8 } << 20;
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) == 0)
+  {
+    pthread_attr_getstacksize(&attributes, &stack);
+    pthread_attr_destroy(&attributes);
+  }
+  double pages = 0.0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const double left =
+    static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+  // Beside its stack, a thread has local storage; what the loop itself allocates comes on top.
+  constexpr double more = 1 << 20;
+  constexpr double spare = 8 << 20;
+  return left > static_cast<double>(threads) * (static_cast<double>(stack) + more) + spare;
+#else
+  static_cast<void>(threads);
+  return true;
+#endif
 }
 
 /// Keeps the first exception of any thread, since none may leave a vtkSMPTools functor.
@@ -91,11 +129,17 @@ void RunRound(std::int64_t begin, std::int64_t end, std::int64_t grain, const Ra
     }
     done.fetch_add(1, std::memory_order_release);
   };
+  const int threads = ParallelThreads();
+  if (!StacksFit(threads))
+  {
+    guarded(begin, end);
+    failure.Rethrow();
+    return;
+  }
   // Few jobs, each of many pieces: VTK 9.3's pool ends the program when it finds no memory for its
   // list of them.
   const std::int64_t pieces = (end - begin) / grain;
-  const std::int64_t together =
-    std::max<std::int64_t>(1, pieces / (JobsPerThread * ParallelThreads()));
+  const std::int64_t together = std::max<std::int64_t>(1, pieces / (JobsPerThread * threads));
   WithBackend([&]() { vtkSMPTools::For(begin, end, grain * together, guarded); });
   done.load(std::memory_order_acquire);
   failure.Rethrow();

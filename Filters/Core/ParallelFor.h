@@ -34,6 +34,9 @@ using RangeBody = std::function<void(std::int64_t first, std::int64_t last)>;
  * indices. The first exception that a piece throws is rethrown on the calling thread; pieces not
  * yet started are then skipped.
  *
+ * Everything runs on the calling thread where an address space limit (`ulimit -v`) leaves no room
+ * for the stacks of the others.
+ *
  * With `progress`, the range is processed in rounds of about a tenth of a second. After each round,
  * `progress` is called on the calling thread with the fraction done, and Cancelled is thrown if it
  * returns false.

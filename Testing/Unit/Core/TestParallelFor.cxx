@@ -6,11 +6,17 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace
 {
@@ -66,6 +72,35 @@ TEST(ParallelFor, RunsOnSeveralThreadsWhereVTKIsSequential)
   EXPECT_GE(threads.size(), 2u);
   EXPECT_GE(isthmus::ParallelThreads(), 2);
 }
+
+#if defined(__linux__)
+/// VTK's pool of threads ends the program where a thread finds no room for its stack.
+TEST(ParallelFor, IsSequentialWhereNoThreadFits)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto run = []
+  {
+    double pages = 0.0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit limit{};
+    limit.rlim_max = RLIM_INFINITY;
+    limit.rlim_cur =
+      static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{ 4 } << 20);
+    setrlimit(RLIMIT_AS, &limit);
+    std::vector<int> visits(1000, 0);
+    isthmus::ParallelFor(0, 1000, 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t i = first; i < last; ++i)
+        {
+          ++visits[static_cast<std::size_t>(i)];
+        }
+      });
+    std::_Exit(std::count(visits.begin(), visits.end(), 1) == 1000 ? 0 : 1);
+  };
+  EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST(ParallelFor, HandsAnExceptionToTheCaller)
 {
