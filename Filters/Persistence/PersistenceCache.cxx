@@ -25,7 +25,9 @@ VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image)
 {
   const int* n = image->GetDimensions();
   const std::array<std::int64_t, 3> dimensions{ n[0], n[1], n[2] };
-  if (scalars->HasStandardMemoryLayout())
+  // GetVoidPointer copies arrays of one buffer for each component into another that they keep.
+  if (scalars->HasStandardMemoryLayout() ||
+    scalars->GetArrayType() == vtkAbstractArray::SoADataArrayTemplate)
   {
     switch (scalars->GetDataType())
     {

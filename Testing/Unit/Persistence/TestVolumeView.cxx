@@ -1,8 +1,13 @@
 // Statistics of volumes whose values are known, of every type, and of values at the end of what
 // doubles hold; the place of a value that is no number.
 
+#include "Persistence/PersistenceCache.h"
 #include "Persistence/ScalarFeatures.h"
 #include "Persistence/VolumeView.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkSOADataArrayTemplate.h>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +60,21 @@ TEST(VolumeView, StatisticsOfEveryType)
   ExpectKnown<std::uint64_t>();
   EXPECT_EQ(Of<std::int16_t>({ -300, 300 }).Minimum, -300.0);
   EXPECT_EQ(Of<std::uint16_t>({ 0, 65535 }).Maximum, 65535.0);
+}
+
+/// One buffer for each component is another layout of the same numbers.
+TEST(VolumeView, OfEveryLayout)
+{
+  vtkNew<vtkSOADataArrayTemplate<float>> values;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 1, 1);
+  for (const float value : { 7.0F, 1.0F, 3.0F, 1.0F, 8.0F })
+  {
+    values->InsertNextTypedTuple(&value);
+  }
+  const VolumeView view = VolumeOf(values, image);
+  EXPECT_EQ(view.Value(0), 7.0);
+  EXPECT_EQ(view.Value(4), 8.0);
 }
 
 TEST(VolumeView, NothingOverflowsOrCancels)
