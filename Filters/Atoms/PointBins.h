@@ -21,8 +21,8 @@ namespace isthmus
 /**
  * Points sorted by the bin they are in (32 bytes a point). Where their box has few bins for their
  * number, a table says where each bin begins; else only bins with points take memory (24 bytes a
- * point more), so that stray points far away do no harm. O(n log n). Coordinates over size must
- * stay below 2^53.
+ * point more), so that stray points far away do no harm. O(n log n). Points at coordinates over
+ * size beyond 2^53, or not finite, are near none within that.
  */
 class PointBins
 {
@@ -193,7 +193,10 @@ private:
 
   std::int64_t BinOf(double x) const
   {
-    return static_cast<std::int64_t>(std::floor(x / this->Size));
+    constexpr double most = 9007199254740992.0; // 2^53
+    const double bin = std::floor(x / this->Size);
+    return bin > -most ? static_cast<std::int64_t>(std::min(bin, most)) // NaN is not
+                       : -static_cast<std::int64_t>(most);
   }
 
   Bin BinOf(const Point3& p) const

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -84,6 +85,20 @@ TEST(PointBins, AStrayPointFarAwayDoesNoHarm)
   std::vector<Point3> points = Cloud(2000, 20.0);
   points.push_back({ 1e9, -1e9, 1e9 }); // a table of bins would have 10^28
   ExpectAllNear(points, 3.0, 6.0);
+}
+
+TEST(PointBins, PointsWithoutAPlaceAreNearNone)
+{
+  for (const double stray : { 1e300, -1e300, HUGE_VAL, static_cast<double>(NAN) })
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::vector<Point3> points = Cloud(200, 20.0);
+      points.push_back(points.front());
+      points.back()[axis] = stray;
+      ExpectAllNear(points, 3.0, 6.0);
+    }
+  }
 }
 
 TEST(PointBins, PointsOnTheBordersOfBinsAndOfTheBall)
