@@ -4,6 +4,7 @@
 #include "Core/Progress.h"
 
 #include <vtkErrorCode.h>
+#include <vtkPointSet.h>
 
 #include <stdexcept>
 
@@ -26,6 +27,12 @@ void vtkGuardedFileWriter::WriteData()
     if (!this->FileName || !*this->FileName)
     {
       throw std::invalid_argument("There is no file name: set FileName.");
+    }
+    if (auto* const points = vtkPointSet::SafeDownCast(this->GetInput());
+        points && points->GetNumberOfPoints() == 0)
+    {
+      throw std::invalid_argument("The input has no points, so there is nothing to write: it is "
+                                  "empty where the filter before has failed.");
     }
     this->WriteFile();
     this->IsWritten = true;

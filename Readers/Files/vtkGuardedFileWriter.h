@@ -2,9 +2,9 @@
  * @class vtkGuardedFileWriter
  * @brief Base class of our writers: file name, and one error message if a file cannot be written.
  *
- * A missing file name, or any failure to write the whole file, is reported as one error with the
- * error code set; an abort is not an error. In both cases an existing file of this name is not
- * changed.
+ * A missing file name, input without points (a filter before has failed), or any failure to write
+ * the whole file, is reported as one error with the error code set; an abort is not an error. In
+ * all cases an existing file of this name is not changed.
  */
 #ifndef vtkGuardedFileWriter_h
 #define vtkGuardedFileWriter_h

@@ -2,8 +2,11 @@
 #include "Files/TextFileWriter.h"
 #include "TemporaryFile.h"
 #include "vtkCombinatorialMeshWriter.h"
+#include "vtkMEDITReader.h"
 #include "vtkMEDITWriter.h"
+#include "vtkOFFSurfaceReader.h"
 #include "vtkOFFSurfaceWriter.h"
+#include "vtkOpenDXReader.h"
 #include "vtkOpenDXWriter.h"
 #include "vtkTetGenMeshWriter.h"
 #include "vtkVolumeTextWriter.h"
@@ -299,6 +302,43 @@ TEST(FileReplacement, OldFilesSurviveAFullDisk)
       ExpectFailure(outcome, trial.Name);
       files.ExpectUnchanged(trial.Name);
     }
+  }
+}
+
+/// A filter before that has failed gives no points: the old file became an empty one.
+TEST(FileReplacement, OldFilesSurviveAFailureOfTheFilterBefore)
+{
+  std::vector<Trial> trials = Trials();
+  trials.push_back({ With<vtkTetGenMeshWriter>(Tetrahedra()), "a.node", { "a.node" } });
+  for (const Trial& trial : trials)
+  {
+    const OldFiles files(trial);
+    const std::string missing = files.Path("missing");
+    vtkNew<vtkOFFSurfaceReader> surface;
+    surface->SetFileName((missing + ".off").c_str());
+    vtkNew<vtkMEDITReader> mesh;
+    mesh->SetFileName((missing + ".mesh").c_str());
+    vtkNew<vtkOpenDXReader> image;
+    image->SetFileName((missing + ".dx").c_str());
+    const auto is = [&](const char* end) { return trial.Name.find(end) != std::string::npos; };
+    vtkAlgorithm* before = mesh;
+    if (is(".off"))
+    {
+      before = surface;
+    }
+    else if (is(".d"))
+    {
+      before = image;
+    }
+    vtkNew<vtkTest::ErrorObserver> observer;
+    before->AddObserver(vtkCommand::ErrorEvent, observer);
+    const Outcome outcome = trial.Write(files.Path(trial.Name),
+      [&](vtkAlgorithm* writer) { writer->SetInputConnection(before->GetOutputPort()); });
+    EXPECT_TRUE(observer->GetError()) << trial.Name;
+    EXPECT_EQ(outcome.Returned, 0) << trial.Name;
+    EXPECT_TRUE(outcome.Error) << trial.Name;
+    EXPECT_NE(outcome.Message, "") << trial.Name;
+    files.ExpectUnchanged(trial.Name);
   }
 }
 
