@@ -21,6 +21,11 @@ bool IsBlank(char c)
   return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == '\f' || c == '\v';
 }
 
+bool IsDigit(char c)
+{
+  return c >= '0' && c <= '9';
+}
+
 /// A plus before a number is no part of one for from_chars.
 const char* BehindPlus(const char* begin, const char* end)
 {
@@ -31,7 +36,7 @@ const char* BehindPlus(const char* begin, const char* end)
 
 TextWords::TextWords(ByteSource& source)
   : Source(source)
-  , Buffer(2 * longestWord + std::min<std::uint64_t>(bufferBytes, source.MostBytes()))
+  , Buffer(3 * longestWord + std::min<std::uint64_t>(bufferBytes, source.MostBytes()))
 {
   this->Next = this->End = this->Buffer.data();
 }
@@ -44,14 +49,57 @@ void TextWords::Refuse(const std::string& sentence) const
 
 bool TextWords::Refill()
 {
-  const auto left = static_cast<std::size_t>(this->End - this->Next);
-  std::memmove(this->Buffer.data(), this->Next, left);
+  // Characters before Next stay, for IsDecimalComma().
+  const auto stay =
+    std::min(static_cast<std::size_t>(this->Next - this->Buffer.data()), longestWord);
+  const std::size_t kept = stay + static_cast<std::size_t>(this->End - this->Next);
+  std::memmove(this->Buffer.data(), this->Next - stay, kept);
   const std::size_t got =
-    this->Source.Read(this->Position, this->Buffer.data() + left, this->Buffer.size() - left);
+    this->Source.Read(this->Position, this->Buffer.data() + kept, this->Buffer.size() - kept);
   this->Position += got;
-  this->Next = this->Buffer.data();
-  this->End = this->Next + left + got;
+  this->Next = this->Buffer.data() + stay;
+  this->End = this->Buffer.data() + kept + got;
   return got > 0;
+}
+
+bool TextWords::IsDecimalComma()
+{
+  if (static_cast<std::size_t>(this->End - this->Next) < longestWord)
+  {
+    this->Refill();
+  }
+  const char* const begin = this->Buffer.data();
+  const char* const end = this->End;
+  const char* first = this->Next; // of the word before
+  const char* last = first + 1;   // behind the word after
+  if (first == begin || last == end || !IsDigit(first[-1]) || !IsDigit(*last))
+  {
+    return false;
+  }
+  for (; first != begin && !IsBlank(first[-1]); --first)
+  {
+  }
+  last = std::find_if(last, end, IsBlank);
+  const bool isListBefore = first - begin > 1 && first[-1] == ',' && !IsBlank(first[-2]);
+  const bool isListAfter = end - last > 1 && *last == ',' && !IsBlank(last[1]);
+  if (isListBefore || isListAfter)
+  {
+    return false;
+  }
+  for (; first != begin && first[-1] != '\n' && IsBlank(first[-1]); --first)
+  {
+  }
+  last = std::find_if(last, end, [](char c) { return c == '\n' || !IsBlank(c); });
+  return (first != begin && first[-1] != '\n') || (last != end && *last != '\n' && *last != '#');
+}
+
+void TextWords::CheckComma()
+{
+  if (this->IsDecimalComma())
+  {
+    this->Refuse("a comma between two digits, which must be a point if it is a decimal comma, and "
+                 "have a blank beside it if not. Write the file again, with decimal points.");
+  }
 }
 
 void TextWords::SkipComment()
@@ -86,6 +134,10 @@ bool TextWords::SkipToWord()
     else if (IsBlank(*this->Next))
     {
       this->Line += *this->Next == '\n' ? 1 : 0;
+      if (*this->Next == ',')
+      {
+        this->CheckComma();
+      }
       ++this->Next;
     }
     else
@@ -222,9 +274,13 @@ std::string TextWords::RestOfLine()
       break;
     }
     comment = comment || *this->Next == '#';
+    if (!comment && *this->Next == ',')
+    {
+      this->CheckComma();
+    }
     if (!comment && rest.size() < longestWord)
     {
-      rest += *this->Next == '\r' ? ' ' : *this->Next;
+      rest += IsBlank(*this->Next) ? ' ' : *this->Next;
     }
   }
   return rest;

@@ -20,6 +20,10 @@ namespace isthmus
  * White space and commas separate words. Text in double quotes is one word, without its quotes. A
  * comment extends from # to the end of the line.
  *
+ * A decimal comma, as programs write it under some locales, would make two numbers of one:
+ * `1,5 0 0`. Where a line has blanks between words, too, a comma without blanks between two digits
+ * is an error, unless it belongs to a list of three or more: `0 1,2,3`.
+ *
  * Memory: a buffer of 1 MiB, regardless of the size of the file. All functions throw ReaderError
  * with the path and the line for text that cannot be read.
  */
@@ -55,6 +59,8 @@ public:
 
 private:
   bool Refill();
+  bool IsDecimalComma(); ///< at Next
+  void CheckComma();
   bool SkipToWord();
   std::string_view WordThere(const char* what);
   void SkipComment();

@@ -97,6 +97,7 @@ std::int64_t ReadPoints(const std::string& path, CellMesh& mesh, const ProgressC
     columns.Read(words);
     words.ReportRow(i, points);
   }
+  words.RestOfLine(); // may begin with a decimal comma
   columns.MoveTo(mesh.Attributes, Place::Vertices);
   source->CheckEnd();
   return first;
@@ -132,6 +133,7 @@ void ReadTetrahedra(const std::string& path, std::int64_t firstPoint, CellMesh& 
     columns.Read(words);
     words.ReportRow(i, cells);
   }
+  words.RestOfLine(); // may begin with a decimal comma
   columns.MoveTo(mesh.Attributes, Place::Cells);
   source->CheckEnd();
 }

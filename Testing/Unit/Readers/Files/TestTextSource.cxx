@@ -20,13 +20,18 @@
 #include <vtkDataSet.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -294,6 +299,109 @@ TEST(TextSource, AllLineEndsAreTheSame)
         << text.Files[0].first;
     }
   }
+}
+
+/// "1,5 0 0" was read as the point (1, 5, 0), and "0 0 1,5" as (0, 0, 1).
+TEST(TextSource, DecimalCommasAreRefused)
+{
+  for (const std::string point : { "1.5 0 0", "0 0 -1.5", "0 1.25 0", "0.5 0.5 0.5",
+         "0.5, 0.5, 0.5", "0.5\t1\t1.5", "1e3 2.5e-3 0" })
+  {
+    const std::vector<Text> texts{
+      { Read<vtkOFFSurfaceReader>, { { "a.off", "OFF\n2 1 0\n0 0 0\n" + point + "\n2 0 1\n" } },
+        2 },
+      { Read<vtkOFFSurfaceReader>, { { "a.off", "OFF\n2 0 0\n0 0 0\n" + point } }, 2 },
+      { Read<vtkMEDITReader>,
+        { { "a.mesh",
+          "MeshVersionFormatted 2\nDimension 3\nVertices\n1\n" + point + " 7\nEnd\n" } },
+        1 },
+      { Read<vtkTetGenMeshReader>, { { "a.node", "1 3 0 0\n0 " + point + "\n" } }, 1 },
+      { Read<vtkTetGenMeshReader>,
+        { { "a.ele", "1 4 3\n0 0 1 2 3 " + point + "\n" },
+          { "a.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n" } },
+        4 },
+      { Read<vtkOpenDXReader>,
+        { { "a.dx",
+          "object 1 class gridpositions counts 2 1 1\norigin " + point +
+            "\ndelta 1 0 0\ndelta 0 1 0\ndelta 0 0 1\nobject 2 class gridconnections counts 2 1 "
+            "1\nobject 3 class array type double rank 0 items 2 data follows\n1 2\n" } },
+        2 },
+      { Read<vtkOpenDXReader>,
+        { { "a.dx",
+          "object 1 class gridpositions counts 3 1 1\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\n"
+          "delta 0 0 1\nobject 2 class gridconnections counts 3 1 1\n"
+          "object 3 class array type double rank 0 items 3 data follows\n" +
+            point + "\n" } },
+        3 },
+    };
+    for (const Text& text : texts)
+    {
+      const Result plain = Written(text, [](const std::string& s) { return s; });
+      EXPECT_EQ(plain.Points, text.Points) << text.Files[0].second;
+      EXPECT_EQ(plain.Complaint, "") << text.Files[0].second;
+      const auto comma = [](std::string s)
+      {
+        std::replace(s.begin(), s.end(), '.', ',');
+        return s;
+      };
+      const Result changed = Written(text, comma);
+      EXPECT_EQ(changed.Points, 0) << text.Files[0].second;
+      const auto says = [&](const char* part)
+      { return changed.Complaint.find(part) != std::string::npos; };
+      EXPECT_TRUE(says("decimal comma") || says("there are more values than"))
+        << text.Files[0].second << changed.Complaint;
+    }
+  }
+}
+
+/// The text is read in parts of 1 MiB and 3 KiB; the next is fetched where less than 1 KiB is left.
+TEST(TextSource, DecimalCommasAreFoundAtTheBordersOfParts)
+{
+  const auto sumOf = [](const std::string& line, std::size_t at)
+  {
+    const std::string blanks(at - line.size() / 2, ' ');
+    const TemporaryFile file(blanks + "\n" + line + "\n" + std::string(2000000, ' ') + "7", "text");
+    const auto source = OpenByteSource(file.Path());
+    TextWords words(*source);
+    std::array<double, 5> all{};
+    words.Numbers(all.data(), 5);
+    return std::accumulate(all.begin(), all.end(), 0.0);
+  };
+  constexpr std::size_t border = (1 << 20) + (2 << 10);
+  for (std::size_t at = border - 4; at <= border + 4; ++at)
+  {
+    EXPECT_EQ(sumOf("0 1,2,3", at), 13.0) << at;
+    EXPECT_THROW(sumOf("2 0 1,5", at), ReaderError) << at;
+  }
+}
+
+TEST(TextSource, ListsWithCommasAreRead)
+{
+  for (const std::string list : { "1,5,0", "1, 5, 0", "1 ,5 ,0", "1,5,0,", "1,\t5,\t0", "1 5 0 ",
+         "1,-5,0", "1.5,2.5,3.5", "1e3,5,0" })
+  {
+    for (const std::string front : { "", "0 ", "0, ", "0 1 " })
+    {
+      const TemporaryFile file(
+        "0 0\n" + front + list + "\r\n" + list + " 1\n7\n8,9\n" + list, "text");
+      const auto source = OpenByteSource(file.Path());
+      TextWords words(*source);
+      std::vector<double> all(2 + front.size() / 2 + 3 + 4 + 1 + 2 + 3);
+      EXPECT_NO_THROW(words.Numbers(all.data(), static_cast<std::int64_t>(all.size())))
+        << front << list;
+      EXPECT_EQ(all[all.size() - 5], 8.0) << front << list;
+      EXPECT_EQ(words.Word(), "") << front << list;
+    }
+  }
+  // Colours, too.
+  const TemporaryFile file("COFF\n1,0,0\n1,2,3,0,128,255,255\n", "a.off");
+  vtkNew<vtkOFFSurfaceReader> reader;
+  reader->SetFileName(file.Path());
+  reader->Update();
+  vtkDataArray* const colours = reader->GetOutput()->GetPointData()->GetArray("Colors");
+  ASSERT_TRUE(colours);
+  EXPECT_EQ(colours->GetComponent(0, 0), 0.0);
+  EXPECT_EQ(colours->GetComponent(0, 1), 128.0);
 }
 
 /// Beyond the part that decides about the line ends, from any place to any other.
