@@ -81,7 +81,7 @@ Point3 OutwardNormal(const RegularFiltration& f, TriangleId exit)
  * flat tetrahedra at the border may lie anywhere outside: a step is no longer than five times the
  * channel's radius. Whether there are any of them at a flat side of the hull depends on the last
  * bits of the atoms' places, so a path that leaves through a triangle ends `beyond` it, measured
- * along its normal, in any case.
+ * along its normal, in any case; if `beyond` is 0, in its plane and not farther.
  */
 std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& path, double radius,
   const Point3& start, double beyond)
@@ -96,13 +96,21 @@ std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& pat
     centre = length > longest ? centres.back() + (longest / length) * step : centre;
     centres.push_back(centre);
   }
-  if (path.Exit.Exists() && beyond > 0.0)
+  if (path.Exit.Exists())
   {
     const Point3 normal = OutwardNormal(f, path.Exit);
     const Point3& on = f.Complex.Points[At(f.Complex.TrianglePoints(path.Exit)[0])];
+    const auto height = [&](const Point3& p) { return Dot(p - on, normal); };
+    while (beyond == 0.0 && centres.size() > 1 && height(centres.back()) > 0.0)
+    {
+      centres.pop_back();
+    }
     // What the last centre lacks to be that far out.
-    const double lacks = beyond - Dot(centres.back() - on, normal);
-    centres.push_back(centres.back() + std::max(lacks, 0.0) * normal);
+    const double lacks = beyond - height(centres.back());
+    if (lacks > 0.0)
+    {
+      centres.push_back(centres.back() + lacks * normal);
+    }
   }
   return centres;
 }

@@ -24,7 +24,8 @@ constexpr double AtomRadius = 1.7;
 constexpr double Same = 1e-5; // of the size: what jitter may change
 
 /// Rings of atoms around the axis, every second one turned by half a step with `staggered`.
-std::vector<Ball> TubeOfRings(int rings, double step, int around, bool staggered)
+std::vector<Ball> TubeOfRings(
+  int rings, double step, int around, bool staggered, double radius = 5.0)
 {
   std::vector<Ball> atoms;
   for (int ring = 0; ring < rings; ++ring)
@@ -33,7 +34,7 @@ std::vector<Ball> TubeOfRings(int rings, double step, int around, bool staggered
     {
       const double angle = 2.0 * Pi * (i + (staggered && ring % 2 == 1 ? 0.5 : 0.0)) / around;
       atoms.push_back(
-        { { 5.0 * std::cos(angle), 5.0 * std::sin(angle), step * ring }, AtomRadius });
+        { { radius * std::cos(angle), radius * std::sin(angle), step * ring }, AtomRadius });
     }
   }
   return atoms;
@@ -151,6 +152,30 @@ TEST(ExactSymmetry, TubesOfRingsHaveTheirPore)
                           TubeOfRings(rings, step, around, staggered) },
           1, 3.3);
       }
+    }
+  }
+}
+
+/// A channel wider than EndRadius ends at the hull; with jitter, flat tetrahedra there led it as
+/// far as 20 angstrom out.
+TEST(ExactSymmetry, WideTubesEndAtTheHull)
+{
+  struct Tube
+  {
+    double Radius, Step;
+    int Around, Rings;
+  };
+  for (const Tube& t : { Tube{ 9.0, 2.0, 18, 14 }, Tube{ 8.0, 2.6, 14, 12 } })
+  {
+    const auto exact = TubeOfRings(t.Rings, t.Step, t.Around, false, t.Radius);
+    const PoreOptions options;
+    const double step = 4.0 * options.Spacing; // of a wide channel
+    for (unsigned int seed = 0; seed <= 4; ++seed)
+    {
+      const auto pores = PoresOf(seed == 0 ? exact : Jittered(exact, seed), options);
+      ASSERT_EQ(pores.size(), 1u) << t.Radius << ", " << seed;
+      EXPECT_NEAR(pores[0].Least, t.Radius - AtomRadius, Same * SizeOf(exact)) << seed;
+      EXPECT_NEAR(pores[0].Span, t.Step * (t.Rings - 1), 2.1 * step) << t.Radius << ", " << seed;
     }
   }
 }
