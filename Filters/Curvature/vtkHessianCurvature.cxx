@@ -5,6 +5,7 @@
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/NumberText.h"
+#include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureOfImage.h"
 #include "Curvature/CurvatureScale.h"
@@ -368,6 +369,50 @@ void vtkHessianCurvature::CheckParameters()
   }
 }
 
+namespace
+{
+
+/// InputOverlap.h compares boxes, and that of a surface around the image contains it. `whole` is
+/// the extent of the image.
+void CheckPointsInside(
+  vtkHessianCurvature* self, vtkImageData* image, const int whole[6], vtkPoints* points)
+{
+  constexpr double rounding = 1e-3; // of a node: points on the border
+  const vtkIdType count = points->GetNumberOfPoints();
+  const std::int64_t outside = isthmus::ParallelReduce(count, 1 << 14, std::int64_t{ 0 },
+    [&](std::int64_t& sum, std::int64_t first, std::int64_t last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double place[3], node[3];
+        points->GetPoint(i, place);
+        image->TransformPhysicalPointToContinuousIndex(place, node);
+        bool isInside = true;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          isInside = isInside && node[axis] >= whole[2 * axis] - rounding &&
+            node[axis] <= whole[2 * axis + 1] + rounding;
+        }
+        sum += isInside ? 0 : 1;
+      }
+    });
+  if (2 * outside <= count)
+  {
+    return;
+  }
+  const std::string what = isthmus::TextOf(outside, " of ", count,
+    " points of the surface lie outside the volume, where there is no curvature. Connect the "
+    "volume "
+    "from which the surface was made, in the same place and unit of length.");
+  if (outside == count)
+  {
+    throw std::invalid_argument(what);
+  }
+  vtkWarningWithObjectMacro(self, << what);
+}
+
+}
+
 void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
 {
   const int radius = isthmus::StencilRadius(this->Accuracy);
@@ -513,6 +558,10 @@ int vtkHessianCurvature::RequestData(
               std::int64_t(whole[5]) - whole[4] + 1 });
           scalars = isthmus::ChosenScalars(this, image);
           this->WarnIfThin(whole, points != nullptr);
+          if (points && isthmus::NumberOfRanks() == 1)
+          {
+            CheckPointsInside(this, image, whole, points);
+          }
         }
       };
       std::exception_ptr failure;

@@ -51,8 +51,8 @@
  *
  * **Errors** (one message, empty output): no scalars, several components, cell data, Accuracy other
  * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is not an error.
- * An image too thin for the stencil causes a warning, and no value is valid. Points outside the
- * image cause an error or a warning (InputOverlap.h).
+ * An image too thin for the stencil causes a warning, and no value is valid. On one rank, it is an
+ * error if all points lie outside the image, and a warning if more than half of them do.
  *
  * **Cost.** O(nodes) or O(points). Memory is needed only for the output and a few rows per thread,
  * unless the scalars are smoothed: then also for one or two copies of the scalars, and the time

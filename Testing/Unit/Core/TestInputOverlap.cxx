@@ -161,10 +161,11 @@ TEST(InputOverlap, FiltersRefuseOrWarn)
   EXPECT_NE(off.Error.find("from (996, -4, -4)"), std::string::npos) << off.Error;
   EXPECT_EQ(off.Error.find("nanometres"), std::string::npos) << off.Error;
   EXPECT_EQ(off.Points, 0);
-  // A fifth of the points is within the box, which ends at 13.5.
-  const auto partly = SaidOf(Lattice({ 13.0, -4.0, -4.0 }, 8.0, 5));
+  // Of five layers of points, two are within the box, which ends at 13.5, one of them in the
+  // volume.
+  const auto partly = SaidOf(Lattice({ 9.0, -4.0, -4.0 }, 12.0, 5));
   EXPECT_EQ(partly.Error, "");
-  EXPECT_NE(partly.Warning.find("Only 20 %"), std::string::npos) << partly.Warning;
+  EXPECT_NE(partly.Warning.find("Only 40 %"), std::string::npos) << partly.Warning;
   EXPECT_EQ(partly.Points, 125);
   const auto small = SaidOf(Lattice({ -1.0, -1.0, -1.0 }, 2.0, 5));
   EXPECT_EQ(small.Error, "");
@@ -188,8 +189,10 @@ TEST(InputOverlap, ARuleOfAFilterHoldsForItsPort)
   none.Units = false;
   SetOverlapRule(filter, 1, none);
   CheckOverlap(filter); // without data yet
-  filter->Update();
-  EXPECT_EQ(said->GetErrorMessage() + said->GetWarningMessage(), "");
+  filter->Update();     // has its own message about points outside
+  EXPECT_EQ(
+    (said->GetErrorMessage() + said->GetWarningMessage()).find("nputs 0 and 1"), std::string::npos)
+    << said->GetErrorMessage() << said->GetWarningMessage();
   none.Warned = 0.5;
   SetOverlapRule(filter, 1, none);
   filter->Modified();

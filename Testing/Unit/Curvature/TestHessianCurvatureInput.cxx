@@ -126,6 +126,41 @@ std::string ErrorOf(vtkHessianCurvature* filter, vtkDataObject* image)
 
 }
 
+/// A surface around the volume overlaps with it by its box, but has no point in it.
+TEST(HessianCurvatureFilter, SurfacesOutsideTheVolumeAreRefusedOrWarnedAbout)
+{
+  const auto image = SampledImage(CentredCube(17, 1.0), Ellipsoids);
+  const auto surface = [](int inside, int outside)
+  {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    for (int i = 0; i < inside + outside; ++i)
+    {
+      const double side = i < inside ? 0.5 : 5.0;
+      points->InsertNextPoint(i % 2 == 0 ? side : -side, i / 2 % 2 == 0 ? side : -side, 0.1);
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    return data;
+  };
+  for (const int outside : { 3, 5, 8 })
+  {
+    vtkNew<vtkHessianCurvature> filter;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    filter->AddObserver(vtkCommand::ErrorEvent, observer);
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+    filter->SetInputData(0, image);
+    filter->SetInputData(1, surface(8 - outside, outside));
+    filter->Update();
+    const std::string said = observer->GetErrorMessage() + observer->GetWarningMessage();
+    EXPECT_EQ(observer->GetWarning(), outside == 5) << said;
+    EXPECT_EQ(observer->GetError(), outside == 8) << said;
+    EXPECT_EQ(said.find(std::to_string(outside) + " of 8 points") != std::string::npos, outside > 4)
+      << said;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), outside == 8 ? 0 : 8);
+  }
+}
+
 TEST(HessianCurvatureFilter, BadParametersAreNamed)
 {
   const auto image = SampledImage(Block(), Spheres);
