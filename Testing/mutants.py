@@ -15,6 +15,8 @@ import re
 import subprocess
 import sys
 
+import put_back
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CGAL = "Filters/Tetrahedra/CGALTetrahedra.cxx"
 FIVE = "TestTetrahedralProperties", "TetrahedralProperties.CGALKeepsItsFiveCriteria"
@@ -116,14 +118,14 @@ def unit_test(name, filter_):
 def passes(test, build):
     """Whether the test, built anew, passes."""
     program, filter_ = unit_test(*test) if isinstance(test, tuple) else ("all", "")
-    subprocess.run(["cmake", "--build", str(build), "--target", program], check=True, stdout=subprocess.DEVNULL)
+    put_back.run(["cmake", "--build", str(build), "--target", program], stdout=subprocess.DEVNULL).check_returncode()
     if isinstance(test, tuple):
         command = [str(build / "Testing/Unit" / program), "--gtest_filter=" + filter_]
     else:
         script, *arguments = test.split()
         command = ["xvfb-run", "-a", "pvpython", str(ROOT / "Testing/Python" / script), *arguments]
-    return subprocess.run(command, env=environment(build), cwd=ROOT / "Testing/Python", stdout=subprocess.DEVNULL,
-                          stderr=subprocess.DEVNULL, timeout=1200).returncode == 0
+    return put_back.run(command, env=environment(build), cwd=ROOT / "Testing/Python", stdout=subprocess.DEVNULL,
+                        stderr=subprocess.DEVNULL, timeout=1200).returncode == 0
 
 
 def survives(mutant, build):
@@ -136,7 +138,8 @@ def survives(mutant, build):
         path.write_text(text.replace(right, wrong))
         return passes(test, build)
     finally:
-        path.write_text(text)
+        with put_back.uninterrupted():
+            path.write_text(text)
 
 
 def main(build, *names):
@@ -145,6 +148,7 @@ def main(build, *names):
     wrong = set(names) - set(MUTANTS)
     if wrong:
         sys.exit(f"No such mutants: {', '.join(wrong)}.\nThere are: " + ", ".join(MUTANTS))
+    put_back.end_by_exception()
     survivors = []
     for name in names or MUTANTS:
         alive = survives(MUTANTS[name], pathlib.Path(build).resolve())

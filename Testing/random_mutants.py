@@ -9,8 +9,9 @@ them are compiled at once; the variable ISTHMUS_MUTANT chooses the one that acts
 reaches are not counted, nor those that mutants_equivalent.tsv lists with a reason. For each other one the module's quick tests run; where they pass, with --long the module's
 other unit tests as well. Prints a table of the modules and the mistakes that no test found.
 
-Refuses a tree with uncommitted changes, since it edits sources in place; it puts them back. Mistakes that do not
-compile are dropped, and a test that takes ten times as long as usual counts as failed.
+Refuses a tree with uncommitted changes, since it edits sources in place; it puts them back, also when a signal
+terminates it (SIGKILL excepted). Mistakes that do not compile are dropped, and a test that takes ten times as
+long as usual counts as failed.
 """
 import argparse
 import os
@@ -21,6 +22,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import put_back
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEADER = '''#ifndef isthmus_random_mutants
@@ -156,14 +159,16 @@ def write(mutants):
 
 
 def restore():
-    subprocess.run(["git", "checkout", "-q", "--", "Filters", "Readers"], cwd=ROOT, check=True)
+    with put_back.uninterrupted():
+        subprocess.run(["git", "checkout", "-q", "--", "Filters", "Readers"], cwd=ROOT, check=True)
 
 
 def build(folder, targets, mutants):
     """Compiles, and drops the mutants that do not."""
     while mutants:
         write(mutants)
-        done = subprocess.run(["ninja", "-k", "0", "-C", folder, *targets], capture_output=True, text=True)
+        done = put_back.run(["ninja", "-k", "0", "-C", folder, *targets], stdout=subprocess.PIPE, text=True,
+                            stderr=subprocess.DEVNULL)
         if done.returncode == 0:
             return mutants
         wrong = set(re.findall(r"(\w+\.cxx):(\d+):\d+: error", done.stdout))
@@ -184,8 +189,8 @@ def run_tests(folder, chosen, mutant, trace=None, seconds=None):
     limit = ["--timeout", str(seconds)] if seconds else []
     start = time.monotonic()
     stop = [] if trace else ["--stop-on-failure"]
-    done = subprocess.run(["ctest", "-I", str(chosen), "-j", "2", "-Q", *limit, *stop], cwd=folder,
-                          env=environment, capture_output=True)
+    done = put_back.run(["ctest", "-I", str(chosen), "-j", "2", "-Q", *limit, *stop], cwd=folder,
+                        env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return done.returncode == 0, time.monotonic() - start
 
 
@@ -196,11 +201,11 @@ def numbers_in(chosen):
 
 def choose(folder, module, quick, to):
     """The numbers of a module's unit tests, for ctest."""
-    subprocess.run([sys.executable, "-B", str(ROOT / "Testing/select_tests.py"), folder, "--module", module,
-                    *(["--quick"] if quick else []), "--write", str(to)], check=True, stdout=subprocess.DEVNULL)
+    put_back.run([sys.executable, "-B", str(ROOT / "Testing/select_tests.py"), folder, "--module", module,
+                  *(["--quick"] if quick else []), "--write", str(to)], stdout=subprocess.DEVNULL).check_returncode()
     if not quick:
         # Not `-I` together with `-L`: with a label, ctest takes the numbers of -I as those among the labelled tests.
-        listed = subprocess.run(["ctest", "-N", "-L", "unit"], cwd=folder, capture_output=True, text=True)
+        listed = put_back.run(["ctest", "-N", "-L", "unit"], cwd=folder, stdout=subprocess.PIPE, text=True)
         unit = set(re.findall(r"Test +#(\d+)", listed.stdout))
         to.write_text("0,0,0," + ",".join(sorted(numbers_in(to) & unit, key=int)) + "\n")
 
@@ -222,6 +227,7 @@ def main():
     if subprocess.run(["git", "status", "--porcelain", "Filters", "Readers"], cwd=ROOT, capture_output=True).stdout:
         sys.exit("the tree has uncommitted changes: commit them first, since sources are edited in place")
     modules = options.module or sorted(path.parent.name for path in ROOT.glob("*/*/vtk.module"))
+    put_back.end_by_exception()
     rows = []
     known = equivalent()
     with tempfile.TemporaryDirectory() as scratch:
