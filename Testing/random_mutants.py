@@ -241,7 +241,7 @@ def main():
                 choose(options.build, module, False, every)
                 assert numbers_in(quick) <= numbers_in(every), "the quick tests are not among the module's unit tests"
                 trace.write_text("")
-                run_tests(options.build, every if options.long else quick, -1, trace)
+                _, whole = run_tests(options.build, every if options.long else quick, -1, trace)
                 reached = set(map(int, trace.read_text().split()))
                 passed, usual = run_tests(options.build, quick, 0)
                 assert passed, f"the quick tests of {module} fail without a mutant"
@@ -252,7 +252,7 @@ def main():
                     if run_tests(options.build, quick, m.number, seconds=int(10 + 10 * usual))[0]:
                         survivors.append(m)
                 for m in survivors:
-                    if not options.long or run_tests(options.build, every, m.number, seconds=600)[0]:
+                    if not options.long or run_tests(options.build, every, m.number, seconds=int(600 + 10 * whole))[0]:
                         missed.append(m)
             finally:
                 restore()
