@@ -17,6 +17,9 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
+#include <algorithm>
+#include <array>
+
 namespace isthmus
 {
 namespace
@@ -101,6 +104,27 @@ RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& 
   return result;
 }
 
+/// Weights of the corners of a needle for a point on it: along its longest edge, by the corner that
+/// lies between, which has data of its own.
+std::array<double, 3> WeightsOnNeedle(const std::array<Point3, 3>& corners, const Point3& point)
+{
+  std::size_t first = 0;
+  const auto edge = [&](std::size_t c) { return corners[(c + 1) % 3] - corners[c]; };
+  for (std::size_t c = 1; c < 3; ++c)
+  {
+    first = Dot(edge(c), edge(c)) > Dot(edge(first), edge(first)) ? c : first;
+  }
+  const std::size_t last = (first + 1) % 3, middle = (first + 2) % 3;
+  const auto along = [&](const Point3& p) { return Dot(p - corners[first], edge(first)); };
+  const double to = along(corners[last]), by = along(corners[middle]), at = along(point);
+  std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
+  const std::size_t end = at < by ? first : last;
+  const double whole = at < by ? by : to - by; // from this end to the middle
+  weights[middle] = whole > 0.0 ? std::clamp((at < by ? at : to - at) / whole, 0.0, 1.0) : 0.0;
+  weights[end] = 1.0 - weights[middle];
+  return weights;
+}
+
 /// The nearest points on the old surface.
 class OldSurface
 {
@@ -119,17 +143,17 @@ public:
     const auto [nearest, face] = this->Faces.closest_point_and_primitive(p);
     const Triangle& t = this->Triangles.Triangles[face.idx()];
     const auto at = [&](std::size_t c) { return this->Triangles.Point(t[c]); };
-    const Point3 x = cgal::FromCGAL(nearest) - at(0);
+    const Point3 point = cgal::FromCGAL(nearest);
+    const Point3 x = point - at(0);
     const Point3 u = at(1) - at(0);
     const Point3 v = at(2) - at(0);
     const double uu = Dot(u, u), uv = Dot(u, v), vv = Dot(v, v), xu = Dot(x, u), xv = Dot(x, v);
     const double det = uu * vv - uv * uv;
-    if (!(det > 0.0)) // a needle, whose area is lost in rounding: by its longer side
+    constexpr double flat = 1e-10; // below, rounding moves points by more than the height does
+    if (!(det > flat * uu * vv))   // a needle, whose area is lost in rounding
     {
-      const bool first = uu >= vv;
-      const double along = std::clamp(first ? xu / uu : xv / vv, 0.0, 1.0);
       return { static_cast<std::int64_t>(face.idx()),
-        { 1.0 - along, first ? along : 0.0, first ? 0.0 : along } };
+        WeightsOnNeedle({ at(0), at(1), at(2) }, point) };
     }
     const double b = std::clamp((xu * vv - xv * uv) / det, 0.0, 1.0);
     const double c = std::clamp((xv * uu - xu * uv) / det, 0.0, 1.0 - b);

@@ -17,7 +17,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 using namespace isthmus;
 
@@ -117,6 +120,34 @@ TEST(SurfaceRemesh, SimplifiesToACount)
   EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 500.0, 2.0);
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_NEAR(SignedVolume(result.Mesh), SignedVolume(sphere), 0.02);
+}
+
+// The area of a needle is lost in rounding, and any of its corners may lie between the others.
+TEST(SurfaceRemesh, PointsOfANeedleAreLocatedAlongIt)
+{
+  const Point3 along{ 0.6, -0.7, 0.3 };
+  for (const std::array<double, 3>& x : { std::array{ 0.0, 3.0, -1.0 },
+         std::array{ -1.0, 0.0, 3.0 }, std::array{ 3.0, -1.0, 0.0 }, std::array{ 0.1, 1.0, -1.0 } })
+  {
+    TriangleMesh needle;
+    needle.Points = { x[0] * along + Point3{ 0, 0, 1e-11 }, x[1] * along, x[2] * along };
+    needle.Triangles = { { 0, 1, 2 } };
+    std::vector<Point3> points = needle.Points;
+    points.push_back(-0.27 * along);
+    points.push_back(0.77 * along);
+    const std::vector<SurfaceLocation> locations = LocateOn(needle, points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const auto& w = locations[i].Weights;
+      EXPECT_NEAR(w[0] + w[1] + w[2], 1.0, 1e-12);
+      const Point3 p = w[0] * needle.Points[0] + w[1] * needle.Points[1] + w[2] * needle.Points[2];
+      EXPECT_LT(Length(p - points[i]), 1e-9) << i;
+      if (i < 3)
+      {
+        EXPECT_NEAR(w[i], 1.0, 1e-9) << "a corner has its own data";
+      }
+    }
+  }
 }
 
 TEST(SurfaceRemesh, BoundariesAreFine)
