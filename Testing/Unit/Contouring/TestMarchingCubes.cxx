@@ -111,6 +111,22 @@ TEST(MarchingCubes, WhatIsNoNumberIsOutside)
   EXPECT_THROW(At(grid, Nan), std::invalid_argument);
 }
 
+// Inside is what lies beyond the level, so that a node of the level itself encloses nothing.
+TEST(MarchingCubes, ANodeAtTheLevelIsOutside)
+{
+  const Grid grid = Sampled({ 5, 5, 5 }, { 1, 1, 1 },
+    [](double x, double y, double z) {
+      return std::max({ 0.0, 3.0 - x, 3.0 - y, 3.0 - z });
+    });
+  for (const bool higher : { true, false })
+  {
+    const double end = higher ? 3.0 : 0.0;
+    const double before = higher ? 2.5 : 0.5;
+    EXPECT_TRUE(At(grid, end, true, higher).Triangles.empty()) << higher;
+    EXPECT_FALSE(At(grid, before, true, higher).Triangles.empty()) << higher;
+  }
+}
+
 TEST(MarchingCubes, HugeValuesInterpolate)
 {
   const Grid grid = Sampled(

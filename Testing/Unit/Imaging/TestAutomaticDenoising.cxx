@@ -2,6 +2,7 @@
 // all kinds, the same bits on any number of threads. And residual smoothing: long waves are given
 // back whole, short ones not, by the Gaussian's factor in between.
 
+#include "Core/Geometry.h"
 #include "DiffusionTestTools.h"
 #include "Imaging/AutomaticDenoising.h"
 #include "Imaging/ChebyshevFilter.h"
@@ -11,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -172,6 +175,29 @@ TEST(VolumeSample, BlocksForTheNoiseAreSpreadOverTheVolume)
   }
 }
 
+// Flat is a node that shares its value with three neighbours, as where a map was enlarged by
+// repeating its nodes along three axes; along two axes the blocks have noise still.
+TEST(VolumeSample, FlatBlocksAreNotUsedForTheNoise)
+{
+  const auto grid = Grid<float>(32, 32, 32);
+  const std::vector<float> noise = Noise(grid, 1.0);
+  for (int axes = 0; axes <= 3; ++axes)
+  {
+    std::vector<float> values;
+    for (std::int64_t n = 0; n < grid.Size(); ++n)
+    {
+      Index3 at{ n % 32, n / 32 % 32, n / (32 * 32) };
+      for (int axis = 0; axis < axes; ++axis)
+      {
+        at[static_cast<std::size_t>(axis)] &= ~std::int64_t{ 1 };
+      }
+      values.push_back(noise[static_cast<std::size_t>(at[0] + 32 * (at[1] + 32 * at[2]))]);
+    }
+    const VolumeSample sample = SampleVolume<float>(grid, values.data(), nullptr);
+    EXPECT_EQ(sample.Small.Values.size(), axes < 3 ? 64U : 0U) << axes;
+  }
+}
+
 TEST(VolumeSample, SixTilesOfALargeVolumeStandForAll)
 {
   const auto grid = Grid<float>(70, 70, 70);
@@ -260,6 +286,95 @@ TEST(DenoisingRisk, TheChoiceBeatsATunedGaussianAndKnowsItsGain)
       EXPECT_NEAR(result.RiskTime.at(at) / result.Parameters.Time, 1.0, 1e-9);
     }
   }
+}
+
+namespace
+{
+
+/// The gradient at a node, by central differences.
+Point3 GradientAt(const DiffusionGrid<float>& grid, const std::vector<float>& f, std::int64_t node)
+{
+  const auto& n = grid.Dimensions;
+  const std::array<std::int64_t, 3> step{ 1, n[0], n[0] * n[1] };
+  Point3 g;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const auto after = static_cast<std::size_t>(node + step[a]);
+    const auto before = static_cast<std::size_t>(node - step[a]);
+    g[a] = 0.5 * (static_cast<double>(f[after]) - static_cast<double>(f[before]));
+  }
+  return g;
+}
+
+/// Curvature of the level set at a node: the divergence of the unit gradient.
+double CurvatureAt(const DiffusionGrid<float>& grid, const std::vector<float>& f, std::int64_t node)
+{
+  const auto& n = grid.Dimensions;
+  const std::array<std::int64_t, 3> step{ 1, n[0], n[0] * n[1] };
+  double sum = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const Point3 after = GradientAt(grid, f, node + step[a]);
+    const Point3 before = GradientAt(grid, f, node - step[a]);
+    sum += 0.5 * (after[a] / Length(after) - before[a] / Length(before));
+  }
+  return sum;
+}
+
+/// Mean squared error of curvature times gradient where the gradient of `truth` is large.
+double CurvatureError(const DiffusionGrid<float>& grid, const std::vector<float>& values,
+  const std::vector<float>& truth)
+{
+  const auto& n = grid.Dimensions;
+  double sum = 0.0;
+  for (std::int64_t k = 2; k + 2 < n[2]; ++k)
+  {
+    for (std::int64_t j = 2; j + 2 < n[1]; ++j)
+    {
+      for (std::int64_t i = 2; i + 2 < n[0]; ++i)
+      {
+        const std::int64_t node = i + n[0] * (j + n[1] * k);
+        const double gradient = Length(GradientAt(grid, truth, node));
+        if (gradient > 0.1)
+        {
+          const double error = CurvatureAt(grid, values, node) - CurvatureAt(grid, truth, node);
+          sum += gradient * gradient * error * error;
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+}
+
+TEST(DenoisingRisk, SurfacesHaveNearlyTheLeastErrorOfCurvatureWithinADecibelOfTheValues)
+{
+  const auto grid = Grid<float>(32, 32, 32);
+  const std::vector<float> truth = Phantom(grid), values = Sum(truth, Noise(grid, 0.2));
+  const VolumeSample sample = SampleVolume<float>(grid, values.data(), nullptr);
+  const DenoisingChoice choice =
+    ChooseDenoising(sample, WhiteNoise(0.2 / sample.Scale), grid.Spacing, {});
+  std::vector<std::array<double, 2>> errors; // of values and of curvature
+  DiffusionParameters linear = choice.Parameters;
+  for (linear.Order = 0; linear.Order < 4; ++linear.Order)
+  {
+    for (double length = 0.5; length < 2.5; length *= 1.3)
+    {
+      linear.Time = std::pow(length, 2 * linear.Order + 2);
+      const std::vector<float> result = DiffusedExactly(grid, linear, values);
+      errors.push_back({ MeanSquare(result, truth), CurvatureError(grid, result, truth) });
+    }
+  }
+  const double mostOfValues = 1.26 * std::min_element(errors.begin(), errors.end())->at(0);
+  double least = HUGE_VAL;
+  for (const auto& [ofValues, ofCurvature] : errors)
+  {
+    least = ofValues < mostOfValues ? std::min(least, ofCurvature) : least;
+  }
+  const std::vector<float> result = DiffusedExactly(grid, choice.Parameters, values);
+  EXPECT_LT(MeanSquare(result, truth), 1.1 * mostOfValues);
+  EXPECT_LT(CurvatureError(grid, result, truth), 1.2 * least);
 }
 
 TEST(DenoisingRisk, SurfacesAreJudgedByTheirValuesWhereTheyHaveNoCurvature)

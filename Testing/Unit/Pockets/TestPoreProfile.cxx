@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -319,6 +320,16 @@ TEST(PoreProfile, WhatIsOutOfRangeIsToldInASentence)
       p->SetPoint(std::nan(""), 0, 0);
     },
     "Point");
+}
+
+TEST(PoreProfile, EveryModeChecksItsOptions)
+{
+  const std::vector<Ball> atoms = Hyperboloid(24);
+  PoreOptions options;
+  options.MaximumOffset = -1.0;
+  EXPECT_THROW(FindPores(atoms, options), std::invalid_argument);
+  EXPECT_THROW(PoreBetween(atoms, { 0, 0, -12 }, { 0, 0, 12 }, options), std::invalid_argument);
+  EXPECT_THROW(PoreAlong(atoms, { 0, 0, 0 }, { 0, 0, 1 }, options), std::invalid_argument);
 }
 
 namespace

@@ -122,6 +122,14 @@ TEST(SurfaceRemesh, SimplifiesToACount)
   EXPECT_NEAR(SignedVolume(result.Mesh), SignedVolume(sphere), 0.02);
 }
 
+TEST(SurfaceRemesh, AskedForOneTriangleItKeepsASmallClosedSurface)
+{
+  const RemeshedSurface result = SimplifySurface(MeshOf(Sphere()), 1);
+  EXPECT_TRUE(FindDefects(result.Mesh).None());
+  EXPECT_EQ(EulerCharacteristic(result.Mesh), 2);
+  EXPECT_LT(result.Mesh.Triangles.size(), 50U);
+}
+
 // The area of a needle is lost in rounding, and any of its corners may lie between the others.
 TEST(SurfaceRemesh, PointsOfANeedleAreLocatedAlongIt)
 {

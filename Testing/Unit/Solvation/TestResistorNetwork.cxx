@@ -171,3 +171,19 @@ TEST(ResistorNetwork, AtMostTheIterationsThatAreAllowed)
   EXPECT_FALSE(answer.Converged);
   EXPECT_EQ(answer.Iterations, 3);
 }
+
+TEST(ResistorNetwork, WithoutVoltageThereIsNothingToIterate)
+{
+  const std::vector<unsigned char> held{ 1, 0, 0, 1 };
+  ResistorNetwork network({ 4, 1, 1 }, held);
+  for (const std::int64_t edge : { 0, 1, 2 })
+  {
+    network.Edge(0, edge) = 1.0;
+  }
+  network.Factor();
+  std::vector<double> u(4, 0.0);
+  const ResistorNetwork::Answer answer = network.Solve(u, {}, { 0.0, 0.0 });
+  EXPECT_TRUE(answer.Converged);
+  EXPECT_EQ(answer.Iterations, 0);
+  EXPECT_EQ(u, std::vector<double>(4, 0.0));
+}

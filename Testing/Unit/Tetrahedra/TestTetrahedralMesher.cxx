@@ -235,6 +235,20 @@ TEST(TetrahedralMesher, WrongParametersEndInASentence)
   EXPECT_NE(WhyRefused(cube, parameters).find("passed 500 points"), std::string::npos);
 }
 
+// More than 1e12 points are refused by area or volume, before anything is meshed.
+TEST(TetrahedralMesher, SizesThatTakeHopelesslyManyPointsAreRefusedAtOnce)
+{
+  const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
+  for (double CGALCriteria::*size : { &CGALCriteria::FacetSize, &CGALCriteria::CellSize })
+  {
+    auto parameters = With(TetrahedralLibrary::CGAL, MeshedSide::Inside);
+    parameters.CGAL.MaximumPoints = 500;
+    parameters.CGAL.*size = 1e-6;
+    EXPECT_NE(WhyRefused(cube, parameters).find("take at least"), std::string::npos)
+      << WhyRefused(cube, parameters);
+  }
+}
+
 TEST(TetrahedralMesher, TimeAndMemoryLimitsEndInASentence)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
