@@ -20,6 +20,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace isthmus;
@@ -353,32 +355,67 @@ TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
   EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
 }
 
+namespace
+{
+
+/// Remeshed to a target and method; `mesh` gets the array Height, the third coordinate.
+vtkSmartPointer<vtkPolyData> Remeshed(const TriangleMesh& mesh, int target, int method)
+{
+  vtkNew<vtkPolyData> surface;
+  SetMesh(mesh, surface);
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (const Point3& p : mesh.Points)
+  {
+    height->InsertNextValue(p[2]);
+  }
+  surface->GetPointData()->AddArray(height);
+  vtkNew<vtkSurfaceRemesh> remesh;
+  remesh->SetInputData(surface);
+  remesh->SetTarget(target);
+  remesh->SetMethod(method);
+  remesh->SetRelativeEdgeLength(3.0);
+  remesh->SetNumberOfTriangles(1000);
+  remesh->Update();
+  return remesh->GetOutput();
+}
+
+}
+
+// Before and behind the others, so that the points between them get new numbers.
 TEST(SurfaceRemesh, PointsThatNoTriangleUsesAreDropped)
 {
-  for (const double place : { 3.0, 1e5, std::nan("") })
+  const TriangleMesh sphere = MeshOf(Sphere());
+  for (const auto& [target, method] :
+    { std::pair<int, int>{ vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::Isotropic },
+      { vtkSurfaceRemesh::ByNumberOfTriangles, vtkSurfaceRemesh::Isotropic },
+      { vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::Delaunay } })
   {
-    for (const int target :
-      { vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::ByNumberOfTriangles })
+    const auto expected = Remeshed(sphere, target, method);
+    ASSERT_GT(expected->GetNumberOfPoints(), 100);
+    for (const double place : { 1e5, std::nan("") })
     {
-      vtkIdType points[2];
-      for (const bool isUnused : { false, true })
+      SCOPED_TRACE(std::to_string(place) + ", target " + std::to_string(target) + ", method " +
+        std::to_string(method));
+      TriangleMesh more = sphere;
+      more.Points.insert(more.Points.begin(), { place, 0.0, place });
+      more.Points.push_back({ 0.0, place, -place });
+      for (Triangle& t : more.Triangles)
       {
-        vtkSmartPointer<vtkPolyData> sphere = Sphere();
-        if (isUnused)
-        {
-          sphere->GetPoints()->InsertNextPoint(place, 0.0, place);
-          sphere->GetPointData()->Initialize();
-        }
-        vtkNew<vtkSurfaceRemesh> remesh;
-        remesh->SetInputData(sphere);
-        remesh->SetTarget(target);
-        remesh->SetRelativeEdgeLength(2.0);
-        remesh->SetNumberOfTriangles(1000);
-        remesh->Update();
-        points[isUnused ? 1 : 0] = remesh->GetOutput()->GetNumberOfPoints();
-        EXPECT_LT(remesh->GetOutput()->GetLength(), 4.0);
+        t = { t[0] + 1, t[1] + 1, t[2] + 1 };
       }
-      EXPECT_EQ(points[0], points[1]) << place << ", target " << target;
+      const auto result = Remeshed(more, target, method);
+      EXPECT_EQ(result->GetNumberOfPoints(), expected->GetNumberOfPoints());
+      EXPECT_LT(result->GetLength(), 4.0);
+      EXPECT_TRUE(FindDefects(MeshOf(result)).None());
+      EXPECT_NEAR(SignedVolume(MeshOf(result)), SignedVolume(MeshOf(expected)), 0.05);
+      vtkDataArray* const height = result->GetPointData()->GetArray("Height");
+      ASSERT_NE(height, nullptr);
+      ASSERT_EQ(height->GetNumberOfTuples(), result->GetNumberOfPoints());
+      for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+      {
+        ASSERT_NEAR(height->GetTuple1(i), result->GetPoint(i)[2], 0.02);
+      }
     }
   }
 }
