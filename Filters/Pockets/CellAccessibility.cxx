@@ -1,6 +1,7 @@
 #include "Pockets/CellAccessibility.h"
 
 #include "Core/Index.h"
+#include "Pockets/CellProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,10 +89,7 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
       continue;
     }
     access.TowardsOutside[path.Cell] = path.Triangle;
-    if (++reached % 4096 == 0)
-    {
-      Report(progress, static_cast<double>(reached) / static_cast<double>(c.Tetrahedra.size()));
-    }
+    ReportCells(progress, reached++, c.Tetrahedra.size());
     const double width = std::min(path.Width, access.CellClearance[path.Cell]);
     access.Access[path.Cell] = width;
     for (const TriangleId triangle : faces[path.Cell])

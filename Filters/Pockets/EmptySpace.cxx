@@ -1,6 +1,7 @@
 #include "Pockets/EmptySpace.h"
 
 #include "Core/Index.h"
+#include "Pockets/CellProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ struct OuterShare
   std::vector<char> HullVertex;
   HandleVector<EdgeId, char> HullEdge;
 
-  explicit OuterShare(const CellFiltration& c)
+  OuterShare(const CellFiltration& c, const ProgressCallback& progress)
     : OfVertex(c.Points.size(), 1.0)
     , OfEdge(c.Edges.size(), 1.0)
     , HullVertex(c.Points.size(), 0)
@@ -98,9 +99,10 @@ struct OuterShare
         this->HullEdge[c.TriangleEdges(t)[k]] = 1;
       }
     }
-    for (const auto& cell : c.Tetrahedra)
+    for (const TetrahedronId cell : c.Tetrahedra.Keys())
     {
-      this->TakeCell(c, cell);
+      ReportCells(progress, cell.Index(), c.Tetrahedra.size());
+      this->TakeCell(c, c.Tetrahedra[cell]);
     }
   }
 
@@ -131,10 +133,10 @@ private:
 };
 
 /// Adds the volume and surface of the balls outside all tetrahedra.
-void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
+void AddOutside(const RegularFiltration& f, UnionMeasure& sum, const ProgressCallback& progress)
 {
   const CellFiltration& c = f.Complex;
-  const OuterShare share(c);
+  const OuterShare share(c, Between(progress, 0.0, 0.6));
   for (std::size_t v = 0; v < c.Points.size(); ++v)
   {
     if (share.HullVertex[v] && f.VertexValue[v] <= 0.0)
@@ -144,8 +146,10 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
       sum.Area += share.OfVertex[v] * ball.Area[0];
     }
   }
+  const ProgressCallback edges = Between(progress, 0.6, 0.8);
   for (const EdgeId e : c.Edges.Keys())
   {
+    ReportCells(edges, e.Index(), c.Edges.size());
     if (share.HullEdge[e] && c.EdgeValue[e] <= 0.0)
     {
       const Overlap<2> lens = Lens(BallOf(f, c.Edges[e][0]), BallOf(f, c.Edges[e][1]));
@@ -153,9 +157,11 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
       sum.Area -= share.OfEdge[e] * (lens.Area[0] + lens.Area[1]);
     }
   }
+  const ProgressCallback triangles = Between(progress, 0.8, 1.0);
   for (const TriangleId triangle : c.Triangles())
   {
     const auto sides = c.TriangleSides(triangle);
+    ReportCells(triangles, triangle.Index(), c.TriangleCount());
     const bool hull = !sides[0].Exists() || !sides[1].Exists();
     if (hull && c.TriangleValue[triangle] <= 0.0)
     {
@@ -370,12 +376,14 @@ double OpenAreaOf(const std::array<Point3, 3>& corners, const std::array<double,
   return std::max(0.0, 0.5 * sum);
 }
 
-UnionMeasure MeasureUnion(
-  const RegularFiltration& f, const HandleVector<TetrahedronId, EmptyCell>& empty)
+UnionMeasure MeasureUnion(const RegularFiltration& f,
+  const HandleVector<TetrahedronId, EmptyCell>& empty, const ProgressCallback& progress)
 {
   UnionMeasure sum;
+  const ProgressCallback cells = Between(progress, 0.0, 0.3);
   for (const TetrahedronId id : empty.Keys())
   {
+    ReportCells(cells, id.Index(), empty.size());
     const auto& cell = f.Complex.Tetrahedra[id];
     sum.Volume += VolumeOf({ f.Complex.Points[At(cell[0])], f.Complex.Points[At(cell[1])],
                     f.Complex.Points[At(cell[2])], f.Complex.Points[At(cell[3])] }) -
@@ -385,7 +393,7 @@ UnionMeasure MeasureUnion(
       sum.Area += area;
     }
   }
-  AddOutside(f, sum);
+  AddOutside(f, sum, Between(progress, 0.3, 1.0));
   return sum;
 }
 

@@ -19,6 +19,7 @@
 #define isthmus_EmptySpace_h
 
 #include "Atoms/BallOverlap.h"
+#include "Core/Progress.h"
 #include "Persistence/RegularFiltration.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
@@ -58,10 +59,10 @@ struct UnionMeasure
 
 /**
  * The union of the balls of `f`; `empty` holds EmptySpaceOf() each tetrahedron (zeros for those of
- * K). Needs at least one tetrahedron.
+ * K). Needs at least one tetrahedron. @throws Cancelled
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(
-  const RegularFiltration& f, const HandleVector<TetrahedronId, EmptyCell>& empty);
+VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(const RegularFiltration& f,
+  const HandleVector<TetrahedronId, EmptyCell>& empty, const ProgressCallback& progress = {});
 
 }
 

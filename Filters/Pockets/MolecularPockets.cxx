@@ -6,6 +6,7 @@
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Pockets/CellAccessibility.h"
+#include "Pockets/CellProgress.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PocketScore.h"
 #include "Pockets/PocketSites.h"
@@ -88,9 +89,11 @@ PocketByCell PocketCores(
  * all of its space. O(n log n).
  */
 PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
-  const CellAccessibility& access, double outer, const PocketByCell& cores)
+  const CellAccessibility& access, double outer, const PocketByCell& cores,
+  const ProgressCallback& progress)
 {
   PocketByCell labels = cores;
+  std::size_t reached = 0;
   std::priority_queue<Path> paths;
   const auto leave = [&](TetrahedronId cell)
   {
@@ -108,6 +111,7 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
   {
     if (cores[cell].Exists())
     {
+      ReportCells(progress, reached++, c.Tetrahedra.size());
       leave(cell);
     }
   }
@@ -118,6 +122,7 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
     if (!labels[path.Cell].Exists())
     {
       labels[path.Cell] = path.Pocket;
+      ReportCells(progress, reached++, c.Tetrahedra.size());
       leave(path.Cell);
     }
   }
@@ -179,13 +184,15 @@ std::vector<PocketMouth> Group(
  * O(n log n).
  */
 void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
-  const PocketByCell& labels, double inner, bool outOfAll, std::vector<Pocket>& pockets)
+  const PocketByCell& labels, double inner, bool outOfAll, std::vector<Pocket>& pockets,
+  const ProgressCallback& progress)
 {
   HandleVector<PocketNumber, TriangleChain> open(pockets.size());
   const auto pocketOf = [&labels](TetrahedronId cell)
   { return cell.Exists() ? labels[cell] : PocketNumber::None(); };
   for (const TriangleId t : f.Complex.Triangles())
   {
+    ReportCells(progress, t.Index(), f.Complex.TriangleCount());
     const auto sides = f.Complex.TriangleSides(t);
     const PocketNumber a = pocketOf(sides[0]);
     const PocketNumber b = pocketOf(sides[1]);
@@ -336,7 +343,8 @@ void FillCells(const Space& space, std::vector<Pocket>& pockets)
 }
 
 /// O(cells x atoms near).
-void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pockets)
+void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pockets,
+  const ProgressCallback& progress)
 {
   std::vector<PocketCell*> cells;
   for (Pocket& pocket : pockets)
@@ -347,7 +355,8 @@ void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pock
     }
   }
   const PointBins bins(c.Points, 0.5 * reach);
-  ParallelFor(0, static_cast<std::int64_t>(cells.size()), 64,
+  ParallelFor(
+    0, static_cast<std::int64_t>(cells.size()), 64,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto i = begin; i < end; ++i)
@@ -355,15 +364,18 @@ void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pock
         PocketCell& cell = *cells[static_cast<std::size_t>(i)];
         bins.Near(cell.Centre, reach, [&](std::int64_t, double) { ++cell.Burial; });
       }
-    });
+    },
+    progress);
 }
 
 /// `isSites`: negative contributions of the rest of a pocket (EmptySpace.h) are ignored.
-void FillLining(const Space& space, bool isSites, std::vector<Pocket>& pockets)
+void FillLining(
+  const Space& space, bool isSites, std::vector<Pocket>& pockets, const ProgressCallback& progress)
 {
   std::vector<std::map<std::int64_t, double>> areas(pockets.size());
   for (const TetrahedronId cell : space.Labels.Keys())
   {
+    ReportCells(progress, cell.Index(), space.Labels.size());
     const PocketNumber pocket = space.Labels[cell];
     for (std::size_t k = 0; pocket.Exists() && k < 4; ++k)
     {
@@ -395,7 +407,7 @@ std::vector<SiteAtom> Sorted(std::vector<SiteAtom> atoms)
 
 /// Fills in SiteProbability and returns the places; flat tetrahedra are skipped.
 std::vector<SitePlace> FillSiteProbabilities(
-  const PocketOptions& options, std::vector<Pocket>& pockets)
+  const PocketOptions& options, std::vector<Pocket>& pockets, const ProgressCallback& progress)
 {
   std::vector<PocketCell*> cells;
   for (Pocket& pocket : pockets)
@@ -408,12 +420,13 @@ std::vector<SitePlace> FillSiteProbabilities(
       }
     }
   }
-  const SiteDescriptorTable table = DescribeSites(
-    Sorted(*options.SiteAtoms), { cells.begin(), cells.end() }, options.KeepDescriptors);
+  const SiteDescriptorTable table = DescribeSites(Sorted(*options.SiteAtoms),
+    { cells.begin(), cells.end() }, options.KeepDescriptors, Between(progress, 0.0, 0.8));
   const auto width = static_cast<std::int64_t>(SiteDescriptorNames().size());
   const auto residues = static_cast<std::int64_t>(SiteResidueNames().size());
   std::vector<SitePlace> places(cells.size());
-  ParallelFor(0, static_cast<std::int64_t>(cells.size()), 64,
+  ParallelFor(
+    0, static_cast<std::int64_t>(cells.size()), 64,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto i = begin; i < end; ++i)
@@ -431,7 +444,8 @@ std::vector<SitePlace> FillSiteProbabilities(
           place.Descriptors.insert(place.Descriptors.end(), near, near + residues);
         }
       }
-    });
+    },
+    Between(progress, 0.8, 1.0));
   return places;
 }
 
@@ -500,9 +514,9 @@ PocketNumber ParentOf(const std::vector<CellPlace>& places, const PocketByCell& 
  */
 std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions& options,
   std::vector<Pocket> regions, const PocketByCell& pockets, PocketByCell& labels,
-  std::vector<SitePlace>& judged)
+  std::vector<SitePlace>& judged, const ProgressCallback& progress)
 {
-  judged = FillSiteProbabilities(options, regions);
+  judged = FillSiteProbabilities(options, regions, Between(progress, 0.0, 0.8));
   const std::vector<CellPlace> places = PlacesOf(labels, regions);
   std::vector<Point3> centres;
   std::vector<double> probabilities;
@@ -550,7 +564,7 @@ std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions
     site.Probability = SiteProbability(from.Density, sum > 0.0 ? from.Density / sum : 0.0);
     sites.push_back(std::move(site));
   }
-  FillBurial(c, options.BurialRadius, sites);
+  FillBurial(c, options.BurialRadius, sites, Between(progress, 0.8, 1.0));
   for (Pocket& site : sites)
   {
     ScoreSite(site);
@@ -582,18 +596,21 @@ void Renumber(Pocket& pocket, const std::vector<std::size_t>& order)
     [](const LiningAtom& a, const LiningAtom& b) { return a.Atom < b.Atom; });
 }
 
-void MeasureWhole(const Space& space, PocketResult& result)
+void MeasureWhole(const Space& space, PocketResult& result, const ProgressCallback& progress)
 {
   const CellFiltration& c = space.Filtration.Complex;
+  const ProgressCallback sums = Between(progress, 0.0, 0.2);
   for (const TetrahedronId cell : c.Tetrahedra.Keys())
   {
+    ReportCells(sums, cell.Index(), c.Tetrahedra.size());
     const double volume = SizeOf(c, c.Tetrahedra[cell]);
     result.HullVolume += volume;
     const double empty = space.Empty[cell].Volume;
     result.FullVolume += volume - empty;
     (space.Labels[cell].Exists() ? result.PocketVolume : result.RestVolume) += empty;
   }
-  const UnionMeasure whole = MeasureUnion(space.Filtration, space.Empty);
+  const UnionMeasure whole =
+    MeasureUnion(space.Filtration, space.Empty, Between(progress, 0.2, 1.0));
   result.UnionVolume = whole.Volume;
   result.UnionArea = whole.Area;
 }
@@ -619,8 +636,9 @@ PocketResult FindPockets(
   Report(progress, 0.5);
   space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
   space.Cores = PocketCores(c, space.Access, options);
-  space.Labels = WithCrevices(c, faces, space.Access, options.OuterRadius, space.Cores);
-  MeasureWhole(space, result);
+  space.Labels = WithCrevices(
+    c, faces, space.Access, options.OuterRadius, space.Cores, Between(progress, 0.8, 0.82));
+  MeasureWhole(space, result, Between(progress, 0.82, 0.85));
   Report(progress, 0.85);
   const bool sites = options.SiteAtoms && !options.SiteAtoms->empty();
   const PocketByCell whole = space.Labels;
@@ -629,23 +647,24 @@ PocketResult FindPockets(
     PocketOptions region = options;
     region.InnerRadius = SiteInnerRadius;
     region.OuterRadius = SiteOuterRadius;
-    space.Labels =
-      WithCrevices(c, faces, space.Access, SiteOuterRadius, PocketCores(c, space.Access, region));
+    space.Labels = WithCrevices(c, faces, space.Access, SiteOuterRadius,
+      PocketCores(c, space.Access, region), Between(progress, 0.85, 0.86));
   }
   const PocketNumber last = *std::max_element(space.Labels.begin(), space.Labels.end());
   std::vector<Pocket> pockets(last.Exists() ? last.Index() + 1 : 0);
   FillCells(space, pockets);
   if (sites)
   {
-    pockets =
-      DivideIntoSites(c, options, std::move(pockets), whole, space.Labels, result.SitePlaces);
+    pockets = DivideIntoSites(c, options, std::move(pockets), whole, space.Labels,
+      result.SitePlaces, Between(progress, 0.86, 0.92));
   }
   else
   {
-    FillBurial(c, options.BurialRadius, pockets);
+    FillBurial(c, options.BurialRadius, pockets, Between(progress, 0.86, 0.92));
   }
-  FillLining(space, sites, pockets);
-  AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, sites, pockets);
+  FillLining(space, sites, pockets, Between(progress, 0.92, 0.935));
+  AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, sites, pockets,
+    Between(progress, 0.935, 0.95));
   Report(progress, 0.95);
   if (sites)
   {

@@ -3,6 +3,7 @@
 #include "Core/Index.h"
 #include "Core/NumberText.h"
 #include "Persistence/FiltrationPairs.h"
+#include "Pockets/CellProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,8 +199,10 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility&
   c.Order(Between(progress, 0.0, 0.3));
   const FiltrationPairs pairs(c, Between(progress, 0.3, 0.9));
   std::vector<Channel> channels;
+  const ProgressCallback triangles = Between(progress, 0.9, 1.0);
   for (const TriangleId t : c.Triangles())
   {
+    ReportCells(triangles, t.Index(), c.TriangleCount());
     const double radius = access.TriangleClearance[t];
     const EdgeId edge = pairs.LoopClosed(t);
     const auto sides = c.TriangleSides(t);
@@ -217,6 +220,8 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility&
     // A channel wider than EndRadius ends where it leaves the convex hull.
     const bool isWide = radius >= options.EndRadius;
     const double end = isWide ? HUGE_VAL : options.EndRadius;
+    // Paths out may be long, and channels many.
+    Report(triangles, static_cast<double>(t.Index()) / static_cast<double>(c.TriangleCount()));
     const auto first = WidestPathOut(c, access, t, sides[0], end);
     const auto second = WidestPathOut(c, access, t, sides[1], end);
     if (!AreDisjoint(first, second))
@@ -241,13 +246,14 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility&
 
 Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
   const CellAccessibility& access, const Point3& first, const Point3& last,
-  const PoreOptions& options)
+  const PoreOptions& options, const ProgressCallback& progress)
 {
   const TetrahedronId start = CellAt(f, access, first);
   const TetrahedronId goal = CellAt(f, access, last);
   constexpr TetrahedronId unmet(-2);
   HandleVector<TetrahedronId, TetrahedronId> from(f.Centres.size(), unmet);
   std::priority_queue<Step> steps;
+  std::size_t reached = 0;
   if (start.Exists())
   {
     steps.push({ 0.0, start, TetrahedronId::None() });
@@ -261,6 +267,7 @@ Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
       continue;
     }
     from[step.Cell] = step.From;
+    ReportCells(progress, reached++, f.Centres.size());
     for (const TriangleId face : faces[step.Cell])
     {
       const TetrahedronId next = f.Complex.Across(face, step.Cell);

@@ -44,7 +44,7 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Channel> FindChannels(RegularFiltrat
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT Channel PathBetween(const RegularFiltration& f,
   const FacesByCell& faces, const CellAccessibility& access, const Point3& first,
-  const Point3& last, const PoreOptions& options);
+  const Point3& last, const PoreOptions& options, const ProgressCallback& progress = {});
 
 }
 

@@ -357,8 +357,9 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
                              "is no pore between them.");
   }
   const auto faces = FacesOfCells(f.Complex);
-  const CellAccessibility access = FindAccess(f, faces, Probe);
-  Channel channel = PathBetween(f, faces, access, first, last, options);
+  const CellAccessibility access = FindAccess(f, faces, Probe, Between(progress, 0.4, 0.5));
+  Channel channel =
+    PathBetween(f, faces, access, first, last, options, Between(progress, 0.5, 0.6));
   channel.Path.front() = first;
   channel.Path.back() = last;
   const AtomField field(atoms);

@@ -553,8 +553,8 @@ const std::vector<std::string>& SiteResidueNames()
   return names;
 }
 
-SiteDescriptorTable DescribeSites(
-  const std::vector<SiteAtom>& atoms, const std::vector<const PocketCell*>& cells, bool residues)
+SiteDescriptorTable DescribeSites(const std::vector<SiteAtom>& atoms,
+  const std::vector<const PocketCell*>& cells, bool residues, const ProgressCallback& progress)
 {
   const std::size_t width = SiteDescriptorNames().size();
   SiteDescriptorTable table;
@@ -579,9 +579,10 @@ SiteDescriptorTable DescribeSites(
   const PointBins cellBins(centres, CellBin);
   const PointColumns atomColumns(PlacesOf(near));
   const PointColumns cellColumns(centres);
-  const auto each = [&](const auto& work)
+  const auto each = [&](const ProgressCallback& part, const auto& work)
   {
-    ParallelFor(0, static_cast<std::int64_t>(cells.size()), 64,
+    ParallelFor(
+      0, static_cast<std::int64_t>(cells.size()), 64,
       [&](std::int64_t begin, std::int64_t end)
       {
         Scratch scratch;
@@ -589,11 +590,12 @@ SiteDescriptorTable DescribeSites(
         {
           work(j, static_cast<std::size_t>(order[j]), scratch);
         }
-      });
+      },
+      part);
   };
   std::vector<std::vector<float>> rows(cells.size());
   std::vector<CellNear> told(cells.size());
-  each(
+  each(Between(progress, 0.0, 0.6),
     [&](std::size_t j, std::size_t i, Scratch& scratch)
     {
       scratch.All.Gather(atomBins, atomColumns, centres[j], BurialReaches.back());
@@ -616,7 +618,7 @@ SiteDescriptorTable DescribeSites(
   const auto most = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) * 19 / 20);
   std::nth_element(sorted.begin(), most, sorted.end());
   const double largest = std::max(1.0, *most);
-  each(
+  each(Between(progress, 0.6, 1.0),
     [&](std::size_t j, std::size_t i, Scratch& scratch)
     {
       std::vector<float>& row = rows[j];

@@ -26,6 +26,7 @@
 #define isthmus_SiteDescriptors_h
 
 #include "Core/Geometry.h"
+#include "Core/Progress.h"
 #include "Pockets/Pocket.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
@@ -84,9 +85,10 @@ struct SiteDescriptorTable
 };
 
 /// O(cells x atoms nearby). Deterministic for a given order of atoms and cells. `residues`: whether
-/// to compute the weights of residues, which the training needs.
+/// to compute the weights of residues, which the training needs. @throws Cancelled
 VTKISTHMUSFILTERSPOCKETS_EXPORT SiteDescriptorTable DescribeSites(
-  const std::vector<SiteAtom>& atoms, const std::vector<const PocketCell*>& cells, bool residues);
+  const std::vector<SiteAtom>& atoms, const std::vector<const PocketCell*>& cells, bool residues,
+  const ProgressCallback& progress = {});
 
 }
 

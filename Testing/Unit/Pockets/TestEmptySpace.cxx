@@ -174,6 +174,22 @@ TEST(EmptySpace, UnionOfRandomBallsAttachedOnesAmongThem)
   EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
 }
 
+TEST(EmptySpace, UnionOfFourBallsThreeOfWhichMeetOutside)
+{
+  // Parts of the triple intersections lie outside the tetrahedron.
+  const double a = 1.2 / std::sqrt(8.0);
+  const std::vector<Ball> balls{ { { a, a, a }, 1.0 }, { { a, -a, -a }, 1.0 },
+    { { -a, a, -a }, 1.0 }, { { -a, -a, a }, 1.0 } };
+  PocketOptions options;
+  options.ProbeRadius = 0.0;
+  const PocketResult result = FindPockets(balls, options);
+  const Estimate volume =
+    VolumeByPoints(1.9, 1000000, [&](const Point3& p) { return Covered(balls, 0.0, p); });
+  EXPECT_NEAR(result.UnionVolume, volume.Value, 3.0 * volume.Error());
+  const Estimate area = AreaByPoints(balls, 0.0, 40000, [](const Point3&) { return true; });
+  EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
+}
+
 TEST(EmptySpace, SeparateAndNestedBalls)
 {
   // A tetrahedron of lone balls, and one ball inside of another.

@@ -5,9 +5,13 @@
 #include "vtkPoreProfile.h"
 
 #include "BallPoints.h"
+#include "Pockets/CellAccessibility.h"
+#include "Pockets/EmptySpace.h"
 #include "Pockets/MolecularPockets.h"
+#include "Pockets/PoreChannels.h"
 #include "Pockets/PoreProfile.h"
 #include "Pockets/PoreRadius.h"
+#include "Pockets/SiteDescriptors.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -28,6 +32,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <functional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -393,22 +399,197 @@ TEST(PoreProfile, ProgressMovesAndStopsInTheLoopsOverCells)
   }
 }
 
+namespace
+{
+
+/// Atoms anywhere in a cube of the same density: about seven tetrahedra for each.
+std::vector<Ball> AtomsInACube(int count)
+{
+  std::mt19937 random(8);
+  const double half = 1.85 * std::cbrt(count);
+  std::uniform_real_distribution<double> place(-half, half);
+  std::vector<Ball> atoms;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = place(random), y = place(random), z = place(random);
+    atoms.push_back({ { x, y, z }, 1.7 });
+  }
+  return atoms;
+}
+
+/// As Molecular Pockets and Pore Profile enlarge them.
+RegularFiltration FiltrationOf(const std::vector<Ball>& atoms)
+{
+  std::vector<Point3> centres;
+  for (const Ball& atom : atoms)
+  {
+    centres.push_back(atom.Centre);
+  }
+  return MakeRegularFiltration(centres, std::vector<double>(atoms.size(), 1.7 + 1.4));
+}
+
+using Analysis = std::function<void(const ProgressCallback&)>;
+
+/// Reports of a run between two fractions, ends included.
+std::int64_t ReportsBetween(double low, double high, const Analysis& run)
+{
+  std::int64_t reports = 0;
+  double last = 0.0;
+  run(
+    [&](double done)
+    {
+      EXPECT_GE(done, last);
+      last = done;
+      reports += done >= low - 1e-9 && done <= high + 1e-9 ? 1 : 0;
+      return true;
+    });
+  return reports;
+}
+
+/// Reports of a loop over so many cells: at every 4096th.
+std::int64_t ReportsOf(std::size_t cells)
+{
+  return static_cast<std::int64_t>((cells + 4095) / 4096);
+}
+
+/// Whichever report a run is aborted at, it is the last.
+void ExpectToStopAtEachReport(const Analysis& run)
+{
+  bool isAborted = true;
+  for (int stop = 1; isAborted; ++stop)
+  {
+    int reports = 0;
+    isAborted = false;
+    try
+    {
+      run([&](double) { return ++reports < stop; });
+    }
+    catch (const Cancelled&)
+    {
+      isAborted = true;
+    }
+    EXPECT_EQ(isAborted, reports >= stop);
+    EXPECT_LE(reports, stop);
+  }
+}
+
+}
+
+// So few atoms that each loop reports once.
+TEST(PoreProfile, AnAbortIsNoticedInEachLoopOverCells)
+{
+  const auto atoms = AtomsInACube(24);
+  PocketOptions options;
+  const Analysis pockets = [&](const ProgressCallback& progress)
+  { FindPockets(atoms, options, progress); };
+  // Crevices; volumes of cells and of the union, shares of the hull, edges, triangles; burial,
+  // lining, mouths. The others are ends of steps.
+  EXPECT_EQ(ReportsBetween(0.8, 1.0, pockets), 9 + 4);
+  ExpectToStopAtEachReport(pockets);
+
+  std::vector<SiteAtom> siteAtoms(atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    siteAtoms[i].Place = atoms[i].Centre;
+  }
+  options.SiteAtoms = &siteAtoms;
+  // Their crevices; atoms around, cells around, probabilities.
+  EXPECT_EQ(ReportsBetween(0.8, 1.0, pockets), 9 + 4 + 4);
+  ExpectToStopAtEachReport(pockets);
+
+  ExpectToStopAtEachReport(
+    [&](const ProgressCallback& progress) { FindPores(atoms, {}, progress); });
+  ExpectToStopAtEachReport(
+    [&](const ProgressCallback& progress) {
+      PoreBetween(atoms, { -6.0, -6.0, -6.0 }, { 6.0, 6.0, 6.0 }, {}, progress);
+    });
+}
+
+TEST(PoreProfile, LoopsOverCellsReportAtEvery4096th)
+{
+  const auto atoms = AtomsInACube(2500);
+  RegularFiltration f = FiltrationOf(atoms);
+  const CellFiltration& c = f.Complex;
+  const std::int64_t cells = ReportsOf(c.Tetrahedra.size());
+  const std::int64_t triangles = ReportsOf(c.TriangleCount());
+  ASSERT_GE(cells, 3);
+
+  PocketOptions options;
+  options.InnerRadius = 2.0; // half of the cells are cores, half crevices
+  options.OuterRadius = 9.0;
+  options.MinimumVolume = 0.0;
+  std::size_t inPockets = 0;
+  const Analysis pockets = [&](const ProgressCallback& progress)
+  {
+    inPockets = 0;
+    for (const Pocket& pocket : FindPockets(atoms, options, progress).Pockets)
+    {
+      inPockets += pocket.Cells.size();
+    }
+  };
+  // With the ends of steps. In parallel loops, as those before and between, the clock decides.
+  const std::int64_t measures = 2 * cells + ReportsOf(c.Edges.size()) + triangles;
+  const std::int64_t before = ReportsBetween(0.8, 0.85, pockets);
+  EXPECT_EQ(before, 1 + ReportsOf(inPockets) + cells + measures + 1);
+  EXPECT_EQ(ReportsBetween(0.92, 1.0, pockets), 1 + cells + triangles + 2);
+
+  const auto faces = FacesOfCells(c);
+  CellAccessibility access;
+  EXPECT_EQ(
+    ReportsBetween(0.0, 1.0,
+      [&](const ProgressCallback& progress) { access = FindAccess(f, faces, 1.4, progress); }),
+    cells);
+  PoreOptions pores;
+  const Analysis path = [&](const ProgressCallback& progress) {
+    PathBetween(f, faces, access, { -24.0, -24.0, -24.0 }, { 24.0, 24.0, 24.0 }, pores, progress);
+  };
+  pores.MaximumOffset = 100.0;
+  EXPECT_GE(ReportsBetween(0.0, 1.0, path), 2);
+  const Analysis channels = [&](const ProgressCallback& progress)
+  { FindChannels(f, access, 1.4, pores, progress); };
+  pores.MinimumRadius = 100.0; // none
+  const std::int64_t none = ReportsBetween(0.9, 1.0, channels);
+  EXPECT_EQ(none, triangles);
+  pores.MinimumRadius = 1.0; // one report more for each that may be one
+  EXPECT_GT(ReportsBetween(0.9, 1.0, channels), none);
+}
+
+// At whichever event the abort comes, it is the last.
 TEST(PoreProfile, AnAbortLeavesNothing)
 {
-  vtkNew<vtkPoreProfile> filter;
-  filter->SetInputData(AtomsOf(Cone(2000)));
-  std::vector<double> events;
-  vtkNew<vtkCallbackCommand> watch;
-  watch->SetClientData(&events);
-  watch->SetCallback(
-    [](vtkObject* caller, unsigned long, void* client, void*)
+  const auto atoms = AtomsOf(AtomsInACube(24));
+  bool isAborted = true;
+  for (int stop = 1; isAborted; ++stop)
+  {
+    SCOPED_TRACE(stop);
+    vtkNew<vtkPoreProfile> filter;
+    filter->SetInputData(atoms);
+    struct Watched
     {
-      auto* const running = static_cast<vtkAlgorithm*>(caller);
-      static_cast<std::vector<double>*>(client)->push_back(running->GetProgress());
-      running->SetAbortExecute(running->GetProgress() > 0.0 ? 1 : 0);
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, watch);
-  filter->Update();
-  EXPECT_EQ(CallsBetween(events, 0.0, 1.0), 1); // the first one aborts
-  EXPECT_EQ(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
+      int Stop, Events;
+    } watched{ stop, 0 };
+    vtkNew<vtkCallbackCommand> watch;
+    watch->SetClientData(&watched);
+    watch->SetCallback(
+      [](vtkObject* caller, unsigned long, void* client, void*)
+      {
+        auto* const running = static_cast<vtkAlgorithm*>(caller);
+        auto* const seen = static_cast<Watched*>(client);
+        if (running->GetProgress() > 0.0 && running->GetProgress() < 1.0 &&
+          ++seen->Events >= seen->Stop)
+        {
+          running->SetAbortExecute(1);
+        }
+      });
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    filter->Update();
+    isAborted = watched.Events >= stop;
+    EXPECT_LE(watched.Events, stop);
+    for (int port = 0; isAborted && port < filter->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject* const output = filter->GetOutputDataObject(port);
+      EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::POINT), 0) << port;
+      EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::ROW), 0) << port;
+    }
+  }
 }
