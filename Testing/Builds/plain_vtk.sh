@@ -17,4 +17,4 @@ configure_and_build -DISTHMUS_PARAVIEW=OFF -DISTHMUS_TESTING=ON -DISTHMUS_WERROR
   ${ISTHMUS_VTK_DIR:+"-DVTK_DIR=$ISTHMUS_VTK_DIR"}
 cd "$build_dir"
 say "Unit tests on VTK $(sed -n 's/^VTK_DIR:[A-Z]*=//p' CMakeCache.txt)"
-exec ctest --output-on-failure --parallel "$jobs" --label-regex Unit "$@"
+exec ctest --output-on-failure --parallel "$jobs" --label-regex '^unit$' --no-tests=error "$@"
