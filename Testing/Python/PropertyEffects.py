@@ -32,6 +32,8 @@ NEEDS = {
         "SurfaceTension", "Pressure", "UpdatePeriod", "SurfaceRelaxation", "FieldRelaxation", "UpdateTolerance",
         "MaximumUpdates")},
     **{("HandleFilling", name): {"FillHandlesBelow": 3.0} for name in ("Side", "SampleSpacing", "Thickness")},
+    # Just below the saddle between the two balls: noise decides whether there is a bridge.
+    **{("MapHandles", name): {"UseStableLevel": 0, "Level": 0.155} for name in ("NumberOfResamples", "Seed")},
     ("MapSurface", "CloseAtBorder"): {"AutomaticLevel": 0, "Level": 0.02},
     ("ChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
     ("ChokingLoops", "MaximumDistance"): {"AlwaysReportHandles": 0},

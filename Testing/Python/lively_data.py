@@ -162,7 +162,8 @@ TAKE_ATOMS = ("MolecularPockets", "PoreProfile", "MolecularFlowSurface", "Molecu
 SPECIAL = dict(good_data.SPECIAL)
 SPECIAL.update({(name, "Input"): atoms for name in TAKE_ATOMS})
 SPECIAL.update({("ChokingLoops", "Input"): ring, ("HandleFilling", "Input"): ring,
-                ("NonpolarSolvation", "Volume"): flow_volume, ("DenoiseFromHalfMaps", "OtherHalf"): lambda: image(2),
+                ("NonpolarSolvation", "Volume"): flow_volume,
+                **{(name, "OtherHalf"): lambda: image(2) for name in ("DenoiseFromHalfMaps", "MapHandles")},
                 ("PoissonBoltzmannOnSurface", "Surface"): around_atoms})
 del SPECIAL["IonTransport", "Surface"]  # it would have a surface, not make one
 
