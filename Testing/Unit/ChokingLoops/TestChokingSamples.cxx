@@ -50,6 +50,47 @@ TriangleMesh SampledTorus(double spacing)
   return FirstSamples(Torus(1.0, 0.3, 60, 30), spacing);
 }
 
+/// The largest distance from a point of the triangle to its nearest corner, on a lattice.
+double FarthestFromCorners(const Point3& a, const Point3& b, const Point3& c)
+{
+  constexpr int steps = 300;
+  double farthest = 0.0;
+  for (int i = 0; i <= steps; ++i)
+  {
+    for (int j = 0; j <= steps - i; ++j)
+    {
+      const double u = static_cast<double>(i) / steps, v = static_cast<double>(j) / steps;
+      const Point3 p = a + u * (b - a) + v * (c - a);
+      const double nearest = std::min({ Distance(p, a), Distance(p, b), Distance(p, c) });
+      farthest = std::max(farthest, nearest);
+    }
+  }
+  return farthest;
+}
+
+TEST(ChokingSamples, ErrorsAreTheDistancesFromCornersInAnyUnit)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  const auto point = [&](double size)
+  {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    return size * Point3{ x, y, z };
+  };
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const double size = std::pow(10.0, 2.0 * coordinate(random));
+    TriangleMesh mesh;
+    mesh.Points = { point(size), point(size), point(size) };
+    mesh.Triangles = { { 0, 1, 2 } };
+    const double exact = FarthestFromCorners(mesh.Points[0], mesh.Points[1], mesh.Points[2]);
+    for (const double error : SamplingErrors(SurfaceView(mesh.Points, mesh.Triangles)))
+    {
+      EXPECT_NEAR(error / size, exact / size, 0.01) << trial; // a step of the lattice
+    }
+  }
+}
+
 TEST(ChokingSamples, FewPlacesAreFinerThere)
 {
   const TriangleMesh samples = SampledTorus(0.08);
