@@ -40,7 +40,7 @@ paraview_packages=(
 plain_packages=(
   g++ cmake ninja-build libvtk9-dev
   libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev 'libgemmi-dev|gemmi-dev' tao-pegtl-dev
-  tetgen libgtest-dev optional:libgudhi-dev)
+  tetgen locales libgtest-dev optional:libgudhi-dev)
 
 # What the tests compare with and look through.
 test_packages=(
