@@ -147,7 +147,8 @@ NoiseBootstrap::NoiseBootstrap(
   }
 }
 
-void NoiseBootstrap::AddTo(std::vector<float>& values, std::uint64_t seed) const
+template <typename T>
+void NoiseBootstrap::AddTo(std::vector<T>& values, std::uint64_t seed) const
 {
   const Index& n = this->Dimensions;
   std::mt19937_64 random(seed);
@@ -215,15 +216,23 @@ void NoiseBootstrap::AddTo(std::vector<float>& values, std::uint64_t seed) const
   }
 }
 
-HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView& volume,
+template void NoiseBootstrap::AddTo(std::vector<float>&, std::uint64_t) const;
+template void NoiseBootstrap::AddTo(std::vector<double>&, std::uint64_t) const;
+
+namespace
+{
+
+/// SupportOf(), with resamples of type T.
+template <typename T>
+HandleSupport SupportAs(const std::vector<MapHandle>& handles, const VolumeView& volume,
   const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
   const SupportParameters& bootstrap, const ProgressCallback& progress)
 {
   const NoiseBootstrap noises(noise, volume.Dimensions);
-  std::vector<float> observed(noise.size());
+  std::vector<T> observed(noise.size());
   for (std::size_t i = 0; i < observed.size(); ++i)
   {
-    observed[i] = static_cast<float>(volume.Value(static_cast<std::int64_t>(i)));
+    observed[i] = static_cast<T>(volume.Value(static_cast<std::int64_t>(i)));
   }
   FeatureParameters wanted = parameters;
   wanted.PersistenceUnit = FeatureParameters::Absolute;
@@ -231,7 +240,7 @@ HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView&
   CubicalParameters cubical;
   cubical.Superlevel = parameters.Superlevel;
   std::vector<int> found(handles.size()), noisy(handles.size());
-  std::vector<float> values;
+  std::vector<T> values;
   for (int r = 0; r < bootstrap.Resamples; ++r)
   {
     values = observed;
@@ -258,6 +267,17 @@ HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView&
       IsThere(handles[i], bootstrap.Level) ? (1.0 + noisy[i]) / (1.0 + count) : 1.0);
   }
   return result;
+}
+
+}
+
+HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView& volume,
+  const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
+  const SupportParameters& bootstrap, const ProgressCallback& progress)
+{
+  const bool fitsFloat = volume.Floating ? volume.Bytes == 4 : volume.Bytes <= 2;
+  const auto support = fitsFloat ? &SupportAs<float> : &SupportAs<double>;
+  return support(handles, volume, parameters, threshold, noise, bootstrap, progress);
 }
 
 }

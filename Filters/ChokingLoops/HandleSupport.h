@@ -43,9 +43,9 @@ public:
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT NoiseBootstrap(
     const std::vector<float>& noise, const std::array<std::int64_t, 3>& dimensions);
 
-  /// Adds noise to `values`. Bitwise identical for the same seed.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void AddTo(
-    std::vector<float>& values, std::uint64_t seed) const;
+  /// Adds noise to `values`, float or double. Bitwise identical for the same seed.
+  template <typename T>
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void AddTo(std::vector<T>& values, std::uint64_t seed) const;
 
 private:
   std::array<std::int64_t, 3> Dimensions;

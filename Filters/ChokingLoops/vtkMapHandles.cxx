@@ -178,8 +178,7 @@ vtkSmartPointer<vtkImageData> MeanOf(
   const vtkIdType count = scalars->GetNumberOfTuples();
   vtkSmartPointer<vtkDataArray> mean;
   mean.TakeReference(vtkDataArray::CreateDataArray(
-    scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE
-                                                                                : VTK_FLOAT));
+    isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others) ? VTK_FLOAT : VTK_DOUBLE));
   mean->SetName(scalars->GetName());
   isthmus::SizeArray(mean, count);
   noise.resize(static_cast<std::size_t>(count));

@@ -1,5 +1,7 @@
 #include "Core/ImageScalars.h"
 
+#include "Core/ArrayMemory.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -75,6 +77,26 @@ vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
   }
   RequireOnePerNode(image, scalars, onCells);
   return scalars;
+}
+
+bool FitsFloat(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT ||
+    (array->GetDataType() != VTK_DOUBLE && array->GetDataTypeSize() <= 2);
+}
+
+vtkSmartPointer<vtkDataArray> WideIntegersAsDouble(vtkDataArray* array)
+{
+  if (array->GetDataType() == VTK_DOUBLE || FitsFloat(array))
+  {
+    return array;
+  }
+  auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
+  doubles->SetName(array->GetName());
+  doubles->SetNumberOfComponents(array->GetNumberOfComponents());
+  SizeArray(doubles, array->GetNumberOfTuples());
+  doubles->DeepCopy(array);
+  return doubles;
 }
 
 }

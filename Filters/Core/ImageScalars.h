@@ -1,7 +1,7 @@
 /**
  * @file ImageScalars.h
- * @brief The scalars of a vtkImageData: choice of the array, and its values as a GridView of float
- * or double.
+ * @brief The scalars of a vtkImageData: choice of the array, its precision, and its values as a
+ * GridView of float or double.
  */
 #ifndef isthmus_ImageScalars_h
 #define isthmus_ImageScalars_h
@@ -29,6 +29,13 @@ namespace isthmus
 /// panel without data sends an empty name.
 /// @throws std::invalid_argument, listing the available arrays, unless it has one number per node.
 VTKISTHMUSFILTERSCORE_EXPORT vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image);
+
+/// Whether float holds all values of the type of `array`: float and integers of up to 16 bits.
+VTKISTHMUSFILTERSCORE_EXPORT bool FitsFloat(vtkDataArray* array);
+
+/// `array` itself, or a copy of type double of integers of more than 16 bits.
+VTKISTHMUSFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> WideIntegersAsDouble(
+  vtkDataArray* array);
 
 /// @throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
 inline void RequireSpacing(vtkImageData* image)

@@ -402,8 +402,7 @@ void CheckPointsInside(
   }
   const std::string what = isthmus::TextOf(outside, " of ", count,
     " points of the surface lie outside the volume, where there is no curvature. Connect the "
-    "volume "
-    "from which the surface was made, in the same place and unit of length.");
+    "volume from which the surface was made, in the same place and unit of length.");
   if (outside == count)
   {
     throw std::invalid_argument(what);
@@ -526,7 +525,7 @@ int vtkHessianCurvature::RequestData(
     {
       this->CheckParameters();
       vtkImageData* image = vtkImageData::GetData(imageInfo);
-      vtkDataArray* scalars = nullptr;
+      vtkSmartPointer<vtkDataArray> scalars;
       vtkPoints* points = nullptr;
       const auto prepare = [&]()
       {
@@ -556,7 +555,7 @@ int vtkHessianCurvature::RequestData(
           isthmus::CheckScale(this->Scale, image->GetSpacing(),
             { std::int64_t(whole[1]) - whole[0] + 1, std::int64_t(whole[3]) - whole[2] + 1,
               std::int64_t(whole[5]) - whole[4] + 1 });
-          scalars = isthmus::ChosenScalars(this, image);
+          scalars = isthmus::WideIntegersAsDouble(isthmus::ChosenScalars(this, image));
           this->WarnIfThin(whole, points != nullptr);
           if (points && isthmus::NumberOfRanks() == 1)
           {

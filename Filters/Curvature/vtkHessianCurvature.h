@@ -10,19 +10,19 @@
  * involved: only the positions of the points are used, so the quality of the triangulation does not
  * matter.
  *
- * **Arrays**, on points, float (double for double scalars), each with a switch: `GaussianCurvature`
- * (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1), `MinimumCurvature` (kappa_2),
- * `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default `PrincipalDirection1`,
- * `PrincipalDirection2` (unit vectors in world axes, tangent to the level set; their sign is
- * arbitrary), `SurfaceType` (unsigned char; names below and in the field array `SurfaceTypeNames`),
- * `NormalCurvature` in a given direction, and with GenerateDifferentialForms `GaussMap`,
- * `ShapeOperator`, `FirstFundamentalForm`, `SecondFundamentalForm`, `AreaElement`
- * (CurvatureArrays.h). With AutomaticScale also `CurvatureScale`, the standard deviation of the
- * Gaussian that smoothed the scalars (the same everywhere; 0 for none), and `CurvatureError`, the
- * standard error of the mean curvature (1/length, bias included; 0 where CurvatureValid is 0), both
- * estimated from the image alone (CurvatureScale.h). Lengths are in the image's unit, angstrom for
- * molecular maps. All other arrays of the input are kept; on a surface, MeanCurvature becomes the
- * active scalars.
+ * **Arrays**, on points, float (double for scalars of type double or integers of more than 16
+ * bits), each with a switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature`
+ * (kappa_1), `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off
+ * by default `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to
+ * the level set; their sign is arbitrary), `SurfaceType` (unsigned char; names below and in the
+ * field array `SurfaceTypeNames`), `NormalCurvature` in a given direction, and with
+ * GenerateDifferentialForms `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
+ * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h). With AutomaticScale also
+ * `CurvatureScale`, the standard deviation of the Gaussian that smoothed the scalars (the same
+ * everywhere; 0 for none), and `CurvatureError`, the standard error of the mean curvature
+ * (1/length, bias included; 0 where CurvatureValid is 0), both estimated from the image alone
+ * (CurvatureScale.h). Lengths are in the image's unit, angstrom for molecular maps. All other
+ * arrays of the input are kept; on a surface, MeanCurvature becomes the active scalars.
  *
  * Field data, on a surface with triangles and one rank: `GaussianCurvatureIntegral` (no unit) and
  * `GaussBonnetEulerNumber`, the integral divided by 2 pi, which is close to the Euler number of a
@@ -56,8 +56,9 @@
  *
  * **Cost.** O(nodes) or O(points). Memory is needed only for the output and a few rows per thread,
  * unless the scalars are smoothed: then also for one or two copies of the scalars, and the time
- * grows with scale / spacing. AutomaticScale adds about a second, whatever the size of the image,
- * and the time of a second smoothing.
+ * grows with scale / spacing. Integers of more than 16 bits need a copy of type double.
+ * AutomaticScale adds about a second, whatever the size of the image, and the time of a second
+ * smoothing.
  */
 #ifndef vtkHessianCurvature_h
 #define vtkHessianCurvature_h

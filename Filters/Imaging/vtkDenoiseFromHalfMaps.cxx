@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
 #include "Core/SameNodes.h"
 #include "Imaging/LocalResolution.h"
@@ -134,8 +135,8 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
     throw std::invalid_argument("Order must be from 0 to 3.");
   }
   constexpr char differenceName[] = "IsthmusHalfDifference";
-  const bool isDouble = scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE;
-  const int type = isDouble ? VTK_DOUBLE : VTK_FLOAT;
+  const bool fitsFloat = isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others);
+  const int type = fitsFloat ? VTK_FLOAT : VTK_DOUBLE;
   const vtkIdType size = scalars->GetNumberOfTuples();
   const auto mean = NewArray(type, scalars->GetName(), size);
   const auto difference = NewArray(type, differenceName, size);

@@ -24,13 +24,6 @@ vtkCxxSetObjectMacro(vtkDiffusionAlgorithm, Controller, vtkMultiProcessControlle
 namespace
 {
 
-/// Integers of up to 16 bits are exact in float.
-bool FitsFloat(vtkDataArray* array)
-{
-  return array->GetDataType() == VTK_FLOAT ||
-    (array->GetDataType() != VTK_DOUBLE && array->GetDataTypeSize() <= 2);
-}
-
 /// Progress that is shown, and stops on all ranks if it stops on one.
 isthmus::ProgressCallback SharedProgress(
   const isthmus::ProgressCallback& own, const isthmus::DomainDecomposition& parts)
@@ -133,7 +126,7 @@ int vtkDiffusionAlgorithm::RequestData(
       vtkDataArray* scalars = this->ScalarsOnAllRanks(input, parts);
       output->ShallowCopy(input);
       isthmus::CropTo(output, own);
-      double anyDouble = scalars && !FitsFloat(scalars) ? 1.0 : 0.0;
+      double anyDouble = scalars && !isthmus::FitsFloat(scalars) ? 1.0 : 0.0;
       parts.Sum(&anyDouble, 1); // a rank without nodes has no array to tell it
       if (anyDouble > 0.0)
       {

@@ -118,11 +118,9 @@ namespace
 /// differences of values in their own type, which wrap around for unsigned int and larger ones.
 vtkSmartPointer<vtkDataArray> Contourable(vtkDataArray* scalars)
 {
-  const int type = scalars->GetDataType();
-  const bool isWide = scalars->GetDataTypeSize() > 2 && type != VTK_FLOAT && type != VTK_DOUBLE;
-  if (type != VTK_BIT && !isWide)
+  if (scalars->GetDataType() != VTK_BIT)
   {
-    return scalars;
+    return WideIntegersAsDouble(scalars);
   }
   auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
   SizeArray(doubles, scalars->GetNumberOfTuples());

@@ -464,6 +464,44 @@ TEST(MapHandles, BootstrapOfHalfMapsTellsABridgeFromNoise)
   EXPECT_LE(wrong, 1);
 }
 
+/// Means and resamples were of type float.
+TEST(MapHandles, HalfMapsOfWideIntegersAreNotRounded)
+{
+  const auto bridges = [](bool whole)
+  {
+    const auto half = [&](unsigned seed)
+    {
+      auto image = HalfMap(0.5, seed);
+      vtkDataArray* const from = image->GetPointData()->GetScalars();
+      vtkSmartPointer<vtkDataArray> to;
+      to.TakeReference(vtkDataArray::CreateDataArray(whole ? VTK_INT : VTK_DOUBLE));
+      to->SetNumberOfTuples(from->GetNumberOfTuples());
+      for (vtkIdType n = 0; n < from->GetNumberOfTuples(); ++n)
+      {
+        to->SetComponent(n, 0, 1e9 + std::round(100.0 * from->GetComponent(n, 0)));
+      }
+      image->GetPointData()->SetScalars(to);
+      return image;
+    };
+    auto filter = vtkSmartPointer<vtkMapHandles>::New();
+    filter->SetInputData(half(2));
+    filter->SetOtherHalfData(half(3));
+    filter->UseStableLevelOff();
+    filter->SetLevel(1e9 + 50.25);
+    filter->SetMinimumPersistence(0.3);
+    filter->SetNumberOfResamples(20);
+    filter->Update();
+    return filter;
+  };
+  const auto found = bridges(true), expected = bridges(false);
+  ASSERT_GT(Points(expected, 0)->GetNumberOfPoints(), 0);
+  ASSERT_EQ(Points(found, 0)->GetNumberOfPoints(), Points(expected, 0)->GetNumberOfPoints());
+  EXPECT_LT(BestPValue(Points(expected, 0), -15.0, -3.0), 0.1); // the rod
+  EXPECT_EQ(
+    BestPValue(Points(found, 0), -15.0, -3.0), BestPValue(Points(expected, 0), -15.0, -3.0));
+  EXPECT_EQ(Points(found, 4)->GetNumberOfPoints(), Points(expected, 4)->GetNumberOfPoints());
+}
+
 TEST(MapHandles, BootstrapIsReproducible)
 {
   std::vector<double> first;

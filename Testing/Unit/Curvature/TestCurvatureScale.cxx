@@ -337,6 +337,55 @@ TEST(CurvatureScale, ResultIsThatOfTheScaleChosenOnAnyNumberOfThreads)
   EXPECT_EQ(fixed->GetOutput()->GetPointData()->GetArray("CurvatureError"), nullptr);
 }
 
+/// They were copied to single precision to measure the noise and for a fixed scale.
+TEST(CurvatureScale, WideIntegersAreNotRounded)
+{
+  const auto noisy = NoisyBall(0.1, 0.0);
+  const auto as = [&](int type, double offset)
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->CopyStructure(noisy);
+    image->AllocateScalars(type, 1);
+    vtkDataArray* const from = noisy->GetPointData()->GetScalars();
+    for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(
+        id, 0, offset + std::round(1000.0 * from->GetComponent(id, 0)));
+    }
+    return image;
+  };
+  for (const double offset : { 1e9, 1e14 })
+  {
+    for (const double scale : { 0.0, 1.5 }) // 0: chosen from the noise
+    {
+      const auto curvature = [&](int type)
+      {
+        auto filter = vtkSmartPointer<vtkHessianCurvature>::New();
+        filter->SetInputData(as(type, offset));
+        if (scale > 0.0)
+        {
+          filter->SetScale(scale);
+        }
+        filter->Update();
+        return filter;
+      };
+      const auto expected = curvature(VTK_DOUBLE);
+      const auto found = curvature(offset > 2e9 ? VTK_LONG_LONG : VTK_INT);
+      for (const char* name : { "MeanCurvature", "CurvatureScale", "CurvatureError" })
+      {
+        vtkDataArray* const a = PointArray(expected->GetOutput(), name);
+        vtkDataArray* const b = PointArray(found->GetOutput(), name);
+        ASSERT_EQ(a == nullptr, b == nullptr) << name;
+        for (vtkIdType id = 0; a && id < a->GetNumberOfTuples(); ++id)
+        {
+          const double value = a->GetComponent(id, 0);
+          ASSERT_NEAR(b->GetComponent(id, 0), value, 1e-6 * std::abs(value)) << name << offset;
+        }
+      }
+    }
+  }
+}
+
 TEST(CurvatureScale, SettingAScaleSwitchesItOff)
 {
   vtkNew<vtkHessianCurvature> filter;

@@ -92,6 +92,34 @@ TEST(DenoiseFromHalfMaps, KnowsTheNoiseOfTheMeanAndComesCloserToTheTruth)
   }
 }
 
+/// Their mean was of type float.
+TEST(DenoiseFromHalfMaps, WideIntegersAreNotRounded)
+{
+  const auto denoised = [](bool whole)
+  {
+    const auto half = [&](unsigned int seed)
+    {
+      auto image = Half(0.4, seed);
+      vtkDataArray* const from = image->GetPointData()->GetScalars();
+      vtkSmartPointer<vtkDataArray> to;
+      to.TakeReference(vtkDataArray::CreateDataArray(whole ? VTK_INT : VTK_DOUBLE));
+      to->SetNumberOfTuples(from->GetNumberOfTuples());
+      for (vtkIdType n = 0; n < from->GetNumberOfTuples(); ++n)
+      {
+        to->SetComponent(n, 0, 1e9 + std::round(100.0 * from->GetComponent(n, 0)));
+      }
+      image->GetPointData()->SetScalars(to);
+      return image;
+    };
+    auto filter = vtkSmartPointer<vtkDenoiseFromHalfMaps>::New();
+    filter->SetInputData(half(2));
+    filter->SetOtherHalfData(half(3));
+    filter->Update();
+    return filter;
+  };
+  EXPECT_EQ(Distance(denoised(true)->GetOutput(), denoised(false)->GetOutput()), 0.0);
+}
+
 TEST(DenoiseFromHalfMaps, GivesTheLocalResolution)
 {
   double last = 4.0; // twice the spacing
