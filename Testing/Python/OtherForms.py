@@ -1,5 +1,5 @@
 """The same data in another form, each filter and each of its ports, gives the same numbers: volumes of whole
-numbers in every type that holds them, surfaces and meshes with points that no cell uses (far away, in the middle, at
+numbers in every type that holds them, also large ones that single precision rounds, surfaces and meshes with points that no cell uses (far away, in the middle, at
 no finite place, several), atoms with copies of some. Outputs may keep such points; one at no finite place may be
 refused. Points are atoms where cells do not matter, so ports for any points have no unused ones.
 """
@@ -15,6 +15,9 @@ from good_data import INPUTS, filters, made, sound
 
 TYPES = ("SignedChar", "UnsignedChar", "Short", "UnsignedShort", "Int", "UnsignedInt", "Long", "UnsignedLong",
          "LongLong", "UnsignedLongLong", "Float")
+LARGE = ("Int", "UnsignedLongLong")  # types of numbers from BASE to BASE + 120
+BASE = 1e9
+LEVELS = ("IsoValue", "Level")  # properties
 BITS = 1e-4  # of the largest number of an array: outputs may be of single precision
 FAR = 1e5
 # Ports for atoms whose outputs are sums over them, or depend on their number. Others give the atoms themselves.
@@ -24,13 +27,13 @@ ATOMS = {(name, "Input") for name in (
     "FullereneStability")} | {("BindingSites", "Atoms"), ("BindingSitesInPockets", "Atoms")}
 
 
-def in_type(image, name):
-    """A copy with the scalars from 0 to 120, rounded, in that type ('Double': to compare with)."""
+def in_type(image, name, base=0.0):
+    """A copy with the scalars from base to base + 120, rounded, in that type ('Double': to compare with)."""
     result = image.NewInstance()
     result.DeepCopy(image)
     scalars = result.GetPointData().GetScalars()
     values = vtk_to_numpy(scalars).astype(float)
-    values = numpy.round(120.0 * (values - values.min()) / (values.max() - values.min()))
+    values = numpy.round(120.0 * (values - values.min()) / (values.max() - values.min())) + base
     array = vtkDataArray.CreateDataArray({
         "Double": 11, "Float": 10, "SignedChar": 15, "UnsignedChar": 3, "Short": 4, "UnsignedShort": 5, "Int": 6,
         "UnsignedInt": 7, "Long": 8, "UnsignedLong": 9, "LongLong": 16, "UnsignedLongLong": 17}[name])
@@ -38,6 +41,15 @@ def in_type(image, name):
     array.SetNumberOfTuples(len(values))
     vtk_to_numpy(array)[:] = values
     result.GetPointData().SetScalars(array)
+    return result
+
+
+def shifted(image):
+    """A copy with each value at the next node."""
+    result = image.NewInstance()
+    result.DeepCopy(image)
+    values = vtk_to_numpy(result.GetPointData().GetScalars())
+    values[:] = numpy.roll(values, 1)
     return result
 
 
@@ -133,7 +145,8 @@ def numbers(proxy):
     return found
 
 
-def differences(expected, found):
+def differences(expected, found, of_spread):
+    """`of_spread`: tolerances are shares of the difference between the largest and the smallest number of an array."""
     for what in sorted(set(expected) | set(found)):
         if what not in expected or what not in found:
             yield f"{what} only once"
@@ -142,19 +155,32 @@ def differences(expected, found):
         if first.shape != second.shape:
             yield f"{what}: {len(second)} instead of {len(first)}"
             continue
-        size = numpy.abs(first[numpy.isfinite(first)]).max(initial=0.0)
-        if not numpy.allclose(first, second, rtol=BITS, atol=BITS * size + 1e-12, equal_nan=True):
+        finite = first[numpy.isfinite(first)]
+        size = numpy.abs(finite).max(initial=0.0)
+        if of_spread and len(finite) > 1:
+            size = numpy.ptp(finite)
+        relative = 0.0 if of_spread else BITS
+        if not numpy.allclose(first, second, rtol=relative, atol=BITS * size + 1e-12, equal_nan=True):
             yield f"{what}: off by {numpy.nanmax(numpy.abs(first - second)):.3g} of {size:.3g}"
 
 
-def compared(name, port, kind, first, second, may_refuse=False):
+def compared(name, port, kind, form, first, second):
     number = [p[0] for p in INPUTS[name]].index(port)
-    of_kind = kind if number == 0 else None
-    expected = numbers(made(name, of_kind, replaced={port: first}))
-    found = numbers(made(name, of_kind, replaced={port: second}))
-    if may_refuse and found["errors"] == 1.0 and not any(found[what].any() for what in found if what.endswith("cells")):
+    is_large = form.startswith("large")
+
+    def result(data):
+        # A second volume, such as another half map, is of the same type.
+        others = {p[0]: shifted(data) for p in INPUTS[name] if is_large and "vtkImageData" in p[1]}
+        proxy = made(name, kind if number == 0 else None, replaced={**others, port: data})
+        for level in LEVELS if is_large else ():
+            if level in proxy.ListProperties():
+                setattr(proxy, level, BASE + 60.25)
+        return numbers(proxy)
+
+    expected, found = result(first), result(second)
+    if form == NOWHERE and found["errors"] == 1.0 and not any(found[what].any() for what in found if what.endswith("cells")):
         return ""
-    return "; ".join(differences(expected, found))
+    return "; ".join(differences(expected, found, is_large))
 
 
 def trials(name):
@@ -169,6 +195,9 @@ def trials(name):
             if data.IsA("vtkImageData") and data.GetPointData().GetScalars():
                 for type_name in TYPES:
                     yield type_name, port, kind, in_type(data, "Double"), in_type(data, type_name)
+                for type_name in LARGE:
+                    yield f"large {type_name}", port, kind, in_type(data, "Double", BASE), in_type(
+                        data, type_name, BASE)
             elif data.IsA("vtkPointSet") and kind in ("vtkPolyData", "vtkUnstructuredGrid"):
                 for form, places in UNUSED.items():
                     yield form, port, kind, data, with_unused_points(data, places)
@@ -179,7 +208,7 @@ def main(names):
     for name in names or filters():
         for form, port, kind, first, second in trials(name):
             word, said, _ = robustness_trials.run(
-                lambda a=(name, port, kind, first, second, form == NOWHERE): compared(*a), 30)
+                lambda a=(name, port, kind, form, first, second): compared(*a), 30)
             count += 1
             if word != "done" or said:
                 wrong.append(f"{name}, {port} ({kind}), {form}: {word} {said[-300:]}")
