@@ -3,6 +3,7 @@
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/Stopwatch.h"
+#include "Persistence/ExactOrthosphere.h"
 #include "Persistence/TriangulationCells.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -60,8 +61,7 @@ double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Po
   const double det = Dot(a, bc);
   if (det * det <= FlatnessLimit * FlatnessLimit * aa * bb * cc)
   {
-    return CGAL::to_double(CGAL::squared_radius(PointOf<ExactKernel>(p), PointOf<ExactKernel>(q),
-      PointOf<ExactKernel>(r), PointOf<ExactKernel>(s)));
+    return ExactOrthosphere({ p, q, r, s }, {}).Power;
   }
   const Point3 centre = aa * bc + bb * Cross(c, a) + cc * Cross(a, b);
   return Dot(centre, centre) / (4.0 * det * det);

@@ -4,6 +4,7 @@
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Core/Stopwatch.h"
+#include "Persistence/ExactOrthosphere.h"
 #include "Persistence/TriangulationCells.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -77,24 +78,6 @@ void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& r
   }
 }
 
-/// A sphere orthogonal to the balls of a simplex: its centre, and its squared radius (power).
-struct Orthosphere
-{
-  Point3 Centre;
-  double Power;
-};
-
-Orthosphere ExactOrthosphere(const RegularFiltration& f, const std::array<SimplexId, 4>& t)
-{
-  const auto centre = CGAL::weighted_circumcenter(BallOf<ExactKernel>(f, t[0]),
-    BallOf<ExactKernel>(f, t[1]), BallOf<ExactKernel>(f, t[2]), BallOf<ExactKernel>(f, t[3]));
-  const auto power = CGAL::squared_distance(centre, BallOf<ExactKernel>(f, t[0]).point()) -
-    BallOf<ExactKernel>(f, t[0]).weight();
-  return { { CGAL::to_double(centre.x()), CGAL::to_double(centre.y()),
-             CGAL::to_double(centre.z()) },
-    CGAL::to_double(power) };
-}
-
 Orthosphere OrthosphereOf(const RegularFiltration& f, const std::array<SimplexId, 4>& t)
 {
   const auto& p = f.Complex.Points;
@@ -109,7 +92,8 @@ Orthosphere OrthosphereOf(const RegularFiltration& f, const std::array<SimplexId
   const double cc = Dot(c, c);
   if (det * det <= RegularFlatnessLimit * RegularFlatnessLimit * aa * bb * cc)
   {
-    return ExactOrthosphere(f, t);
+    return ExactOrthosphere({ p[At(t[0])], p[At(t[1])], p[At(t[2])], p[At(t[3])] },
+      { w, WeightOf(f, t[1]), WeightOf(f, t[2]), WeightOf(f, t[3]) });
   }
   const Point3 centre = (0.5 / det) *
     ((aa + w - WeightOf(f, t[1])) * bc + (bb + w - WeightOf(f, t[2])) * Cross(c, a) +

@@ -279,11 +279,13 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
   // A path bends around each atom; averaging over three times the atom size gives the course of the
   // pore.
   constexpr double smoothing = 3.0; // angstrom
-  // A wide channel is sampled in proportion to its width, and computed up to three times its
-  // radius.
-  const double spacing = options.Spacing * (channel.IsWide ? 4.0 : 1.0);
+  // A wide channel is computed up to three times its radius, and from four times EndRadius on its
+  // planes are spaced in proportion to its width.
+  const double width =
+    channel.IsWide ? std::max(1.0, 0.25 * channel.Radius / options.EndRadius) : 1.0;
+  const double spacing = options.Spacing * (channel.IsWide ? 4.0 * width : 1.0);
   Course course =
-    CourseAlong(ResampleFrom(channel.Path, channel.From, spacing), smoothing / spacing);
+    CourseAlong(ResampleFrom(channel.Path, channel.From, spacing), width * smoothing / spacing);
   course.Least = channel.Radius;
   course.Enough = channel.IsWide ? 3.0 * channel.Radius : options.EndRadius;
   course.End = channel.IsWide ? HUGE_VAL : options.EndRadius;
@@ -301,6 +303,39 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
   return PoreThrough(atoms, course, from, narrow, progress);
 }
 
+/// Wide channels one after another, since each takes long and reports its progress; the others in
+/// parallel.
+std::vector<Pore> PoresOf(const AtomField& atoms, const std::vector<Channel>& channels,
+  const PoreOptions& options, const ProgressCallback& progress)
+{
+  std::vector<Pore> pores(channels.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(channels.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        if (!channels[i].IsWide)
+        {
+          pores[i] = PoreOf(atoms, channels[i], options, {});
+        }
+      }
+    },
+    Between(progress, 0.0, 0.5));
+  const auto count = static_cast<double>(channels.size());
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    const auto before = static_cast<double>(i);
+    const ProgressCallback own =
+      Between(progress, 0.5 + 0.5 * before / count, 0.5 + 0.5 * (before + 1.0) / count);
+    if (channels[i].IsWide)
+    {
+      pores[i] = PoreOf(atoms, channels[i], options, own);
+    }
+  }
+  return pores;
+}
+
 }
 
 std::vector<Pore> FindPores(
@@ -316,18 +351,8 @@ std::vector<Pore> FindPores(
   const CellAccessibility access =
     FindAccess(f, FacesOfCells(f.Complex), Probe, Between(progress, 0.3, 0.35));
   const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.35, 0.7));
-  const AtomField field(atoms);
-  std::vector<Pore> found(channels.size());
-  ParallelFor(
-    0, static_cast<std::int64_t>(channels.size()), 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        found[i] = PoreOf(field, channels[i], options, {});
-      }
-    },
-    Between(progress, 0.7, 1.0));
+  std::vector<Pore> found =
+    PoresOf(AtomField(atoms), channels, options, Between(progress, 0.7, 1.0));
   for (Pore& pore : found)
   {
     if (!pore.Samples.empty() && pore.Span >= options.MinimumSpan)

@@ -161,9 +161,10 @@ std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place
         { length - atom.Radius, { Dot(d, axes[0]) / length, Dot(d, axes[1]) / length } });
     }
   }
-  std::sort(models.begin(), models.end(),
-    [](const Linear& a, const Linear& b) { return a.Value < b.Value; });
-  models.resize(std::min(models.size(), most));
+  const std::size_t count = std::min(models.size(), most);
+  std::partial_sort(models.begin(), models.begin() + static_cast<std::ptrdiff_t>(count),
+    models.end(), [](const Linear& a, const Linear& b) { return a.Value < b.Value; });
+  models.resize(count);
   return models;
 }
 
@@ -236,16 +237,20 @@ PlaneBall ClimbInPlane(
   Point3 place = start - Dot(start - plane.Origin, plane.Normal) * plane.Normal;
   const Point3 first = place;
   double radius = field.At(place, climb.Clearance - Length(place - start)).Radius;
-  double size = 0.5;
+  // In a wide channel, all steps would cross a small part of it, and each looks at many atoms.
+  const double largest = std::max(0.5, radius / 16.0);
+  double size = largest;
   // The atoms that can count while the place stays within `fetched`.
-  constexpr double fetched = 1.5;
+  double fetched = 3.0 * largest;
   const auto fetch = [&]() { return field.Near(place, radius + 2.0 * fetched); };
   std::vector<Ball> atoms = fetch();
   Point3 fetchedAt = place;
   for (int step = 0; step < 200 && size > climb.Tolerance && radius < climb.Enough; ++step)
   {
-    if (Length(place - fetchedAt) + 1.5 * size > fetched)
+    const bool areTooMany = fetched > std::max(1.5, 24.0 * size);
+    if (areTooMany || Length(place - fetchedAt) + 1.5 * size > fetched)
     {
+      fetched = std::max(1.5, 3.0 * size);
       fetchedAt = place;
       atoms = fetch();
     }
@@ -259,7 +264,7 @@ PlaneBall ClimbInPlane(
     {
       place = next;
       radius += gained;
-      size = gained > 0.7 * promised ? std::min(0.5, 2.0 * size) : size;
+      size = gained > 0.7 * promised ? std::min(largest, 2.0 * size) : size;
     }
     else
     {
