@@ -92,6 +92,14 @@ public:
       low[axis] = std::max(low[axis], this->Low[axis]);
       high[axis] = std::min(high[axis], this->High[axis]);
     }
+    // Without a table, to find a row takes as long as to look at a hundred points.
+    const double rows =
+      (static_cast<double>(high[0] - low[0]) + 1.0) * (static_cast<double>(high[1] - low[1]) + 1.0);
+    if (this->Begins.empty() && 100.0 * rows > static_cast<double>(this->Entries.size()))
+    {
+      visit(std::size_t{ 0 }, this->Entries.size());
+      return;
+    }
     for (std::int64_t z = low[0]; z <= high[0]; ++z)
     {
       for (std::int64_t y = low[1]; y <= high[1]; ++y)

@@ -229,7 +229,7 @@ void vtkMolecularPockets::Compute(
   options.OuterRadius = this->OuterRadius;
   options.BurialRadius = this->BurialRadius;
   options.MinimumVolume = this->MinimumVolume;
-  options.Predicted = isthmus::LogOfLongTriangulation;
+  options.Predicted = isthmus::WarningOfLongTriangulation(this);
   const isthmus::MoleculeAtoms atoms =
     isthmus::ReadAtoms(input, isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep));
   const std::vector<isthmus::SiteAtom> siteAtoms = SiteAtomsOf(atoms);

@@ -176,7 +176,7 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   options.MinimumRadius = this->MinimumRadius;
   options.MinimumSpan = this->MinimumSpan;
   options.MaximumPores = static_cast<std::size_t>(this->MaximumPores);
-  options.Predicted = isthmus::LogOfLongTriangulation;
+  options.Predicted = isthmus::WarningOfLongTriangulation(this);
   options.MaximumOffset = this->MaximumOffset;
   if (atoms.IsSurface)
   {

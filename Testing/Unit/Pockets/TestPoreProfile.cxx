@@ -7,6 +7,7 @@
 #include "BallPoints.h"
 #include "Pockets/CellAccessibility.h"
 #include "Pockets/EmptySpace.h"
+#include "Pockets/LongTriangulation.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PoreChannels.h"
 #include "Pockets/PoreProfile.h"
@@ -217,6 +218,18 @@ TEST(PoreProfile, TimeOfTheTriangulationIsPredictedOnce)
   EXPECT_LT(predicted, 30.0);
 }
 
+TEST(PoreProfile, ALongTriangulationIsWarnedOf)
+{
+  vtkNew<vtkPoreProfile> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  const auto warn = WarningOfLongTriangulation(filter);
+  warn(4.9);
+  EXPECT_FALSE(observer->GetWarning());
+  warn(12.0);
+  EXPECT_NE(observer->GetWarningMessage().find("about 12 s"), std::string::npos);
+}
+
 TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
 {
   const auto data = AtomsOf(Hyperboloid(24));
@@ -360,6 +373,41 @@ std::int64_t CallsBetween(const std::vector<double>& calls, double low, double h
     calls.begin(), calls.end(), [=](double done) { return done > low && done < high; });
 }
 
+}
+
+/// A tube 80 wide and 120 long, one atom for 9 square angstrom: planes are 1.9 angstrom apart.
+TEST(PoreProfile, AVeryWideChannelIsSampledByItsWidthAndReportsProgress)
+{
+  constexpr double wall = 40.0, half = 60.0;
+  constexpr int around = 84, rings = 41;
+  std::vector<Ball> atoms;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const double angle = 2.0 * Pi * (i + 0.5 * (ring % 2)) / around;
+      atoms.push_back({ { wall * std::cos(angle), wall * std::sin(angle),
+                          half * (2.0 * ring / (rings - 1) - 1.0) },
+        1.7 });
+    }
+  }
+  std::vector<double> calls;
+  const auto pores = FindPores(atoms, {},
+    [&](double done)
+    {
+      calls.push_back(done);
+      return true;
+    });
+  ASSERT_EQ(pores.size(), 1u);
+  const double free = wall - 1.7;
+  EXPECT_NEAR(
+    pores[0].Samples[pores[0].Bottlenecks.empty() ? 0 : pores[0].Bottlenecks[0]].Radius, free, 0.1);
+  EXPECT_NEAR(pores[0].Span, 2.0 * half, 12.0);
+  const double spacing = PoreOptions{}.Spacing * free / PoreOptions{}.EndRadius;
+  EXPECT_NEAR(static_cast<double>(pores[0].Samples.size()), pores[0].Span / spacing, 6.0);
+  EXPECT_GE(CallsBetween(calls, 0.851, 0.999), 10);
+  const auto cancels = [](double done) { return done < 0.9; };
+  EXPECT_THROW(FindPores(atoms, {}, cancels), Cancelled);
 }
 
 /// In the steps that take longest, values of tetrahedra and triangles and the widest paths:
