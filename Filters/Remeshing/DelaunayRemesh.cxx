@@ -5,6 +5,7 @@
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/DelaunayRemesh.h"
+#include "Remeshing/PlanarRemesh.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
@@ -121,6 +122,11 @@ TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int
 TriangleMesh RefinedPart(const SurfaceView& part, const DelaunayRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
+  if (LiesInAPlane(part))
+  {
+    return PlanarRemesh(
+      part, { parameters.EdgeLength, parameters.Angle, parameters.MaximumPoints }, progress);
+  }
   namespace params = CGAL::parameters;
   SurfaceMesh surface = cgal::ToSurfaceMesh(part);
   const double length = parameters.EdgeLength;
@@ -142,8 +148,7 @@ TriangleMesh RefinedPart(const SurfaceView& part, const DelaunayRemeshParameters
         params::manifold_with_boundary(), options);
   if (error == CGAL::CGAL_MESH_3_MAXIMAL_NUMBER_OF_VERTICES_REACHED)
   {
-    throw std::runtime_error("Refinement passed " + std::to_string(parameters.MaximumPoints) +
-      " points: ask for longer edges, a larger distance or a smaller angle.");
+    RefuseManyPoints(parameters.MaximumPoints);
   }
   SurfaceMesh made;
   CGAL::facets_in_complex_3_to_triangle_mesh(complex, made);

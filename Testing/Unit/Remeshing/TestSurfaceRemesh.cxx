@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,6 +123,35 @@ TEST(SurfaceRemesh, SimplifiesToACount)
   EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 500.0, 2.0);
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_NEAR(SignedVolume(result.Mesh), SignedVolume(sphere), 0.02);
+}
+
+/// Collapses at a point of many triangles take long.
+TEST(SurfaceRemesh, SimplifyingFansReportsAndStopsOften)
+{
+  constexpr std::int64_t sides = 200;
+  TriangleMesh drum; // a cylinder closed by two fans
+  drum.Points = { { 0, 0, 0 }, { 0, 0, 3 } };
+  for (std::int64_t i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * M_PI * static_cast<double>(i) / sides;
+    const std::int64_t here = 2 + 2 * i, next = 2 + 2 * ((i + 1) % sides);
+    drum.Points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    drum.Points.push_back({ std::cos(angle), std::sin(angle), 3.0 });
+    drum.Triangles.push_back({ 0, next, here });
+    drum.Triangles.push_back({ 1, here + 1, next + 1 });
+    drum.Triangles.push_back({ here, next, next + 1 });
+    drum.Triangles.push_back({ here, next + 1, here + 1 });
+  }
+  int calls = 0;
+  const auto count = [&](double)
+  {
+    ++calls;
+    return true;
+  };
+  const RemeshedSurface result = SimplifySurface(drum, 200, count);
+  EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 200.0, 2.0);
+  EXPECT_GE(calls, (3 * 800 - 3 * 200) / 2 / 3 / 16); // each collapse removes three edges
+  EXPECT_THROW(SimplifySurface(drum, 200, [](double done) { return done < 0.1; }), Cancelled);
 }
 
 TEST(SurfaceRemesh, AskedForOneTriangleItKeepsASmallClosedSurface)
@@ -319,6 +349,123 @@ TEST(SurfaceRemesh, DelaunayKeepsSharpEdgesAndBoundaries)
   EXPECT_EQ(EulerCharacteristic(open.Mesh), EulerCharacteristic(cube));
   EXPECT_NEAR(SurfaceArea(open.Mesh), SurfaceArea(cube), 1e-9);
   EXPECT_FALSE(FindDefects(open.Mesh).BoundaryTriangles.empty());
+}
+
+namespace
+{
+
+/// Squares of length 1 in the plane z = 0 at the places where `isThere`, each as two triangles.
+template <typename IsThere>
+TriangleMesh Squares(std::int64_t count, IsThere&& isThere)
+{
+  TriangleMesh mesh;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> ids;
+  const auto point = [&](std::int64_t x, std::int64_t y)
+  {
+    const auto [at, isNew] = ids.emplace(std::pair(x, y), mesh.Points.size());
+    if (isNew)
+    {
+      mesh.Points.push_back({ static_cast<double>(x), static_cast<double>(y), 0.0 });
+    }
+    return at->second;
+  };
+  for (std::int64_t y = 0; y < count; ++y)
+  {
+    for (std::int64_t x = 0; x < count; ++x)
+    {
+      if (isThere(x, y))
+      {
+        const std::array<std::int64_t, 4> c{ point(x, y), point(x + 1, y), point(x + 1, y + 1),
+          point(x, y + 1) };
+        mesh.Triangles.push_back({ c[0], c[1], c[2] });
+        mesh.Triangles.push_back({ c[0], c[2], c[3] });
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Turned about all axes and moved.
+TriangleMesh Turned(TriangleMesh mesh)
+{
+  const std::array<Point3, 3> axes{ { { 2.0 / 3, -1.0 / 3, 2.0 / 3 },
+    { 2.0 / 3, 2.0 / 3, -1.0 / 3 }, { -1.0 / 3, 2.0 / 3, 2.0 / 3 } } };
+  for (Point3& p : mesh.Points)
+  {
+    p = Point3{ 5.0, -3.0, 2.0 } + p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2];
+  }
+  return mesh;
+}
+
+}
+
+/// They have no tetrahedra to refine: CGAL's Mesh_3 went on without end, or failed.
+TEST(SurfaceRemesh, DelaunayOfPartsInAPlane)
+{
+  const std::vector<TriangleMesh> sheets{ Squares(1, [](auto, auto) { return true; }),
+    Squares(6, [](auto, auto) { return true; }),
+    Squares(7, [](auto x, auto y) { return x % 4 != 2 || y % 4 != 2; }), // four holes
+    Squares(5, [](auto x, auto y) { return x == 0 || y == 4; }) };
+  for (const TriangleMesh& flat : sheets)
+  {
+    for (const TriangleMesh& sheet : { flat, Turned(flat) })
+    {
+      for (const double length : { 3.0, 0.4 })
+      {
+        DelaunayRemeshParameters parameters;
+        parameters.EdgeLength = length;
+        const RemeshedSurface made = DelaunayRemesh(sheet, parameters);
+        EXPECT_NEAR(SurfaceArea(made.Mesh), SurfaceArea(sheet), 1e-9 * SurfaceArea(sheet));
+        EXPECT_EQ(EulerCharacteristic(made.Mesh), EulerCharacteristic(sheet));
+        const auto [least, largest] =
+          LeastAngleAndLargestCircle(made.Mesh, [](const Point3&) { return false; });
+        EXPECT_GE(least, parameters.Angle - 1e-9)
+          << sheet.Triangles.size() << " triangles, " << length;
+        EXPECT_LE(largest, length / std::sqrt(3.0) * (1.0 + 1e-6));
+        const auto facing = [](const TriangleMesh& mesh)
+        {
+          const Triangle& t = mesh.Triangles[0];
+          return Cross(mesh.Points[static_cast<std::size_t>(t[1])] -
+              mesh.Points[static_cast<std::size_t>(t[0])],
+            mesh.Points[static_cast<std::size_t>(t[2])] -
+              mesh.Points[static_cast<std::size_t>(t[0])]);
+        };
+        EXPECT_GT(Dot(facing(made.Mesh), facing(sheet)), 0.0);
+      }
+    }
+  }
+}
+
+TEST(SurfaceRemesh, DelaunayRefusesFoldedPartsAndStopsInAPlane)
+{
+  DelaunayRemeshParameters parameters;
+  parameters.EdgeLength = 0.05;
+  const TriangleMesh sheet = Squares(6, [](auto, auto) { return true; });
+  EXPECT_THROW(
+    DelaunayRemesh(sheet, parameters, [](double done) { return done < 0.5; }), Cancelled);
+  parameters.EdgeLength = 0.1;
+  // Both sides of a square, closed; a square folded along its diagonal; a strip across itself.
+  const TriangleMesh coin{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 3 }, { 1, 0, 3 } } };
+  const TriangleMesh folded{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0.9, 0.1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 } } };
+  TriangleMesh across = Squares(4, [](auto x, auto y) { return x == 0 || y == 3 || x == 3; });
+  for (Point3& p : across.Points)
+  {
+    p = p[1] < 2.5 && p[0] > 2.5 ? Point3{ p[0] - 4.0 * (3.0 - p[1]) / 3.0, p[1], 0.0 } : p;
+  }
+  for (const TriangleMesh& mesh : { coin, folded, across })
+  {
+    try
+    {
+      DelaunayRemesh(mesh, parameters);
+      ADD_FAILURE() << mesh.Points.size();
+    }
+    catch (const std::exception& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("covers itself"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
