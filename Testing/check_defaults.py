@@ -40,7 +40,8 @@ def defaults_of(root):
             bases[proxy.get("name")] = proxy.get("base_proxyname")
             for kind in ("IntVectorProperty", "DoubleVectorProperty"):
                 for each in proxy.iter(kind):
-                    words = each.get("default_values", "").split()
+                    hint = each.find("./Hints/DefaultWithoutData")
+                    words = (each.get("default_values", "") if hint is None else hint.get("values")).split()
                     if len(words) == 1 and words[0] != "none":
                         values[each.get("name")] = float(words[0])
     return {name: {**proxies.get(bases[name], {}), **values} for name, values in proxies.items()}

@@ -233,13 +233,14 @@ int vtkMapChokingLoops::RequestUpdateExtent(
 
 double vtkMapChokingLoops::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
 {
-  // A level that was proposed once keeps that status when the range changes upstream.
+  // Scripts of ParaView's trace, and state files of former versions, have no ProposedLevel. A level
+  // that was proposed once keeps that status when the range changes upstream.
   if (this->PanelMode == UnlessGiven && IsMiddle(this->Level, scalars))
   {
-    this->ProposedLevel = this->Level;
+    this->FormerMiddle = this->Level;
   }
-  const bool isGiven =
-    !this->AutomaticLevel || (this->PanelMode == UnlessGiven && this->Level != this->ProposedLevel);
+  const bool isProposed = this->Level == this->ProposedLevel || this->Level == this->FormerMiddle;
+  const bool isGiven = !this->AutomaticLevel || (this->PanelMode == UnlessGiven && !isProposed);
   const double level =
     isGiven ? this->Level : this->LevelOfMap->Of(image, scalars, this->InsideIsHigher);
   if (!std::isfinite(level))
@@ -326,6 +327,7 @@ void vtkMapChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
+  os << indent << "ProposedLevel: " << this->ProposedLevel << "\n";
   os << indent << "UsedLevel: " << this->UsedLevel << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "LargestComponents: " << this->LargestComponents << "\n";

@@ -97,11 +97,18 @@ public:
   ///@}
 
   /// For panels, where the level always has a value. 1: the automatic level. 2, the setting of a
-  /// new panel: Level, unless it is the middle of the map's range, which is ParaView's default and
-  /// therefore counts as not set. 0 and 3: always Level. State files from before 1.0 have 0.
+  /// new panel: Level, unless it is ProposedLevel, or the middle of the range of the map or of one
+  /// before, which is ParaView's default and therefore counts as not set. 0 and 3: always Level.
+  /// State files from before 1.0 have 0.
   void SetPanelAutomaticLevel(int mode);
   /// Level as panels and state files set it: AutomaticLevel stays as it is.
   void SetPanelLevel(double level);
+
+  ///@{
+  /// The level that a panel proposes for a new filter, and which counts as not set. Default 1e300.
+  vtkSetMacro(ProposedLevel, double);
+  vtkGetMacro(ProposedLevel, double);
+  ///@}
 
   ///@{
   /// Use the recommended level, or else an estimated one, instead of Level. Default on.
@@ -224,7 +231,8 @@ private:
   double Level = 0.0;
   bool AutomaticLevel = true;
   int PanelMode = 1; ///< of SetPanelAutomaticLevel()
-  double ProposedLevel = std::numeric_limits<double>::quiet_NaN();
+  double ProposedLevel = 1e300;
+  double FormerMiddle = std::numeric_limits<double>::quiet_NaN(); ///< a Level that was IsMiddle()
   double UsedLevel = 0.0;
   bool InsideIsHigher = true;
   int LargestComponents = 0;

@@ -18,6 +18,7 @@ NOT_IN_PANELS = {
     "ImageArrayName": "of the input that this panel does not have",
     "AllowSelfIntersections": "the surface of a map has none", "Filtration": "the samples of a map are its own",
     "CapHoles": "the surface of a map is closed",
+    "ProposedLevel": "the panel's own",
     "MorseFunction": "of a Filtration", "MorseArrayName": "of a Filtration",
 }
 WITHOUT_GETTER = ("charges", "radii")

@@ -33,7 +33,7 @@ SHORT_NAMES = {"pockets": "molecular_pockets", "pores": "pore_profile", "read_ma
                "read_molecule": "macromolecule_reader", "tetgen_mesh_reader": "tet_gen_mesh_reader",
                "tetgen_mesh_writer": "tet_gen_mesh_writer", "opendx_reader": "open_dx_reader",
                "opendx_writer": "open_dx_writer"}
-NOT_PROPERTIES = {"TimestepValues", "FileNames"}
+NOT_PROPERTIES = {"TimestepValues", "FileNames", "ProposedLevel"}
 
 
 def snake_case(name):
@@ -78,6 +78,12 @@ def array_property(element, described):
     described["association"] = {"Cells": "cell"}.get(attribute, "point")
 
 
+def default_values(element):
+    """As text: those of the property, or of its hint where the data propose others (IsthmusInitialization.cxx)."""
+    hint = element.find("./Hints/DefaultWithoutData")
+    return hint.get("values") if hint is not None else element.get("default_values")
+
+
 def describe_property(element):
     """None for what cannot be set."""
     name, command = element.get("name"), element.get("command") or ""
@@ -96,7 +102,7 @@ def describe_property(element):
         kind = {"IntVectorProperty": int, "DoubleVectorProperty": float, "IdTypeVectorProperty": int,
                 "StringVectorProperty": str}[element.tag]
         count = int(element.get("number_of_elements") or 1)
-        default = element.get("default_values")
+        default = default_values(element)
         if element.get("repeat_command") == "1":
             described["kind"] = "rows"
             described["width"] = int(element.get("number_of_elements_per_command") or 1)

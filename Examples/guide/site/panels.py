@@ -71,7 +71,8 @@ def range_of(domain):
 
 def values_and_default(element):
     """The allowed values of a property, and its default in the same form."""
-    defaults = (element.get("default_values") or "").strip()
+    hint = element.find("./Hints/DefaultWithoutData")
+    defaults = ((element.get("default_values") if hint is None else hint.get("values")) or "").strip()
     if element.find("BooleanDomain") is not None:
         return "on, off", {"1": "on", "0": "off"}.get(defaults, defaults)
     for tag in ("EnumerationDomain", "StringListDomain"):
