@@ -145,6 +145,50 @@ def check_numpy():
     assert isthmus.molecular_density(numpy.array([[0.0, 0, 0, 1.7]]), spacing=0.5).GetNumberOfPoints() > 100
 
 
+def numbers_of(data):
+    return [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+
+
+def check_types_of_numpy():
+    """Byte orders and types give the same numbers; masked values, ids that are not whole and other types are refused."""
+    x, y, z = numpy.meshgrid(*[numpy.arange(10) - 4.5] * 3, indexing="ij")
+    values = numpy.round(100 * numpy.exp(-(x * x + y * y + z * z) / 12))
+    expected = numbers_of(isthmus.map_surface(values, level=40.5))
+    assert len(expected) > 50
+    for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f2", "f4", "f8", "g"):
+        for order in "<>":
+            array = values.astype(numpy.dtype(kind).newbyteorder(order))
+            found = numbers_of(isthmus.map_surface(array, level=40.5))
+            assert len(found) == len(expected) and numpy.allclose(found, expected, atol=1e-5), array.dtype
+    inside = isthmus.map_surface(values > 40.5, level=0.5)
+    assert inside.GetNumberOfCells() > 50 and inside.GetNumberOfPoints() == len(expected)
+
+    points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    triangles = numpy.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    for kind in ("f2", "f4", "f8", "g", "i2", "u1"):
+        for order in "<>":
+            ids = triangles.astype(numpy.dtype(kind).newbyteorder(order))
+            places = points.astype(numpy.dtype(kind).newbyteorder(order))
+            measures = isthmus.surface_measures((places, ids))[0].GetFieldData()
+            assert abs(measures.GetArray("Volume").GetValue(0) - 1 / 6) < 1e-12, ids.dtype
+    atoms = numpy.array([[0, 0, 0, 1.5], [3, 0, 0, 1.5]])
+    assert isthmus.molecular_density(atoms.astype(">f4")).GetDimensions() == \
+        isthmus.molecular_density(atoms).GetDimensions()
+
+    for array, function in ((values, isthmus.map_surface), (atoms, isthmus.molecular_density)):
+        unmasked = numpy.ma.masked_array(array, mask=array > 1e9)
+        assert numbers_of(function(unmasked)) == numbers_of(function(array))
+        expect(ValueError, "masked values", function, numpy.ma.masked_array(array, mask=array > 2.5))
+        expect(TypeError, f"{function.__name__}(): ", function, array.astype(complex))
+        expect(TypeError, "astype(float)", function, array.astype(object))
+    masked = numpy.ma.masked_array(points, mask=points > 0.5)
+    expect(ValueError, "points is a numpy array with masked", isthmus.surface_measures, (masked, triangles))
+    masked = numpy.ma.masked_array(triangles, mask=triangles == 3)
+    expect(ValueError, "triangles is a numpy array with masked", isthmus.surface_measures, (points, masked))
+    expect(ValueError, "not whole numbers", isthmus.surface_measures, (points, triangles + 0.4))
+    expect(ValueError, "not whole numbers", isthmus.surface_measures, (points, numpy.where(triangles == 3, numpy.nan, triangles)))
+
+
 def check_no_copies():
     """Points and cells go into the filter, and through it where it passes them on, by address."""
     torus = samples.torus()

@@ -113,6 +113,30 @@ def _is_array(value):
     return hasattr(value, "__array_interface__") and hasattr(value, "ndim")
 
 
+def _usable(array, numpy, where):
+    """The array in the byte order of this machine and of a number type that VTK has; ValueError if values are masked."""
+    if isinstance(array, numpy.ma.MaskedArray):
+        if numpy.ma.is_masked(array):
+            raise ValueError(f"{where} is a numpy array with masked values, and VTK's arrays have no mask: fill it, for "
+                             "example by array.filled(numpy.nan) for a volume of floats, or leave out masked rows.")
+        array = array.data
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    if kind not in "iufb":
+        raise TypeError(f"{where} is an array of {array.dtype}; convert it to numbers, for example by "
+                        "array.astype(float).")
+    held = {("b", 1): "uint8", ("f", 2): "float32"}.get((kind, size))
+    if kind == "f" and size > 8:
+        held = "float64"
+    return array.astype(held or array.dtype.newbyteorder("="), copy=False)
+
+
+def _whole(ids, numpy, where):
+    """Ids as integers; ValueError where one is not a whole number."""
+    if ids.dtype.kind == "f" and not (numpy.isfinite(ids) & (ids == numpy.floor(ids))).all():
+        raise ValueError(f"{where} has triangles with ids of points that are not whole numbers.")
+    return ids
+
+
 def _points(array, numpy, data):
     from vtkmodules.util import numpy_support
     from vtkmodules.vtkCommonCore import vtkPoints
@@ -149,9 +173,10 @@ def _from_numpy(value, types, where):
     import numpy
     from vtkmodules.util import numpy_support
     from vtkmodules.vtkCommonDataModel import vtkPolyData
-    if _is_array(value) and value.ndim == 3 and value.dtype.kind in "iufb" and "vtkImageData" in types:
-        return _image_of(value)
+    if _is_array(value) and value.ndim == 3 and "vtkImageData" in types:
+        return _image_of(_usable(value, numpy, where))
     if _is_array(value) and value.ndim == 2 and value.shape[1] in (3, 4, 5) and "vtkPointSet" in types:
+        value = _usable(value, numpy, where)
         atoms = vtkPolyData()
         _points(value[:, :3], numpy, atoms)
         atoms.SetVerts(_cells(len(value), 1, numpy.arange(len(value)), numpy))
@@ -165,6 +190,8 @@ def _from_numpy(value, types, where):
         if points.ndim != 2 or points.shape[1] != 3 or triangles.ndim != 2 or triangles.shape[1] != 3:
             raise ValueError(f"{where} as arrays needs points of shape (n, 3) and triangles of shape (m, 3), not "
                              f"{points.shape} and {triangles.shape}.")
+        points = _usable(points, numpy, f"{where}, points")
+        triangles = _whole(_usable(triangles, numpy, f"{where}, triangles"), numpy, where)
         if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(points):
             raise ValueError(f"{where} has triangles of points that do not exist: ids go from 0 to {len(points) - 1}.")
         surface = vtkPolyData()
