@@ -322,9 +322,12 @@ namespace
 class Printer
 {
 public:
-  Printer(std::ostream& stream, bool binary)
+  /// `all`: the numbers that all calls together write.
+  Printer(std::ostream& stream, bool binary, std::size_t all, const ProgressCallback& progress)
     : Stream(stream)
     , Binary(binary)
+    , All(static_cast<double>(all) + 1.0)
+    , Progress(progress)
   {
   }
 
@@ -341,28 +344,44 @@ public:
     for (std::size_t i = 0; i < count; ++i)
     {
       this->Stream << ToText(values[i], buffer) << ((i + 1) % perLine ? ' ' : '\n');
+      if ((i + 1) % Piece == 0)
+      {
+        this->ReportNumbers(Piece);
+      }
     }
+    this->ReportNumbers(count % Piece);
   }
 
 private:
   template <typename T>
   void Bytes(const T* values, std::size_t count)
   {
-    constexpr std::size_t piece = 4096;
-    std::array<T, piece> swapped;
-    for (std::size_t first = 0; first < count; first += piece)
+    std::array<T, Piece> swapped;
+    for (std::size_t first = 0; first < count; first += Piece)
     {
-      const std::size_t size = std::min(piece, count - first);
+      const std::size_t size = std::min(Piece, count - first);
       std::copy_n(values + first, size, swapped.begin());
       SwapToLittleEndian(swapped.data(), size);
       this->Stream.write(reinterpret_cast<const char*>(swapped.data()),
         static_cast<std::streamsize>(size * sizeof(T)));
+      this->ReportNumbers(size);
     }
     this->Stream << '\n';
   }
 
+  void ReportNumbers(std::size_t count)
+  {
+    this->Written += static_cast<double>(count);
+    Report(this->Progress, this->Written / this->All);
+  }
+
+  static constexpr std::size_t Piece = 4096;
+
   std::ostream& Stream;
   bool Binary;
+  double All;
+  double Written = 0.0;
+  const ProgressCallback& Progress;
 };
 
 /// A name that the reader gives back as it is.
@@ -396,12 +415,25 @@ void WriteTypes(const CombinatorialMesh& mesh, std::ostream& stream)
   }
 }
 
+/// How many numbers its blocks have.
+std::size_t NumbersOf(const CombinatorialMesh& mesh)
+{
+  const auto size = [](const auto& values) { return values.size(); };
+  std::size_t all = std::visit(size, mesh.Coordinates) + mesh.CellVertices.size();
+  for (const MeshAttribute& attribute : mesh.Attributes)
+  {
+    all += std::visit(size, attribute.Values);
+  }
+  return all;
 }
 
-void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ostream& stream)
+}
+
+void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ostream& stream,
+  const ProgressCallback& progress)
 {
   stream.imbue(std::locale::classic()); // no separators in large numbers
-  Printer printer(stream, binary);
+  Printer printer(stream, binary, NumbersOf(mesh), progress);
   stream << "isthmus-combinatorial-mesh 1 " << (binary ? "binary" : "text") << '\n';
   WriteTypes(mesh, stream);
   stream << "vertices " << mesh.NumberOfVertices << ' ' << NumberTypeNames[mesh.Coordinates.index()]
@@ -432,6 +464,7 @@ void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ost
       attribute.Values);
   }
   stream << "end\n";
+  Report(progress, 1.0);
 }
 
 }

@@ -11,6 +11,7 @@
 #define isthmus_CombinatorialMeshFile_h
 
 #include "CellComplex/CellType.h"
+#include "Core/Progress.h"
 #include "Meshes/CellMesh.h"
 
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
@@ -45,9 +46,9 @@ struct CombinatorialMesh
 VTKISTHMUSREADERSMESHES_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
 
 /// Writes a mesh; parsing the output gives the same mesh, bit for bit.
-/// @throws std::invalid_argument for names with line breaks.
-VTKISTHMUSREADERSMESHES_EXPORT void WriteCombinatorialMesh(
-  const CombinatorialMesh& mesh, bool binary, std::ostream& stream);
+/// @throws std::invalid_argument for names with line breaks, Cancelled.
+VTKISTHMUSREADERSMESHES_EXPORT void WriteCombinatorialMesh(const CombinatorialMesh& mesh,
+  bool binary, std::ostream& stream, const ProgressCallback& progress = {});
 
 }
 

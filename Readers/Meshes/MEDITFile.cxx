@@ -326,8 +326,9 @@ void WriteMEDIT(const CellMesh& mesh, const std::string& path, const ProgressCal
     WriteCells(mesh, kind, file);
   }
   file << "End\n";
-  file.Close();
-  Report(progress, 1.0);
+  file.Finish();
+  Report(progress, 1.0); // an abort leaves the old file
+  file.Replace();
 }
 
 bool LooksLikeMEDIT(const std::string& path)

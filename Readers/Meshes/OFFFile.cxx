@@ -215,8 +215,9 @@ void WriteOFF(const CellMesh& mesh, const std::string& path, const ProgressCallb
     }
     file << "\n";
   }
-  file.Close();
-  Report(progress, 1.0);
+  file.Finish();
+  Report(progress, 1.0); // an abort leaves the old file
+  file.Replace();
 }
 
 bool LooksLikeOFF(const std::string& path)

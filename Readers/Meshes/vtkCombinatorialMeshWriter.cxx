@@ -1,6 +1,7 @@
 #include "vtkCombinatorialMeshWriter.h"
 
 #include "CellComplex/GridCells.h"
+#include "Core/AlgorithmGuard.h"
 #include "Core/ArrayMemory.h"
 #include "Files/FileReplacement.h"
 #include "Meshes/CombinatorialMeshFile.h"
@@ -156,7 +157,7 @@ void vtkCombinatorialMeshWriter::WriteFile()
   isthmus::FileReplacement replacement(this->FileName);
   std::ofstream file(replacement.Written(), std::ios::binary);
   errno = 0;
-  isthmus::WriteCombinatorialMesh(mesh, this->Binary, file);
+  isthmus::WriteCombinatorialMesh(mesh, this->Binary, file, isthmus::ProgressOf(this));
   file.close();
   if (!file)
   {
