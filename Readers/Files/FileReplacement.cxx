@@ -131,4 +131,38 @@ void FileReplacement::Fail(int error) const
     ": check its folder and the space left.");
 }
 
+FileRemoval::FileRemoval(const std::string& path)
+  : Path(path)
+{
+}
+
+FileRemoval::~FileRemoval()
+{
+  if (!this->Hidden.empty())
+  {
+    ::rename(this->Hidden.c_str(), this->Path.c_str());
+  }
+}
+
+void FileRemoval::Hide()
+{
+  // The name is new: no file is replaced.
+  const std::string hidden = NameBeside(this->Path, 0);
+  if (::rename(this->Path.c_str(), hidden.c_str()) != 0)
+  {
+    throw std::runtime_error("The file '" + this->Path + "' can't be removed (" +
+      std::strerror(errno) + "): check its folder.");
+  }
+  this->Hidden = hidden;
+}
+
+void FileRemoval::Remove()
+{
+  if (!this->Hidden.empty())
+  {
+    ::unlink(this->Hidden.c_str());
+    this->Hidden.clear();
+  }
+}
+
 }

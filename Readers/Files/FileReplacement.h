@@ -50,6 +50,29 @@ private:
   bool IsFinished = false;
 };
 
+/**
+ * A file that is removed together with the replacement of others: Hide() gives it a temporary name,
+ * Remove() removes it. Without Remove(), or if hiding fails, it has its name again afterwards.
+ * Links are removed, not what they lead to.
+ */
+class VTKISTHMUSREADERSFILES_EXPORT FileRemoval
+{
+public:
+  /// @pre the file exists.
+  explicit FileRemoval(const std::string& path);
+  ~FileRemoval();
+  FileRemoval(const FileRemoval&) = delete;
+  FileRemoval& operator=(const FileRemoval&) = delete;
+
+  /// @throws std::runtime_error if the file cannot be renamed.
+  void Hide();
+  void Remove();
+
+private:
+  std::string Path;
+  std::string Hidden; ///< empty: it has its name
+};
+
 }
 
 #endif

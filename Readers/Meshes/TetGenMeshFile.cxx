@@ -1,5 +1,6 @@
 #include "Meshes/TetGenMeshFile.h"
 
+#include "Files/FileReplacement.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
 #include "Files/TextFileWriter.h"
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace isthmus
@@ -394,12 +396,28 @@ void WriteTetGenFiles(
   {
     part->Finish();
   }
-  Report(progress, 0.9);
+  Report(progress, 1.0); // an abort leaves the old files
+  // Cells of an earlier mesh would be read with the new points.
+  std::vector<std::unique_ptr<FileRemoval>> old;
+  for (const auto& [extensionOfPart, isWritten] :
+    { std::pair(".ele", !linear.empty() || !quadratic.empty()),
+      std::pair(".face", !triangles.empty()) })
+  {
+    const std::string partner = Partner(path, extensionOfPart);
+    if (!isWritten && LooksLikeTetGen(partner))
+    {
+      old.push_back(std::make_unique<FileRemoval>(partner));
+      old.back()->Hide();
+    }
+  }
   for (const auto& part : files)
   {
     part->Replace();
   }
-  Report(progress, 1.0);
+  for (const auto& part : old)
+  {
+    part->Remove();
+  }
 }
 
 bool LooksLikeTetGen(const std::string& path)

@@ -40,7 +40,8 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
 /**
  * Writes NAME.node, NAME.ele if there are tetrahedra, and NAME.face if there are triangles, with
  * ids from 1. When the files are read again, coordinates and the attributes named above are bitwise
- * equal.
+ * equal. An old NAME.ele or NAME.face of TetGen's that is not written is removed when all others
+ * are complete, since its cells would be read with the new points.
  * @throws std::invalid_argument for other cells, or tetrahedra of both orders;
  * std::runtime_error if a file cannot be written.
  */

@@ -3,8 +3,9 @@
  * @brief Writes meshes as TetGen reads and writes them: .node, .ele, .face.
  *
  * FileName may end in any of the three: NAME.node gets the points, NAME.ele the tetrahedra,
- * NAME.face the triangles, if there are any. The arrays Attribute (double) and BoundaryMarker
- * (whole numbers) are written, too; others are dropped, with a warning. For other cells, for a
+ * NAME.face the triangles, if there are any; an old NAME.ele or NAME.face of TetGen's that is not
+ * written is removed, since its cells would be read with the new points. The arrays Attribute
+ * (double) and BoundaryMarker (whole numbers) are written, too; others are dropped, with a warning. For other cells, for a
  * FileName in .ele or .face without such cells, or if a file cannot be written completely, there is
  * an error and the error code is set. Time: O(bytes); memory: that of the mesh.
  */

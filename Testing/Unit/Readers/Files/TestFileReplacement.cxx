@@ -449,6 +449,79 @@ TEST(FileReplacement, OldFilesSurviveAnAbort)
   }
 }
 
+/// Cells of an earlier mesh must not be read with the points of a new one.
+TEST(FileReplacement, OldCellsGoWithTheOldPoints)
+{
+  const std::string oldFaces = "1 0\n1 1 2 3\n", oldCells = "1 4 0\n1 1 2 3 4\n";
+  const std::string ofMSMS = "# MSMS\n4 4 1.00 1.50\n";
+  struct Case
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+    const char* Name;
+    const char* Other; ///< the partner that the mesh does not have
+    std::string Content;
+    bool IsRemoved;
+  };
+  vtkNew<vtkUnstructuredGrid> points;
+  points->SetPoints(Sphere()->GetPoints());
+  const Case cases[] = { { Tetrahedra(), "a.ele", "a.face", oldFaces, true },
+    { Tetrahedra(), "a.node", "a.face", oldFaces, true },
+    { Grid(VTK_TRIANGLE, 3), "a.face", "a.ele", oldCells, true },
+    { points, "a.node", "a.ele", oldCells, true }, { points, "a.node", "a.face", oldFaces, true },
+    { Tetrahedra(), "a.ele", "a.face", ofMSMS, false } };
+  for (const Case& c : cases)
+  {
+    SCOPED_TRACE(std::string(c.Name) + ", " + c.Other);
+    const auto write = With<vtkTetGenMeshWriter>(c.Mesh);
+    const TemporaryFile old(c.Content, c.Other);
+    const auto folder = std::filesystem::path(old.Path()).parent_path();
+    const std::string path = (folder / c.Name).string();
+    const Files before = In(folder);
+    {
+      const FileLimit limit(8192);
+      EXPECT_EQ(write(path, Plain).Returned, 0);
+    }
+    EXPECT_EQ(In(folder), before);
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetCallback([](vtkObject* who, unsigned long, void*, void*)
+      { static_cast<vtkAlgorithm*>(who)->SetAbortExecute(1); });
+    const Outcome aborted = write(
+      path, [&](vtkAlgorithm* writer) { writer->AddObserver(vtkCommand::ProgressEvent, stop); });
+    EXPECT_EQ(aborted.Returned, 0);
+    EXPECT_EQ(In(folder), before);
+    // The points cannot get their name, so the old cells keep theirs.
+    std::filesystem::create_directory(folder / "a.node");
+    EXPECT_EQ(write(path, Plain).Returned, 0);
+    std::filesystem::remove(folder / "a.node");
+    EXPECT_EQ(In(folder), before);
+    const Outcome outcome = write(path, Plain);
+    EXPECT_EQ(outcome.Returned, 1) << outcome.Message;
+    Files now = In(folder);
+    EXPECT_EQ(now.count(c.Other), c.IsRemoved ? 0u : 1u);
+    EXPECT_EQ(now.count("a.node"), 1u);
+    EXPECT_EQ(now.size(), (c.Mesh == points.Get() ? 1u : 2u) + (c.IsRemoved ? 0u : 1u));
+  }
+}
+
+TEST(FileReplacement, AHiddenFileIsThereAgainUnlessItIsRemoved)
+{
+  const TemporaryFile file("old", "a.face");
+  {
+    isthmus::FileRemoval removal(file.Path());
+    removal.Hide();
+    EXPECT_FALSE(std::filesystem::exists(file.Path()));
+  }
+  EXPECT_EQ(std::filesystem::file_size(file.Path()), 3u);
+  {
+    isthmus::FileRemoval removal(file.Path());
+    removal.Hide();
+    removal.Remove();
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(std::filesystem::path(file.Path()).parent_path()));
+  isthmus::FileRemoval none(file.Path());
+  EXPECT_THROW(none.Hide(), std::runtime_error);
+}
+
 /// What is not what the format holds is refused before the old file is touched.
 TEST(FileReplacement, OldFilesSurviveBadInput)
 {
