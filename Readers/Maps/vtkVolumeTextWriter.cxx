@@ -26,6 +26,13 @@ vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
       (name.empty() ? std::string() : " '" + name + "'") +
       " with one number for each node: choose another array, or another input.");
   }
+  if (array->GetNumberOfTuples() < image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("The array '" +
+      std::string(array->GetName() ? array->GetName() : "") + "' has " +
+      std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(image->GetNumberOfPoints()) + " nodes: choose another array.");
+  }
   return array;
 }
 
@@ -41,7 +48,7 @@ bool LiesOnWholeNumbers(vtkImageData* image)
   return plain;
 }
 
-/// float keeps its own few digits; all other types are exact in double, but for 64-bit integers.
+/// float keeps its own few digits, and integers of 64 bits all of theirs.
 void WriteNumber(isthmus::TextFileWriter& file, vtkDataArray* array, vtkIdType i)
 {
   switch (array->GetDataType())
@@ -51,6 +58,10 @@ void WriteNumber(isthmus::TextFileWriter& file, vtkDataArray* array, vtkIdType i
       break;
     case VTK_DOUBLE:
       file << array->GetComponent(i, 0);
+      break;
+    case VTK_UNSIGNED_LONG:
+    case VTK_UNSIGNED_LONG_LONG:
+      file << array->GetVariantValue(i).ToTypeUInt64();
       break;
     default:
       file << array->GetVariantValue(i).ToTypeInt64();

@@ -8,9 +8,9 @@
  * that are read back bit for bit. Origin and spacing are not part of the format; a warning is
  * issued if they are not 0 and 1.
  *
- * If there are no nodes or no such array, the array has several components, or the file cannot be
- * written completely, there is one error through vtkErrorMacro, the error code is set, and no file
- * is left. Time: about 0.1 us for each number; memory: 1 MiB.
+ * If there are no nodes or no such array, the array has several components or too few values, or
+ * the file cannot be written completely, there is one error through vtkErrorMacro, the error code
+ * is set, and no file is left. Time: about 0.1 us for each number; memory: 1 MiB.
  */
 #ifndef vtkVolumeTextWriter_h
 #define vtkVolumeTextWriter_h

@@ -19,7 +19,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 namespace isthmus
 {
@@ -95,42 +98,185 @@ void ReadCells(vtkPointSet* data, CellMesh& mesh)
   }
 }
 
+/// The file's type for a type of VTK's: a number of the same size and kind.
 template <typename T>
-std::vector<T> ValuesOf(vtkDataArray* array)
+using FileNumber = std::conditional_t<std::is_floating_point_v<T>, T,
+  std::conditional_t<std::is_signed_v<T>,
+    std::conditional_t<sizeof(T) == 1, std::int8_t,
+      std::conditional_t<sizeof(T) == 2, std::int16_t,
+        std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>>>,
+    std::conditional_t<sizeof(T) == 1, std::uint8_t,
+      std::conditional_t<sizeof(T) == 2, std::uint16_t,
+        std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>>>;
+
+/// Whether To can hold `value` exactly; sets `result` to it.
+template <typename To, typename From>
+bool IsExactly(From value, To& result)
 {
-  std::vector<T> values;
-  const int components = array->GetNumberOfComponents();
-  values.reserve(static_cast<std::size_t>(array->GetNumberOfValues()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  if constexpr (std::is_floating_point_v<From> && std::is_integral_v<To>)
   {
-    for (int c = 0; c < components; ++c)
+    constexpr From limit = From(9223372036854775808.0); // 2^63
+    if (!(value >= -limit && value < limit) || value != std::floor(value))
     {
-      values.push_back(static_cast<T>(array->GetComponent(i, c)));
+      return false;
     }
+    result = static_cast<To>(value);
+    return true;
   }
-  return values;
+  else if constexpr (std::is_integral_v<From> && std::is_floating_point_v<To>)
+  {
+    result = static_cast<To>(value);
+    // The largest integers round up to a number that is none of their type.
+    constexpr To limit = To(std::numeric_limits<From>::max() / 2 + 1) * 2;
+    return result < limit && static_cast<From>(result) == value;
+  }
+  else
+  {
+    result = static_cast<To>(value);
+    return !std::is_integral_v<To> ||
+      (static_cast<From>(result) == value && (result < 0) == (value < 0));
+  }
 }
 
-/// Adds what is wanted; returns the names of the others.
-std::string ReadArrays(vtkDataSetAttributes* data, MeshAttribute::Place place,
-  const std::vector<std::string>& names, CellMesh& mesh)
+/// Why a value does not fit a rule; empty: it fits.
+template <typename To, typename From>
+std::string Convert(From value, MeshArrayRule::Numbers kind, To& result)
 {
-  std::string leftOut;
+  if (!IsExactly(value, result))
+  {
+    return std::is_integral_v<To> ? "whole numbers of 64 bits" : "numbers in double precision";
+  }
+  if constexpr (std::is_floating_point_v<To>)
+  {
+    if (kind == MeshArrayRule::Numbers::Finite && !std::isfinite(result))
+    {
+      return "finite numbers";
+    }
+  }
+  return {};
+}
+
+/// Is a tuple of a rule's array stored?
+bool IsStored(const MeshArrayRule& rule, const CellMesh& mesh, std::size_t tuple)
+{
+  return rule.Shapes.empty() ||
+    std::find(rule.Shapes.begin(), rule.Shapes.end(), mesh.Shapes[tuple]) != rule.Shapes.end();
+}
+
+/// Appends the array's values to `to`. Returns why it is dropped; empty: it is not. `lost` becomes
+/// whether values other than 0 are on cells that the format does not store them on.
+template <typename To>
+std::string Convert(vtkDataArray* array, const MeshArrayRule& rule, const CellMesh& mesh,
+  std::vector<To>& to, bool& lost)
+{
+  const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+  return std::visit(
+    [&](const auto& values)
+    {
+      to.assign(values.size(), To());
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        if (!IsStored(rule, mesh, i / components))
+        {
+          lost = lost || values[i] != 0;
+          continue;
+        }
+        const std::string wanted = Convert(values[i], rule.Kind, to[i]);
+        if (!wanted.empty())
+        {
+          std::array<char, 64> digits;
+          return "the format holds " + wanted + ", and tuple " + std::to_string(i / components) +
+            " has " + std::string(ToText(values[i], digits));
+        }
+      }
+      return std::string();
+    },
+    ToNumberList(array));
+}
+
+/// What an array's rule demands besides the type of its values; empty: nothing is wrong.
+std::string FaultOf(vtkDataArray* array, const MeshArrayRule& rule, const CellMesh& mesh)
+{
+  if (!array)
+  {
+    return "it has no numbers";
+  }
+  if (rule.Components > 0 && array->GetNumberOfComponents() != rule.Components)
+  {
+    return "the format holds " + std::to_string(rule.Components) + " components, and it has " +
+      std::to_string(array->GetNumberOfComponents());
+  }
+  const std::int64_t tuples =
+    rule.On == MeshAttribute::Place::Cells ? mesh.NumberOfCells() : mesh.NumberOfPoints();
+  if (array->GetNumberOfTuples() != tuples)
+  {
+    return "it has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(tuples) + (rule.On == MeshAttribute::Place::Cells ? " cells" : " points");
+  }
+  for (std::size_t i = 0; i < mesh.Shapes.size(); ++i)
+  {
+    if (IsStored(rule, mesh, i))
+    {
+      return {};
+    }
+  }
+  const bool isHeld = rule.Shapes.empty() || mesh.Shapes.empty();
+  return isHeld ? "" : "the format does not hold it on cells of these shapes";
+}
+
+/// What is dropped of the arrays of a mesh.
+struct Dropped
+{
+  std::string Names;     ///< of arrays that the format does not hold
+  std::string Sentences; ///< about others
+};
+
+void ReadArray(vtkAbstractArray* any, const MeshArrayRule& rule, CellMesh& mesh, Dropped& dropped)
+{
+  auto* const array = vtkDataArray::SafeDownCast(any);
+  const std::string name =
+    "'" + rule.Name + "' of " + (rule.On == MeshAttribute::Place::Cells ? "cells" : "points");
+  std::string fault = FaultOf(array, rule, mesh);
+  bool lost = false;
+  NumberList list;
+  if (fault.empty() && rule.Kind == MeshArrayRule::Numbers::Whole)
+  {
+    fault = Convert(array, rule, mesh, list.emplace<std::vector<std::int64_t>>(), lost);
+  }
+  else if (fault.empty())
+  {
+    fault = Convert(array, rule, mesh, list.emplace<std::vector<double>>(), lost);
+  }
+  if (!fault.empty())
+  {
+    dropped.Sentences += " Array " + name + " is left out: " + fault + ".";
+    return;
+  }
+  if (lost)
+  {
+    dropped.Sentences +=
+      " Values of " + name + " are left out where the format does not hold it on the cell.";
+  }
+  mesh.Attributes.push_back(
+    { rule.On, rule.Name, array->GetNumberOfComponents(), std::move(list) });
+}
+
+void ReadArrays(vtkDataSetAttributes* data, MeshAttribute::Place place,
+  const std::vector<MeshArrayRule>& rules, CellMesh& mesh, Dropped& dropped)
+{
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
-    vtkDataArray* array = data->GetArray(a);
     const char* given = data->GetAbstractArray(a)->GetName();
     const std::string name = given ? given : "(no name)";
-    if (!array || std::find(names.begin(), names.end(), name) == names.end())
+    const auto rule = std::find_if(rules.begin(), rules.end(),
+      [&](const MeshArrayRule& known) { return known.On == place && known.Name == name; });
+    if (rule == rules.end())
     {
-      leftOut += " '" + name + "'";
+      dropped.Names += " '" + name + "'";
       continue;
     }
-    const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-    mesh.Attributes.push_back({ place, name, array->GetNumberOfComponents(),
-      whole ? NumberList(ValuesOf<std::int64_t>(array)) : NumberList(ValuesOf<double>(array)) });
+    ReadArray(data->GetAbstractArray(a), *rule, mesh, dropped);
   }
-  return leftOut;
 }
 
 }
@@ -152,6 +298,42 @@ vtkSmartPointer<vtkDataArray> ToDataArray(const NumberList& numbers, std::int64_
       return array;
     },
     numbers);
+}
+
+NumberList ToNumberList(vtkDataArray* array)
+{
+  NumberList list;
+  const auto count = static_cast<std::size_t>(array->GetNumberOfValues());
+  if (array->GetDataType() == VTK_BIT)
+  {
+    std::vector<std::uint8_t> bits;
+    const vtkIdType components = array->GetNumberOfComponents();
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      bits.push_back(static_cast<std::uint8_t>(
+        array->GetComponent(i / components, static_cast<int>(i % components))));
+    }
+    return bits;
+  }
+  // A copy in VTK's plain layout, whatever the array's own.
+  vtkSmartPointer<vtkDataArray> plain = array;
+  if (!array->HasStandardMemoryLayout())
+  {
+    plain =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
+    plain->DeepCopy(array);
+  }
+  switch (plain->GetDataType())
+  {
+    vtkTemplateMacro({
+      const auto* values = static_cast<const VTK_TT*>(plain->GetVoidPointer(0));
+      list = std::vector<FileNumber<VTK_TT>>(values, values + count);
+    });
+    default:
+      throw std::invalid_argument(
+        "An array holds numbers of a type that the format does not have.");
+  }
+  return list;
 }
 
 void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* data)
@@ -239,16 +421,19 @@ void RequireFinitePoints(vtkPointSet* data)
   }
 }
 
-CellMesh FromPointSet(vtkPointSet* data, const std::vector<std::string>& names, std::string& remark)
+CellMesh FromPointSet(
+  vtkPointSet* data, const std::vector<MeshArrayRule>& rules, std::string& remark)
 {
   CellMesh mesh;
   ReadPoints(data, mesh);
   ReadCells(data, mesh);
-  const std::string leftOut =
-    ReadArrays(data->GetPointData(), MeshAttribute::Place::Vertices, names, mesh) +
-    ReadArrays(data->GetCellData(), MeshAttribute::Place::Cells, names, mesh);
-  remark =
-    leftOut.empty() ? "" : "Arrays that the format does not hold are left out:" + leftOut + ".";
+  Dropped dropped;
+  ReadArrays(data->GetPointData(), MeshAttribute::Place::Vertices, rules, mesh, dropped);
+  ReadArrays(data->GetCellData(), MeshAttribute::Place::Cells, rules, mesh, dropped);
+  remark = dropped.Names.empty()
+    ? ""
+    : "Arrays that the format does not hold are left out:" + dropped.Names + ".";
+  remark += dropped.Sentences.substr(remark.empty() && !dropped.Sentences.empty() ? 1 : 0);
   return mesh;
 }
 

@@ -24,6 +24,9 @@ namespace isthmus
 /// The numbers as an array of the same type, without a name.
 vtkSmartPointer<vtkDataArray> ToDataArray(const NumberList& numbers, std::int64_t components);
 
+/// All values of an array, in the type of the list with the same size and kind; bits as uint8.
+NumberList ToNumberList(vtkDataArray* array);
+
 /// Adds each attribute to `data` as a point or cell array.
 void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* data);
 
@@ -40,13 +43,31 @@ void ToSurface(const CellMesh& mesh, vtkPolyData* surface);
 /// @throws std::invalid_argument with the first point that has a coordinate that is not finite.
 void RequireFinitePoints(vtkPointSet* data);
 
+/// An array that a format stores.
+struct MeshArrayRule
+{
+  enum class Numbers
+  {
+    Whole,  ///< int64
+    Finite, ///< double
+    Any     ///< double, infinite ones and NaN as well
+  };
+  MeshAttribute::Place On;
+  std::string Name;
+  Numbers Kind;
+  std::int64_t Components = 1;     ///< 0: any number
+  std::vector<CellShape> Shapes{}; ///< the cells on which the format stores it; empty: all
+};
+
 /**
- * Points, cells and the numeric arrays listed in `names`: whole numbers as int64, others as double.
- * `remark` states which arrays are dropped. @throws std::invalid_argument for cells that CellShape
- * lacks, cells with points that do not exist, and points that are not finite.
+ * Points, cells and those arrays that fit `rules`, whatever their type, if the rule's type holds
+ * all their values exactly. `remark` states which arrays are dropped, and for those that a rule
+ * names, why. Values on cells other than the rule's shapes become 0.
+ * @throws std::invalid_argument for cells that CellShape lacks, cells with points that do not
+ * exist, and points that are not finite.
  */
 CellMesh FromPointSet(
-  vtkPointSet* data, const std::vector<std::string>& names, std::string& remark);
+  vtkPointSet* data, const std::vector<MeshArrayRule>& rules, std::string& remark);
 
 }
 

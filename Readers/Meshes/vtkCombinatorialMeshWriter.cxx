@@ -23,23 +23,11 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 vtkStandardNewMacro(vtkCombinatorialMeshWriter);
 
 namespace
 {
-
-/// The file's type for a type of VTK's: a number of the same size and kind.
-template <typename T>
-using FileNumber = std::conditional_t<std::is_floating_point_v<T>, T,
-  std::conditional_t<std::is_signed_v<T>,
-    std::conditional_t<sizeof(T) == 1, std::int8_t,
-      std::conditional_t<sizeof(T) == 2, std::int16_t,
-        std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>>>,
-    std::conditional_t<sizeof(T) == 1, std::uint8_t,
-      std::conditional_t<sizeof(T) == 2, std::uint16_t,
-        std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>>>;
 
 /// The tuples of an array that `tupleOf(i)` names, i < count.
 template <typename TupleOf>
@@ -57,26 +45,16 @@ isthmus::NumberList Numbers(vtkDataArray* array, std::int64_t count, TupleOf&& t
   }
   isthmus::SizeArray(plain, count);
   array->GetTuples(tuples, plain);
-  isthmus::NumberList list;
-  switch (plain->GetDataType())
-  {
-    vtkTemplateMacro({
-      const auto* values = static_cast<const VTK_TT*>(plain->GetVoidPointer(0));
-      list = std::vector<FileNumber<VTK_TT>>(values, values + plain->GetNumberOfValues());
-    });
-    default:
-      throw std::invalid_argument("The array '" + std::string(array->GetName()) +
-        "' holds numbers of a type that the format does not have.");
-  }
-  return list;
+  return isthmus::ToNumberList(plain);
 }
 
-/// Adds the arrays of `data`; returns the names of those that hold no numbers.
+/// Adds the arrays of `data`, which are on `all` points or cells; returns sentences about those
+/// that hold no numbers, or too few.
 template <typename TupleOf>
 std::string AddAttributes(vtkDataSetAttributes* data, isthmus::MeshAttribute::Place place,
-  std::int64_t count, TupleOf&& tupleOf, isthmus::CombinatorialMesh& mesh)
+  vtkIdType all, std::int64_t count, TupleOf&& tupleOf, isthmus::CombinatorialMesh& mesh)
 {
-  std::string leftOut;
+  std::string leftOut, tooShort;
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* any = data->GetAbstractArray(a);
@@ -87,10 +65,19 @@ std::string AddAttributes(vtkDataSetAttributes* data, isthmus::MeshAttribute::Pl
       leftOut += " '" + name + "'";
       continue;
     }
+    if (array->GetNumberOfTuples() < all)
+    {
+      tooShort += " '" + name + "'";
+      continue;
+    }
     mesh.Attributes.push_back(
       { place, name, array->GetNumberOfComponents(), Numbers(array, count, tupleOf) });
   }
-  return leftOut;
+  const char* where =
+    place == isthmus::MeshAttribute::Place::Cells ? "cells are left out:" : "points are left out:";
+  return (leftOut.empty() ? "" : "Arrays that hold no numbers for " + (where + leftOut) + ". ") +
+    (tooShort.empty() ? ""
+                      : "Arrays that have too few tuples for the " + (where + tooShort) + ". ");
 }
 
 void CheckVertices(const isthmus::CombinatorialMesh& mesh)
@@ -128,12 +115,12 @@ isthmus::CombinatorialMesh MeshOf(vtkUnstructuredGrid* grid, std::string& remark
     mesh.Coordinates = Numbers(points->GetData(), mesh.NumberOfVertices, same);
   }
   remark = cells.Remark();
-  std::string leftOut = AddAttributes(grid->GetPointData(), isthmus::MeshAttribute::Place::Vertices,
-    mesh.NumberOfVertices, same, mesh);
-  leftOut += AddAttributes(
-    grid->GetCellData(), isthmus::MeshAttribute::Place::Cells, cells.NumberOfCells(),
-    [&](vtkIdType i) { return cells.GridId(static_cast<std::size_t>(i)); }, mesh);
-  remark += leftOut.empty() ? "" : "Arrays that hold no numbers are left out:" + leftOut + ". ";
+  remark += AddAttributes(grid->GetPointData(), isthmus::MeshAttribute::Place::Vertices,
+    grid->GetNumberOfPoints(), mesh.NumberOfVertices, same, mesh);
+  remark += AddAttributes(
+    grid->GetCellData(), isthmus::MeshAttribute::Place::Cells, grid->GetNumberOfCells(),
+    cells.NumberOfCells(), [&](vtkIdType i) { return cells.GridId(static_cast<std::size_t>(i)); },
+    mesh);
   return mesh;
 }
 
@@ -150,10 +137,6 @@ void vtkCombinatorialMeshWriter::WriteFile()
   std::string remark;
   const isthmus::CombinatorialMesh mesh =
     MeshOf(vtkUnstructuredGrid::SafeDownCast(this->GetInput()), remark);
-  if (!remark.empty())
-  {
-    vtkWarningMacro(<< remark);
-  }
   isthmus::FileReplacement replacement(this->FileName);
   std::ofstream file(replacement.Written(), std::ios::binary);
   errno = 0;
@@ -164,6 +147,10 @@ void vtkCombinatorialMeshWriter::WriteFile()
     replacement.Fail(errno);
   }
   replacement.Replace();
+  if (!remark.empty())
+  {
+    vtkWarningMacro(<< remark);
+  }
 }
 
 void vtkCombinatorialMeshWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,7 +6,8 @@
  * and numbers bit for bit, with three exceptions: vtkIdType arrays are read as 64-bit integers and
  * char as signed char; VTK_POLYHEDRON faces are oriented to agree with the first face of the cell;
  * cells of higher order are reduced to their corners, and points, lines and surface cells are
- * dropped, with a warning. Arrays that do not contain numbers are also dropped with a warning.
+ * dropped, with a warning. Arrays that do not contain numbers, or too few of them, are also dropped
+ * with a warning.
  *
  * If the file cannot be written completely, there is an error and the error code is set.
  */

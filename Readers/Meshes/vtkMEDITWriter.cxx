@@ -2,6 +2,7 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Meshes/MEDITFile.h"
+#include "Meshes/MeshConversion.h"
 
 #include <vtkObjectFactory.h>
 
@@ -12,7 +13,9 @@ void vtkMEDITWriter::WriteMesh(const isthmus::CellMesh& mesh)
   isthmus::WriteMEDIT(mesh, this->FileName, isthmus::ProgressOf(this));
 }
 
-const char* vtkMEDITWriter::ArrayNames() const
+std::vector<isthmus::MeshArrayRule> vtkMEDITWriter::Arrays() const
 {
-  return "Reference";
+  using isthmus::MeshArrayRule;
+  return { { isthmus::MeshAttribute::Place::Vertices, "Reference", MeshArrayRule::Numbers::Whole },
+    { isthmus::MeshAttribute::Place::Cells, "Reference", MeshArrayRule::Numbers::Whole } };
 }

@@ -3,9 +3,11 @@
  * @brief Writes meshes in MEDIT's text format (.mesh), which Gmsh, Mmg, CGAL and fTetWild read.
  *
  * Edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and hexahedra, by kind, with the
- * array Reference (whole numbers) of points and cells, or 0 without it. Other arrays are dropped,
- * with a warning. For other cells, or if the file cannot be written completely, there is an error,
- * the error code is set, and no file is left. Time: O(bytes); memory: that of the mesh.
+ * array Reference of points and cells, or 0 without it. Reference may have any type, if all values
+ * are whole numbers of 64 bits; otherwise, it is dropped with the reason in the warning, which
+ * lists all other arrays as well. For other cells, or if the file cannot be written completely,
+ * there is an error, the error code is set, and no file is left. Time: O(bytes); memory: that of
+ * the mesh.
  */
 #ifndef vtkMEDITWriter_h
 #define vtkMEDITWriter_h
@@ -25,7 +27,7 @@ protected:
   ~vtkMEDITWriter() override = default;
 
   void WriteMesh(const isthmus::CellMesh& mesh) override;
-  const char* ArrayNames() const override;
+  std::vector<isthmus::MeshArrayRule> Arrays() const override;
 
 private:
   vtkMEDITWriter(const vtkMEDITWriter&) = delete;

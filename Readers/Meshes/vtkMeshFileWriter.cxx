@@ -1,13 +1,11 @@
 #include "vtkMeshFileWriter.h"
 
-#include "Core/NumberText.h"
-
 #include "Meshes/MeshConversion.h"
 
 #include <vtkInformation.h>
 #include <vtkPointSet.h>
 
-#include <string_view>
+#include <string>
 
 int vtkMeshFileWriter::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -17,15 +15,9 @@ int vtkMeshFileWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkMeshFileWriter::WriteFile()
 {
-  const std::string all = this->ArrayNames();
-  std::vector<std::string> names;
-  for (std::string_view rest = all, name; !(name = isthmus::TakeWord(rest)).empty();)
-  {
-    names.emplace_back(name);
-  }
   std::string remark;
   const isthmus::CellMesh mesh =
-    isthmus::FromPointSet(vtkPointSet::SafeDownCast(this->GetInput()), names, remark);
+    isthmus::FromPointSet(vtkPointSet::SafeDownCast(this->GetInput()), this->Arrays(), remark);
   this->WriteMesh(mesh);
   if (!remark.empty())
   {

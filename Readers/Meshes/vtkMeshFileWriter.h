@@ -9,9 +9,12 @@
 #include "vtkGuardedFileWriter.h"
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
+#include <vector> // for rules
+
 namespace isthmus
 {
 struct CellMesh;
+struct MeshArrayRule;
 }
 
 class VTKISTHMUSREADERSMESHES_EXPORT vtkMeshFileWriter : public vtkGuardedFileWriter
@@ -29,8 +32,8 @@ protected:
   /// Writes `mesh` to FileName, which must be set; throws if that fails.
   virtual void WriteMesh(const isthmus::CellMesh& mesh) = 0;
 
-  /// Names of the arrays that the format can store, separated by blanks.
-  virtual const char* ArrayNames() const = 0;
+  /// The arrays that the format stores. All others are dropped, with a warning.
+  virtual std::vector<isthmus::MeshArrayRule> Arrays() const = 0;
 
 private:
   vtkMeshFileWriter(const vtkMeshFileWriter&) = delete;

@@ -1,6 +1,7 @@
 #include "vtkOFFSurfaceWriter.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Meshes/MeshConversion.h"
 #include "Meshes/OFFFile.h"
 
 #include <vtkInformation.h>
@@ -19,7 +20,8 @@ void vtkOFFSurfaceWriter::WriteMesh(const isthmus::CellMesh& mesh)
   isthmus::WriteOFF(mesh, this->FileName, isthmus::ProgressOf(this));
 }
 
-const char* vtkOFFSurfaceWriter::ArrayNames() const
+std::vector<isthmus::MeshArrayRule> vtkOFFSurfaceWriter::Arrays() const
 {
-  return "Normals";
+  return { { isthmus::MeshAttribute::Place::Vertices, "Normals",
+    isthmus::MeshArrayRule::Numbers::Finite, 3 } };
 }

@@ -1,6 +1,7 @@
 #include "vtkTetGenMeshWriter.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Meshes/MeshConversion.h"
 #include "Meshes/TetGenMeshFile.h"
 
 #include <vtkObjectFactory.h>
@@ -12,7 +13,15 @@ void vtkTetGenMeshWriter::WriteMesh(const isthmus::CellMesh& mesh)
   isthmus::WriteTetGenFiles(mesh, this->FileName, isthmus::ProgressOf(this));
 }
 
-const char* vtkTetGenMeshWriter::ArrayNames() const
+std::vector<isthmus::MeshArrayRule> vtkTetGenMeshWriter::Arrays() const
 {
-  return "Attribute BoundaryMarker";
+  using isthmus::CellShape;
+  using isthmus::MeshArrayRule;
+  using Place = isthmus::MeshAttribute::Place;
+  const std::vector<CellShape> tetrahedra{ CellShape::Tetrahedron,
+    CellShape::QuadraticTetrahedron };
+  return { { Place::Vertices, "Attribute", MeshArrayRule::Numbers::Any, 0 },
+    { Place::Vertices, "BoundaryMarker", MeshArrayRule::Numbers::Whole },
+    { Place::Cells, "Attribute", MeshArrayRule::Numbers::Any, 0, tetrahedra },
+    { Place::Cells, "BoundaryMarker", MeshArrayRule::Numbers::Whole, 1, { CellShape::Triangle } } };
 }

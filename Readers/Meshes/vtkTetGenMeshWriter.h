@@ -4,10 +4,13 @@
  *
  * FileName may end in any of the three: NAME.node gets the points, NAME.ele the tetrahedra,
  * NAME.face the triangles, if there are any; an old NAME.ele or NAME.face of TetGen's that is not
- * written is removed, since its cells would be read with the new points. The arrays Attribute
- * (double) and BoundaryMarker (whole numbers) are written, too; others are dropped, with a warning. For other cells, for a
- * FileName in .ele or .face without such cells, or if a file cannot be written completely, there is
- * an error and the error code is set. Time: O(bytes); memory: that of the mesh.
+ * written is removed, since its cells would be read with the new points. Attribute of points and
+ * tetrahedra and BoundaryMarker of points and triangles are written, too, whatever their types, if
+ * doubles hold all values of Attribute, and whole numbers of 64 bits those of BoundaryMarker.
+ * Otherwise, they are dropped with the reason in the warning, which lists all other arrays as well.
+ * For other cells, for a FileName in .ele or .face without such cells, or if a file cannot be
+ * written completely, there is an error and the error code is set. Time: O(bytes); memory: that of
+ * the mesh.
  */
 #ifndef vtkTetGenMeshWriter_h
 #define vtkTetGenMeshWriter_h
@@ -27,7 +30,7 @@ protected:
   ~vtkTetGenMeshWriter() override = default;
 
   void WriteMesh(const isthmus::CellMesh& mesh) override;
-  const char* ArrayNames() const override;
+  std::vector<isthmus::MeshArrayRule> Arrays() const override;
 
 private:
   vtkTetGenMeshWriter(const vtkTetGenMeshWriter&) = delete;

@@ -54,6 +54,13 @@ vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
         ? std::string("The image has no point array of numbers to write.")
         : "The image has no point array of numbers named '" + name + "': choose another.");
   }
+  if (array->GetNumberOfTuples() < image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("The array '" +
+      std::string(array->GetName() ? array->GetName() : "") + "' has " +
+      std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(image->GetNumberOfPoints()) + " nodes: choose another array.");
+  }
   return array;
 }
 

@@ -9,8 +9,9 @@
  * read back bit for bit: vtkOpenDXReader reads bitwise the same values and grid (except for 64-bit
  * integers beyond 2^53). The image's field data `Comments` and `FieldName` are kept.
  *
- * If the image is empty or has no such array, or the file cannot be written completely, there is an
- * error and the error code is set; no partial file is left.
+ * If the image is empty or has no such array, the array has fewer tuples than there are nodes, or
+ * the file cannot be written completely, there is an error and the error code is set; no partial
+ * file is left.
  */
 #ifndef vtkOpenDXWriter_h
 #define vtkOpenDXWriter_h

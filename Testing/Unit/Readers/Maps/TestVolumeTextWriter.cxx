@@ -11,11 +11,15 @@
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
+#include <vtkLongLongArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkUnsignedLongLongArray.h>
 
 #include <gtest/gtest.h>
+#include <iterator>
+#include <limits>
 
 #include <cmath>
 #include <fstream>
@@ -100,9 +104,41 @@ TEST(VolumeTextWriter, TellsWhatTheFormatLosesAndRefusesWhatItDoesNotHold)
   writer->Write();
   EXPECT_NE(observer->GetErrorMessage().find("one number for each node"), std::string::npos);
   observer->Clear();
+  const auto cut = Volume();
+  cut->GetPointData()->GetScalars()->SetNumberOfTuples(cut->GetNumberOfPoints() - 1);
+  writer->SetInputData(cut);
+  writer->Write();
+  EXPECT_NE(observer->GetErrorMessage().find("choose another array"), std::string::npos);
+  observer->Clear();
   writer->SetInputData(vtkNew<vtkImageData>());
   writer->Write();
   EXPECT_TRUE(observer->GetError());
+}
+
+TEST(VolumeTextWriter, IntegersOf64BitsKeepAllTheirDigits)
+{
+  const TemporaryFile file("", "x.dat");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  const auto written = [&](vtkDataArray* values)
+  {
+    values->SetName("Label");
+    image->GetPointData()->SetScalars(values);
+    vtkNew<vtkVolumeTextWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(file.Path());
+    EXPECT_EQ(writer->Write(), 1);
+    std::ifstream text(file.Path());
+    return std::string(std::istreambuf_iterator<char>(text), std::istreambuf_iterator<char>());
+  };
+  vtkNew<vtkUnsignedLongLongArray> large;
+  large->InsertNextValue(std::numeric_limits<unsigned long long>::max());
+  large->InsertNextValue(1);
+  EXPECT_EQ(written(large), "2 1 1\n18446744073709551615 1\n");
+  vtkNew<vtkLongLongArray> least;
+  least->InsertNextValue(std::numeric_limits<long long>::min());
+  least->InsertNextValue(-1);
+  EXPECT_EQ(written(least), "2 1 1\n-9223372036854775808 -1\n");
 }
 
 TEST(VolumeTextReader, WhatIsWrittenComesBackBitForBit)

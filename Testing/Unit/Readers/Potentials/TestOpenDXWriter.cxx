@@ -173,6 +173,10 @@ TEST(OpenDXWriter, WhatCannotBeWrittenIsASentence)
   bare->SetDimensions(2, 2, 2);
   expect(bare, file.Path.c_str(), "", "no point array");
   expect(HardImage<vtkFloatArray>(), file.Path.c_str(), "Charge", "'Charge'");
+  const auto cut = HardImage<vtkFloatArray>();
+  vtkDataArray* const values = cut->GetPointData()->GetArray(0);
+  values->SetNumberOfTuples(cut->GetNumberOfPoints() - 1);
+  expect(cut, file.Path.c_str(), values->GetName(), "nodes: choose another array");
   expect(HardImage<vtkFloatArray>(), "no/such/folder.dx", "", "can't be written");
   EXPECT_FALSE(std::ifstream(file.Path).good());
 }
