@@ -5,6 +5,7 @@
 #ifndef isthmus_MeshWords_h
 #define isthmus_MeshWords_h
 
+#include "Core/PrintableText.h"
 #include "Core/Progress.h"
 #include "Files/ByteSource.h"
 #include "Files/TextWords.h"
@@ -73,6 +74,19 @@ public:
         ". The file is damaged, or was written by another program: write it again.");
     }
     return id - first;
+  }
+
+  /// Refuses anything but comments up to the end of the file, which has been read as far as its
+  /// counts say.
+  void EndFile(std::int64_t rows, const char* what)
+  {
+    const std::string word(this->Word());
+    if (!word.empty())
+    {
+      this->Refuse("the file should end behind its " + std::to_string(rows) + " " + what +
+        ", but '" + Printable(word.substr(0, 30)) +
+        "' follows. Correct the number of rows in the file, or write it again.");
+    }
   }
 
   /// Reports progress from time to time, after `done` rows of `all`.

@@ -182,6 +182,7 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
   CellMesh mesh;
   ReadPoints(words, header, points, mesh);
   ReadFaces(words, faces, mesh);
+  words.EndFile(faces, "faces");
   source->CheckEnd();
   return mesh;
 }

@@ -33,7 +33,7 @@ namespace isthmus
  *
  * @throws ReaderError with path, line and reason: no OFF file, a binary one, one of other
  * dimensions (4OFF, nOFF), a vertex that is not there, a coordinate that is not finite, an early
- * end. Time and memory: O(bytes).
+ * end, anything but comments behind the last face. Time and memory: O(bytes).
  */
 VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
   const std::string& path, const ProgressCallback& progress = {});

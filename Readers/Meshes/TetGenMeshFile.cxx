@@ -99,7 +99,7 @@ std::int64_t ReadPoints(const std::string& path, CellMesh& mesh, const ProgressC
     columns.Read(words);
     words.ReportRow(i, points);
   }
-  words.RestOfLine(); // may begin with a decimal comma
+  words.EndFile(points, "points");
   columns.MoveTo(mesh.Attributes, Place::Vertices);
   source->CheckEnd();
   return first;
@@ -135,7 +135,7 @@ void ReadTetrahedra(const std::string& path, std::int64_t firstPoint, CellMesh& 
     columns.Read(words);
     words.ReportRow(i, cells);
   }
-  words.RestOfLine(); // may begin with a decimal comma
+  words.EndFile(cells, "tetrahedra");
   columns.MoveTo(mesh.Attributes, Place::Cells);
   source->CheckEnd();
 }
@@ -185,11 +185,14 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     }
     const std::vector<std::int64_t> numbers = FurtherNumbers(words, i);
     further = i == 0 ? numbers.size() : further;
-    if (numbers.size() != further || further < markers)
+    const std::size_t behind = further - markers; // middles, neighbours, or both
+    if (numbers.size() != further || further < markers ||
+      (behind != 0 && behind != 2 && behind != 3 && behind != 5))
     {
       words.Refuse("row " + std::to_string(i + 1) + ", above this line, has " +
         std::to_string(numbers.size()) + " numbers behind its corners instead of " +
-        std::to_string(std::max(further, markers)) + ". The file is truncated or damaged.");
+        std::to_string(numbers.size() == further ? markers : further) +
+        ". The file is truncated or damaged.");
     }
     const bool isQuadratic = further == markers + 3 || further == markers + 5;
     for (std::size_t n = 0; isQuadratic && n < 3; ++n)
@@ -208,6 +211,7 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     }
     words.ReportRow(i, cells);
   }
+  words.EndFile(cells, "triangles");
   OrderMiddleNodes(mesh, 0, mesh.Shapes.size());
   columns.MoveTo(mesh.Attributes, Place::Cells);
   source->CheckEnd();

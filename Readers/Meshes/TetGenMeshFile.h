@@ -31,8 +31,8 @@ namespace isthmus
  * points of .node. Attributes: `Attribute` (double, on points or cells), `BoundaryMarker` (int64).
  *
  * @throws ReaderError with path, line and reason: a partner that is missing, points of two
- * dimensions, a vertex that is not there, ids out of order, an early end. Time and memory:
- * O(bytes).
+ * dimensions, a vertex that is not there, ids out of order, an early end, anything but comments
+ * behind the last row. Time and memory: O(bytes).
  */
 VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
   const std::string& path, const ProgressCallback& progress = {});
