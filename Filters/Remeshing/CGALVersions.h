@@ -7,6 +7,7 @@
 #define isthmus_CGALVersions_h
 
 #include "Remeshing/CGALSurface.h"
+#include "Remeshing/OrderedTraits.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -81,10 +82,11 @@ inline std::vector<SurfaceMesh::Face_index> FillHole(
   namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<SurfaceMesh::Face_index> patch;
 #if ISTHMUS_CGAL_6
-  PMP::triangulate_hole(
-    mesh, border, CGAL::parameters::face_output_iterator(std::back_inserter(patch)));
+  PMP::triangulate_hole(mesh, border,
+    CGAL::parameters::face_output_iterator(std::back_inserter(patch)).geom_traits(OrderedTraits()));
 #else
-  PMP::triangulate_hole(mesh, border, std::back_inserter(patch));
+  PMP::triangulate_hole(
+    mesh, border, std::back_inserter(patch), CGAL::parameters::geom_traits(OrderedTraits()));
 #endif
   return patch;
 }

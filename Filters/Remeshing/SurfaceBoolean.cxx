@@ -2,6 +2,7 @@
 
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALVersions.h"
+#include "Remeshing/OrderedTraits.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -75,6 +76,21 @@ Origins AddOrigins(SurfaceMesh& mesh, const std::vector<int>& tags)
   return map;
 }
 
+/// The same surface, with edges numbered by its triangles. CGAL numbers the edges that it makes in
+/// an order that depends on addresses, and removes slivers in the order of edges.
+SurfaceMesh Renumbered(SurfaceMesh& mesh, const Origins& origins)
+{
+  const TriangleMesh triangles = cgal::FromSurfaceMesh(mesh);
+  SurfaceMesh same = cgal::ToSurfaceMesh(triangles);
+  Origins copy = same.add_property_map<Face, Origin>("f:origin").first;
+  auto to = same.faces().begin();
+  for (const Face from : mesh.faces())
+  {
+    copy[*to++] = origins[from];
+  }
+  return same;
+}
+
 void RemoveSlivers(SurfaceMesh& mesh, const Origins& origins, double finest)
 {
   std::vector<Face> made;
@@ -109,12 +125,14 @@ TaggedSurface Combined(
         throw std::runtime_error(
           "Two surfaces touch in such a way that their union is not a closed surface.");
       }
-      RemoveSlivers(first, origins, finest);
+      SurfaceMesh joined = Renumbered(first, origins);
+      const Origins ofJoined = joined.property_map<Face, Origin>("f:origin").first;
+      RemoveSlivers(joined, ofJoined, finest);
       TaggedSurface result;
-      result.Mesh = cgal::FromSurfaceMesh(first);
-      for (const Face f : first.faces())
+      result.Mesh = cgal::FromSurfaceMesh(joined);
+      for (const Face f : joined.faces())
       {
-        result.Tags.push_back(origins[f].Tag);
+        result.Tags.push_back(ofJoined[f].Tag);
       }
       return result;
     });
@@ -140,8 +158,12 @@ std::vector<Triangle> PolygonFilling(const std::vector<Point3>& polygon)
     points.push_back(cgal::ToCGAL(p));
   }
   std::vector<CGAL::Triple<int, int, int>> filling;
-  cgal::RethrowWithContext(
-    "filling a loop", [&] { PMP::triangulate_hole_polyline(points, std::back_inserter(filling)); });
+  cgal::RethrowWithContext("filling a loop",
+    [&]
+    {
+      PMP::triangulate_hole_polyline(
+        points, std::back_inserter(filling), CGAL::parameters::geom_traits(cgal::OrderedTraits()));
+    });
   std::vector<Triangle> triangles;
   triangles.reserve(filling.size());
   for (const auto& t : filling)

@@ -150,8 +150,9 @@ void RemoveSelfIntersections(SurfaceMesh& mesh, const ProgressCallback& progress
   watch.Rounds = &rounds;
   for (int pass = 0; pass < MostPasses; ++pass)
   {
-    if (PMP::experimental::remove_self_intersections(
-          mesh, CGAL::parameters::preserve_genus(false).visitor(watch)))
+    if (PMP::experimental::remove_self_intersections(mesh,
+          CGAL::parameters::preserve_genus(false).visitor(watch).geom_traits(
+            cgal::OrderedTraits())))
     {
       return;
     }

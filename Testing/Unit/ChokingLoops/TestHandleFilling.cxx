@@ -2,6 +2,8 @@
 
 #include "BeadShapes.h"
 #include "Remeshing/SelfIntersections.h"
+#include "Remeshing/SurfaceBoolean.h"
+#include "ScatteredMemory.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "vtkHandleFilling.h"
@@ -106,6 +108,26 @@ TriangleMesh Torus(double large, double small)
   return LevelSet([=](double x, double y, double z)
     { return std::hypot(std::hypot(x, y) - large, z) - small; },
     { -2.31, -2.32, -1.03 }, { 2.32, 2.31, 1.02 }, { 46, 46, 20 });
+}
+
+/// A torus of radii 2 and 0.7 as a grid of quadrilaterals, halved.
+TriangleMesh GridTorus(std::int64_t around, std::int64_t along)
+{
+  TriangleMesh mesh;
+  const auto id = [=](std::int64_t i, std::int64_t k) { return (i % around) * along + k % along; };
+  for (std::int64_t i = 0; i < around; ++i)
+  {
+    for (std::int64_t k = 0; k < along; ++k)
+    {
+      const double u = 2.0 * Pi * static_cast<double>(i) / static_cast<double>(around);
+      const double v = 2.0 * Pi * static_cast<double>(k) / static_cast<double>(along);
+      const double r = 2.0 + 0.7 * std::cos(v);
+      mesh.Points.push_back({ r * std::cos(u), r * std::sin(u), 0.7 * std::sin(v) });
+      mesh.Triangles.push_back({ id(i, k), id(i + 1, k), id(i + 1, k + 1) });
+      mesh.Triangles.push_back({ id(i, k), id(i + 1, k + 1), id(i, k + 1) });
+    }
+  }
+  return mesh;
 }
 
 }
@@ -275,6 +297,43 @@ TEST(HandleFilling, DoesNotCareWhichWayTheSurfaceFaces)
   ASSERT_EQ(other.Fills.size(), 1U);
   ExpectSound(turned, other);
   EXPECT_NEAR(SignedVolume(one.Mesh), SignedVolume(other.Mesh), 1e-3);
+}
+
+// A round hole is filled by triangles of which many are equally good; which of them CGAL took was
+// decided by addresses.
+TEST(HandleFilling, DoesNotDependOnAddresses)
+{
+  for (const int count : { 36, 53, 100 })
+  {
+    std::vector<Point3> rim;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * Pi * i / count;
+      rim.push_back({ std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle) });
+    }
+    const std::vector<Triangle> first = PolygonFilling(rim);
+    ASSERT_EQ(first.size() + 2, rim.size());
+    for (std::uint64_t run = 0; run < 10; ++run)
+    {
+      const ScatteredMemory other(run);
+      EXPECT_EQ(PolygonFilling(rim), first) << count << " points, run " << run;
+    }
+  }
+  const auto expectSame = [](const TriangleMesh& torus, double below, std::uint64_t runs)
+  {
+    const FilledSurface first = Filled(torus, below);
+    ASSERT_EQ(first.Fills.size(), 1U);
+    for (std::uint64_t run = 0; run < runs; ++run)
+    {
+      const ScatteredMemory other(run);
+      const FilledSurface again = Filled(torus, below);
+      EXPECT_EQ(again.Mesh.Points, first.Mesh.Points) << run;
+      EXPECT_EQ(again.Mesh.Triangles, first.Mesh.Triangles) << run;
+      EXPECT_EQ(again.Filling, first.Filling) << run;
+    }
+  };
+  expectSame(Torus(1.1, 0.6), 0.55, 3);
+  expectSame(GridTorus(40, 20), 2.0, 4); // with needles where the plate meets it
 }
 
 TEST(HandleFilling, SaysWhatIsWrong)

@@ -6,6 +6,7 @@
 #include "LongTests.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Remeshing/SurfaceRepair.h"
+#include "ScatteredMemory.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "Surfaces/HausdorffDistance.h"
@@ -287,4 +288,66 @@ TEST(AutomaticMesher, ManyKindsOfDamage)
   std::printf("%d of %d filled; %d within 1 %%, %d moved as stated\n", all.Filled, all.Cases,
     all.Within, all.Moved);
   EXPECT_GE(100 * all.Filled, 99 * all.Cases);
+}
+
+namespace
+{
+
+void ExpectRepeatedRepair(const TriangleMesh& mesh, const std::string& name)
+{
+  const auto repaired = [&mesh]
+  {
+    try
+    {
+      return RepairSurface(mesh).Mesh;
+    }
+    catch (const std::exception&)
+    {
+      return TriangleMesh();
+    }
+  };
+  const TriangleMesh first = repaired();
+  for (std::uint64_t run = 0; run < 4; ++run)
+  {
+    const ScatteredMemory other(run);
+    const TriangleMesh again = repaired();
+    EXPECT_TRUE(again.Points == first.Points) << name;
+    EXPECT_TRUE(again.Triangles == first.Triangles) << name;
+  }
+}
+
+}
+
+// Many triangles that fill a round hole are equally good; which of them CGAL took was decided by
+// addresses.
+TEST(SurfaceRepair, DoesNotDependOnAddresses)
+{
+  for (const std::int64_t count : { 36, 53, 100 })
+  {
+    TriangleMesh tube;
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * Pi * static_cast<double>(i) / static_cast<double>(count);
+      const Point3 p{ std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle) };
+      tube.Points.push_back(p);
+      tube.Points.push_back(p + Point3{ 0.1, -0.8, 0.6 });
+      const std::int64_t next = (i + 1) % count;
+      tube.Triangles.push_back({ 2 * i, 2 * next, 2 * next + 1 });
+      tube.Triangles.push_back({ 2 * i, 2 * next + 1, 2 * i + 1 });
+    }
+    ASSERT_EQ(RepairSurface(tube).Mesh.Triangles.size(), tube.Points.size() * 2 - 4);
+    ExpectRepeatedRepair(tube, "tube of " + std::to_string(count));
+  }
+  for (const DamageKind& kind : DamageKinds())
+  {
+    const std::string name = kind.Name;
+    if (name == "holes" || name == "crossing parts" || name == "rounded points")
+    {
+      Chance chance(1);
+      DamagedSurface surface;
+      surface.Mesh = SoundSurface(chance);
+      kind.Do(surface, chance);
+      ExpectRepeatedRepair(surface.Mesh, name);
+    }
+  }
 }
