@@ -397,4 +397,60 @@ UnionMeasure MeasureUnion(const RegularFiltration& f,
   return sum;
 }
 
+UnionMeasure MeasureFlatUnion(
+  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress)
+{
+  UnionMeasure sum;
+  if (centres.empty())
+  {
+    return sum;
+  }
+  Bounds3 box{ centres.front(), centres.front() };
+  for (const Point3& p : centres)
+  {
+    box.Add(p);
+  }
+  const Point3 middle = 0.5 * (box.Min + box.Max);
+  const double outside = 1.0 + box.Diagonal() + 2.0 * *std::max_element(radii.begin(), radii.end());
+  for (const double along : { -outside, outside })
+  {
+    centres.push_back(middle + Point3{ along, 0.0, 0.0 });
+    centres.push_back(middle + Point3{ 0.0, along, 0.0 });
+    centres.push_back(middle + Point3{ 0.0, 0.0, along });
+  }
+  radii.resize(centres.size(), 0.0);
+  const RegularFiltration f = MakeRegularFiltration(std::move(centres), std::move(radii), progress);
+  const CellFiltration& c = f.Complex;
+  for (std::size_t v = 0; v < c.Points.size(); ++v)
+  {
+    if (f.VertexValue[v] <= 0.0)
+    {
+      const Overlap<1> ball = WholeBall(BallOf(f, static_cast<SimplexId>(v)));
+      sum.Volume += ball.Volume;
+      sum.Area += ball.Area[0];
+    }
+  }
+  for (const EdgeId e : c.Edges.Keys())
+  {
+    if (c.EdgeValue[e] <= 0.0)
+    {
+      const Overlap<2> lens = Lens(BallOf(f, c.Edges[e][0]), BallOf(f, c.Edges[e][1]));
+      sum.Volume -= lens.Volume;
+      sum.Area -= lens.Area[0] + lens.Area[1];
+    }
+  }
+  for (const TriangleId triangle : c.Triangles())
+  {
+    if (c.TriangleValue[triangle] <= 0.0)
+    {
+      const auto t = c.TrianglePoints(triangle);
+      const Overlap<3> half =
+        HalfTripleIntersection(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
+      sum.Volume += 2.0 * half.Volume;
+      sum.Area += 2.0 * (half.Area[0] + half.Area[1] + half.Area[2]);
+    }
+  }
+  return sum;
+}
+
 }

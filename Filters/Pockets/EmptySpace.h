@@ -64,6 +64,15 @@ struct UnionMeasure
 VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(const RegularFiltration& f,
   const HandleVector<TetrahedronId, EmptyCell>& empty, const ProgressCallback& progress = {});
 
+/**
+ * The union of any number of balls that have no tetrahedron, since their centres lie in one plane
+ * or line or are fewer than four: the alternating sum over the dual complex, which contains no
+ * tetrahedra. The triangulation includes six balls of radius 0 far away, which add nothing to the
+ * union. @throws Cancelled
+ */
+VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureFlatUnion(
+  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});
+
 }
 
 #endif

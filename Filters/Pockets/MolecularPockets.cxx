@@ -628,6 +628,10 @@ PocketResult FindPockets(
   PocketResult result;
   if (c.Tetrahedra.empty())
   {
+    const UnionMeasure whole =
+      MeasureFlatUnion(c.Points, space.Filtration.Radii, Between(progress, 0.4, 1.0));
+    result.UnionVolume = whole.Volume;
+    result.UnionArea = whole.Area;
     return result;
   }
   const auto faces = FacesOfCells(c);

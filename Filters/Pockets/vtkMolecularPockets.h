@@ -49,7 +49,8 @@
  * **Errors** (message, empty outputs): neither radii nor elements, radii or positions out of range,
  * options that are not lengths or contradict each other, a surface without polarized curvature or
  * in a different place than the atoms (InputOverlap.h). Fewer than four atoms, or atoms in one
- * plane, have no pockets. Of coinciding atoms, the larger one is used.
+ * plane, have no pockets; their `AccessibleArea` and `AccessibleVolume` are computed. Of coinciding
+ * atoms, the larger one is used.
  *
  * **Cost.** See README.md, for example for 1AON (58,674 atoms). Results are bitwise the same on any
  * number of threads and for any order of the atoms. With several MPI ranks, gather the atoms first.

@@ -202,6 +202,96 @@ TEST(EmptySpace, SeparateAndNestedBalls)
   EXPECT_NEAR(result.UnionVolume, 4.0 * Pi / 3.0 * (1.0 + 8.0 + 3.375 + 1.0), 1e-9);
 }
 
+namespace
+{
+
+UnionMeasure UnionOf(const std::vector<Ball>& balls, double probe)
+{
+  PocketOptions options;
+  options.ProbeRadius = probe;
+  const PocketResult result = FindPockets(balls, options);
+  EXPECT_TRUE(result.Pockets.empty());
+  return { result.UnionVolume, result.UnionArea };
+}
+
+}
+
+TEST(EmptySpace, UnionOfFewBallsOrOfBallsInALine)
+{
+  const UnionMeasure none = UnionOf({}, 1.4);
+  EXPECT_EQ(none.Area, 0.0);
+  EXPECT_EQ(none.Volume, 0.0);
+  const UnionMeasure one = UnionOf({ { { 7, -3, 2 }, 1.5 } }, 1.4);
+  EXPECT_NEAR(one.Area, 4.0 * Pi * 2.9 * 2.9, 1e-9);
+  EXPECT_NEAR(one.Volume, 4.0 / 3.0 * Pi * 2.9 * 2.9 * 2.9, 1e-9);
+  // Balls of radius r at a distance d have a lens of two caps of height r - d / 2.
+  for (const int count : { 2, 3, 5 })
+  {
+    std::vector<Ball> row;
+    for (int i = 0; i < count; ++i)
+    {
+      row.push_back({ { 1.0 * i, 2.0 * i, 2.0 * i }, 2.0 }); // at a distance of 3, along no axis
+    }
+    const double height = 2.0 - 1.5;
+    const double lens = 2.0 * Pi * height * height * (2.0 - height / 3.0);
+    const UnionMeasure line = UnionOf(row, 0.0);
+    EXPECT_NEAR(line.Volume, count * 32.0 * Pi / 3.0 - (count - 1) * lens, 1e-9) << count;
+    EXPECT_NEAR(line.Area, count * 16.0 * Pi - (count - 1) * 2.0 * 2.0 * Pi * 2.0 * height, 1e-9)
+      << count;
+  }
+  // One inside of another, two that do not meet, and one far away.
+  const UnionMeasure apart = UnionOf(
+    { { { 0, 0, 0 }, 2.0 }, { { 0.5, 0, 0 }, 1.0 }, { { 9, 0, 0 }, 1.0 }, { { 1e6, 0, 0 }, 1.0 } },
+    0.0);
+  EXPECT_NEAR(apart.Area, 4.0 * Pi * (4.0 + 1.0 + 1.0), 1e-9);
+  EXPECT_NEAR(apart.Volume, 4.0 / 3.0 * Pi * (8.0 + 1.0 + 1.0), 1e-9);
+}
+
+TEST(EmptySpace, UnionOfBallsInOnePlane)
+{
+  // Three that meet pairwise and all together, a ring, and a sheet, in a plane along no axis; balls
+  // within theirs but out of the plane, which add tetrahedra, change nothing.
+  std::vector<std::vector<Ball>> flat(3);
+  const auto at = [](double u, double v) { return Point3{ u, 0.6 * v, 0.8 * v }; };
+  flat[0] = { { at(0, 0), 1.5 }, { at(2, 0), 1.4 }, { at(0.7, 1.6), 1.2 } };
+  for (int i = 0; i < 8; ++i)
+  {
+    flat[1].push_back({ at(3.0 * std::cos(i * Pi / 4.0), 3.0 * std::sin(i * Pi / 4.0)), 2.9 });
+  }
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int i = 0; i < 60; ++i)
+  {
+    flat[2].push_back({ at(9.0 * any(random), 9.0 * any(random)), 0.3 + 1.5 * any(random) });
+  }
+  for (const std::vector<Ball>& balls : flat)
+  {
+    std::vector<Ball> solid = balls;
+    for (const double side : { -0.1, 0.1 })
+    {
+      solid.push_back({ balls[0].Centre + side * Point3{ 0.0, 0.8, -0.6 }, 0.1 });
+    }
+    const UnionMeasure plane = UnionOf(balls, 0.0);
+    PocketOptions options;
+    options.ProbeRadius = 0.0;
+    const PocketResult expected = FindPockets(solid, options);
+    EXPECT_GT(expected.HullVolume, 0.0);
+    EXPECT_NEAR(plane.Area, expected.UnionArea, 1e-8);
+    EXPECT_NEAR(plane.Volume, expected.UnionVolume, 1e-8);
+    const Estimate area = AreaByPoints(balls, 0.0, 4000, [](const Point3&) { return true; });
+    EXPECT_NEAR(plane.Area, area.Value, 3.0 * area.Error());
+  }
+  // One atom hardly out of the plane.
+  const UnionMeasure ring = UnionOf(flat[1], 0.0);
+  flat[1][0].Centre = flat[1][0].Centre + Point3{ 0.0, 8e-7, -6e-7 };
+  PocketOptions options;
+  options.ProbeRadius = 0.0;
+  const PocketResult moved = FindPockets(flat[1], options);
+  EXPECT_GT(moved.HullVolume, 0.0);
+  EXPECT_NEAR(ring.Area, moved.UnionArea, 1e-4);
+  EXPECT_NEAR(ring.Volume, moved.UnionVolume, 1e-4);
+}
+
 TEST(EmptySpace, ClosedShellIsOneVoid)
 {
   const auto balls = Shell(400, 9.0);
