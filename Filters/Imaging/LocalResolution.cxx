@@ -128,6 +128,22 @@ private:
     }
   }
 
+  /// By a power of two: squares are of single precision.
+  static void ScaleToOne(std::vector<Complex>& block)
+  {
+    float largest = 0.0f;
+    for (const Complex& value : block)
+    {
+      largest = std::max(largest, std::abs(value.real()));
+    }
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    for (Complex& value : block)
+    {
+      value = std::ldexp(value.real(), -exponent);
+    }
+  }
+
   std::vector<Complex> Transform(std::int64_t window, const std::vector<float>& values) const
   {
     const NodeIndex at{ window % this->Count[0], window / this->Count[0] % this->Count[1],
@@ -162,6 +178,7 @@ private:
       }
       mean = sum / static_cast<double>(this->ShellOf.size());
     }
+    ScaleToOne(block);
     const NodeIndex step{ 1, this->Side[0], this->Side[0] * this->Side[1] };
     Eigen::FFT<float> transform;
     for (std::size_t a = 0; a < 3; ++a)

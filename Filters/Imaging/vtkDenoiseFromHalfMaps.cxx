@@ -68,14 +68,35 @@ void Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean, vtkData
   }
 }
 
-/// Values that are not numbers become 0.
-std::vector<float> FiniteValues(vtkDataArray* array)
+/// The finite values minus their mean, scaled to at most about 1 by a power of two, so that single
+/// precision does not round them to nothing; 0 for all others.
+std::vector<float> CentredValues(vtkDataArray* array)
 {
-  std::vector<float> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < values.size(); ++i)
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  const auto valueAt = [array](std::size_t i)
+  { return array->GetComponent(static_cast<vtkIdType>(i), 0); };
+  double sum = 0.0, finite = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
-    values[i] = std::isfinite(value) ? static_cast<float>(value) : 0.0f;
+    const double value = valueAt(i);
+    sum += std::isfinite(value) ? value : 0.0;
+    finite += std::isfinite(value) ? 1.0 : 0.0;
+  }
+  const double mean = finite > 0.0 ? sum / finite : 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double value = valueAt(i);
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value - mean)) : largest;
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  std::vector<float> values(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double value = valueAt(i);
+    values[i] =
+      std::isfinite(value) ? static_cast<float>(std::ldexp(value - mean, -exponent)) : 0.0f;
   }
   return values;
 }
@@ -162,7 +183,7 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   const int* n = one->GetDimensions();
   const double* spacing = one->GetSpacing();
   isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
-    FiniteValues(scalars), FiniteValues(others),
+    CentredValues(scalars), CentredValues(others),
     vtkFloatArray::SafeDownCast(resolution)->GetPointer(0),
     isthmus::Between(isthmus::ProgressOf(this), 0.7, 1.0));
   isthmus::Report(isthmus::ProgressOf(this), 1.0);

@@ -15,8 +15,8 @@
  * Output: the denoised mean, with the arrays and field data of vtkHighOrderDiffusion and the name
  * of the first half's array, and `LocalResolution` (angstrom, if that is the spacing's unit): the
  * wavelength at which the halves' correlation in a window of 24 nodes falls below 0.5
- * (LocalResolution.h). Equal half maps are refused with an error, since they have no noise. Both
- * are needed whole.
+ * (LocalResolution.h); it does not depend on the unit of the density. Equal half maps are refused
+ * with an error, since they have no noise. Both are needed whole.
  *
  * @sa vtkHighOrderDiffusion
  */

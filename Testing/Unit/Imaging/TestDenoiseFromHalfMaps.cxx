@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -144,6 +145,53 @@ TEST(DenoiseFromHalfMaps, GivesTheLocalResolution)
     const double centre = resolution->GetComponent(20 + N * (20 + N * 20), 0);
     EXPECT_GT(centre, last);
     last = centre;
+  }
+}
+
+// The unit of the density and its zero are the user's choice.
+TEST(DenoiseFromHalfMaps, LocalResolutionDoesNotDependOnUnitAndOffset)
+{
+  const auto resolution = [](double factor, double offset)
+  {
+    vtkNew<vtkDenoiseFromHalfMaps> filter;
+    for (int port = 0; port < 2; ++port)
+    {
+      const auto half = Half(0.15, 1 + static_cast<unsigned int>(port));
+      vtkDataArray* values = half->GetPointData()->GetScalars();
+      for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+      {
+        values->SetComponent(i, 0, factor * values->GetComponent(i, 0) + offset);
+      }
+      filter->SetInputDataObject(port, half);
+    }
+    filter->Update();
+    vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray("LocalResolution");
+    std::vector<double> values;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(array->GetComponent(i, 0));
+    }
+    return values;
+  };
+  const std::vector<double> expected = resolution(1.0, 0.0);
+  ASSERT_EQ(expected.size(), static_cast<std::size_t>(N * N * N));
+  const auto expectSame = [&expected](const std::vector<double>& found, const std::string& what)
+  {
+    ASSERT_EQ(found.size(), expected.size()) << what;
+    double off = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      off = std::max(off, std::abs(found[i] - expected[i]));
+    }
+    EXPECT_LT(off, 1e-3) << what;
+  };
+  for (const double factor : { 1e-34, 1e-24, 1e20, 1e34, -1.0 })
+  {
+    expectSame(resolution(factor, 0.0), "factor " + std::to_string(factor));
+  }
+  for (const double offset : { 1e6, -1e8, 1e9 })
+  {
+    expectSame(resolution(1.0, offset), "offset " + std::to_string(offset));
   }
 }
 
