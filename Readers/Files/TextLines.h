@@ -62,6 +62,10 @@ public:
     } while (this->At <= at);
   }
 
+  /// Whether no line end follows the current line: where the file is truncated, it is the line in
+  /// which it ends.
+  bool IsUnfinished() const { return this->At > this->Text.size(); }
+
   /// "line 7"
   std::string Line() const { return "line " + std::to_string(this->Number); }
 
@@ -98,6 +102,12 @@ inline std::string_view Columns(std::string_view line, std::size_t from, std::si
   return from < line.size() ? Trimmed(line.substr(from, count)) : std::string_view();
 }
 
+/// The last line of `text` if no line end follows it, else empty.
+inline std::string_view UnfinishedLine(std::string_view text)
+{
+  return text.substr(text.find_last_of('\n') + 1);
+}
+
 /// Removes the next word from `rest` and returns it; empty at the end.
 inline std::string_view NextWord(std::string_view& rest)
 {
@@ -106,6 +116,16 @@ inline std::string_view NextWord(std::string_view& rest)
   const std::string_view word = rest.substr(first, end - first);
   rest.remove_prefix(end);
   return word;
+}
+
+inline std::size_t CountWords(std::string_view line)
+{
+  std::size_t count = 0;
+  while (!NextWord(line).empty())
+  {
+    ++count;
+  }
+  return count;
 }
 
 /// Whether the whole text is one number; a leading + is allowed.

@@ -47,6 +47,13 @@ void TextWords::Refuse(const std::string& sentence) const
     this->Source.Path() + ", line " + std::to_string(this->Line) + ": " + sentence);
 }
 
+void TextWords::RefuseEnd(const char* what) const
+{
+  throw ReaderError(ReaderFailure::Truncated,
+    this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
+      what + ". It is truncated or incomplete; fetch or write it again.");
+}
+
 bool TextWords::Refill()
 {
   // Characters before Next stay, for IsDecimalComma().
@@ -186,9 +193,7 @@ std::string_view TextWords::WordThere(const char* what)
   const std::string_view word = this->Word();
   if (word.empty())
   {
-    throw ReaderError(ReaderFailure::Truncated,
-      this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
-        what + ". It is truncated or incomplete; fetch or write it again.");
+    this->RefuseEnd(what);
   }
   return word;
 }

@@ -54,6 +54,9 @@ public:
   /// Up to 100 comments so far, without their # and blanks around them.
   const std::vector<std::string>& Comments() const { return this->Notes; }
 
+  /// @throws ReaderError (Truncated): the file ends before `what`, with its path and line.
+  [[noreturn]] void RefuseEnd(const char* what) const;
+
   /// @throws ReaderError (Damaged): path, line, `sentence`.
   [[noreturn]] void Refuse(const std::string& sentence) const;
 

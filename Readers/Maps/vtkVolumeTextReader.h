@@ -8,6 +8,9 @@
  * double precision, origin 0 and spacing 1, since the file has neither. Doubles that are written
  * and read again are bitwise equal; floats are, too, after rounding to float.
  *
+ * If no line end follows the last number of a file, digits of it may be missing: such a file cannot
+ * be distinguished from a whole one.
+ *
  * If a file is missing, truncated, too long or invalid, there is one error with the line, the error
  * code is set, and the output is empty. Time and memory: O(numbers).
  */

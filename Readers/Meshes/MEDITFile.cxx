@@ -86,6 +86,7 @@ public:
     {
       word = this->ReadSection(word);
     }
+    this->CheckEnd(!word.empty());
     this->CheckVertices();
     for (const auto& [first, last] : this->Sections)
     {
@@ -99,6 +100,23 @@ public:
   }
 
 private:
+  /// Sections are not counted: without End, none of them needs to be the last one.
+  void CheckEnd(bool hasEnd)
+  {
+    if (hasEnd)
+    {
+      return;
+    }
+    if (!this->HasVertices)
+    {
+      this->Words.RefuseEnd("its vertices");
+    }
+    this->Mesh.Warnings.push_back(
+      "The file has no End: it may be truncated, within its last number "
+      "or before further sections. Compare the numbers of cells, or "
+      "write the file again.");
+  }
+
   void ReadHeader()
   {
     const std::string word(this->Words.Word());
@@ -156,6 +174,10 @@ private:
   std::string SkipSection(const std::string& name)
   {
     std::string word(this->Words.Word());
+    if (word.empty())
+    {
+      this->Words.RefuseEnd("the rows of its last section");
+    }
     if (IsOfHigherOrder(name) && word != "0")
     {
       this->Mesh.Warnings.push_back("The section " + name + " (" + Printable(word.substr(0, 20)) +
@@ -175,6 +197,7 @@ private:
     {
       this->Words.Refuse("there are Vertices for the second time: this is more than one mesh.");
     }
+    this->HasVertices = true;
     const std::int64_t points = this->Words.Count("the number of vertices", 6);
     for (std::int64_t i = 0; i < points; ++i)
     {
@@ -224,6 +247,7 @@ private:
   MeshWords Words;
   CellMesh Mesh;
   std::int64_t Dimension = 3;
+  bool HasVertices = false;
   std::vector<std::int64_t> PointReferences;
   std::vector<std::int64_t> CellReferences;
   std::vector<std::pair<std::size_t, std::size_t>> Sections; ///< of cells: first, last + 1

@@ -12,7 +12,8 @@
  * D is 3, or 2, in which case z is 0. Vertices are numbered from 1 and may come after the cells.
  * Quadratic cells are read with all nodes, in VTK's order (MiddleNodes.h); those that VTK lacks
  * (P3, PyramidsP2) are dropped with a warning. Other sections (corners, ridges, normals, ...) are
- * skipped. # begins a comment.
+ * skipped. # begins a comment. Files without End are read, with a warning: some programs do not
+ * write it, but a truncated file has none, either.
  */
 #ifndef isthmus_MEDITFile_h
 #define isthmus_MEDITFile_h
@@ -30,7 +31,8 @@ namespace isthmus
 /**
  * Reads points and cells in the order of their sections, with the attribute `Reference` (int64) on
  * both. @throws ReaderError with path, line and reason: the file is not MEDIT text (MFEM and Netgen
- * also use .mesh; .meshb is binary), a vertex does not exist, or the file ends early. Time and
+ * also use .mesh; .meshb is binary), a vertex does not exist, or the file ends within a section or
+ * before its vertices. Time and
  * memory: O(bytes).
  */
 VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(

@@ -101,9 +101,15 @@ public:
     return false;
   }
 
-  /// Were there as many rows as the line of counts says, if there is one?
+  /// Were there as many rows as the line of counts says, if there is one, and any without it?
   void CheckCount(const char* what) const
   {
+    if (this->Promised < 0.0 && this->Count == 0)
+    {
+      throw ReaderError(ReaderFailure::Truncated,
+        this->Path.string() + ": it has neither counts nor " + what +
+          ". The file is truncated or damaged: run MSMS again.");
+    }
     if (this->Promised >= 0.0 && this->Promised != static_cast<double>(this->Count))
     {
       throw ReaderError(ReaderFailure::Truncated,

@@ -33,7 +33,9 @@ namespace isthmus
  *
  * @throws ReaderError with path, line and reason: no OFF file, a binary one, one of other
  * dimensions (4OFF, nOFF), a vertex that is not there, a coordinate that is not finite, an early
- * end, anything but comments behind the last face. Time and memory: O(bytes).
+ * end, anything but comments behind the last face. If no line end follows the last number of a
+ * file, digits of it may be missing: such a file cannot be distinguished from a whole one. Time and
+ * memory: O(bytes).
  */
 VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
   const std::string& path, const ProgressCallback& progress = {});

@@ -5,7 +5,8 @@
  * Output: vtkUnstructuredGrid of edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and
  * hexahedra, linear or quadratic, in the order of the file, with the array `Reference` on points
  * and cells. Cells of a higher order are dropped, which Notes in the field data and a warning
- * report. The sections are described in MEDITFile.h. If a file is missing, truncated, invalid, or a
+ * report, as they do a file without End, which may be truncated. The sections are described in
+ * MEDITFile.h. If a file is missing, truncated, invalid, or a
  * .mesh file of another program, there is one error with the line, the error code is set, and the
  * output is empty. Time and memory: O(bytes).
  */

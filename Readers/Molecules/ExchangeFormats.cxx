@@ -194,9 +194,15 @@ Macromolecule ParsePDBQT(std::string_view text, const std::string& path, std::in
     std::vector<Atom> atoms;
     atoms.reserve(lines.size());
     TextLines place(text, path, reading);
+    std::size_t size = 0; // of the line before
     for (const std::string_view line : lines)
     {
       place.GoTo(line);
+      if (place.IsUnfinished() && line.size() < size)
+      {
+        place.Fail("the file ends within this record. Fetch or write it again.");
+      }
+      size = line.size();
       atoms.push_back(ReadPDBQTAtom(line, place, report));
     }
     return atoms;
@@ -287,7 +293,13 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
         molecule.Atoms.push_back(std::move(atom));
       }
     }
-    lines.Next(line); // the box
+    double box = 0.0;
+    if (!lines.Next(line) || !IsNumber(NextWord(line), box))
+    {
+      lines.Fail(
+        "the box belongs behind the last atom: three numbers or nine. The file is truncated "
+        "or has another number of atoms than it says. Fetch or write it again.");
+    }
     ++molecule.NumberOfModels;
   }
   SetElements(molecule.Atoms, report, ElementColumn::None);
@@ -345,6 +357,34 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, std::string& otherType
   return atom;
 }
 
+/// What a molecule of a MOL2 file has and what has been read of it.
+struct MOL2Counts
+{
+  std::int64_t Atoms = 0, Bonds = 0;
+  bool HasAtoms = false, HasBonds = false;
+  bool HasCharges = true;
+
+  void Check(const TextLines& lines) const
+  {
+    if ((this->Atoms > 0 && !this->HasAtoms) || (this->Bonds > 0 && !this->HasBonds))
+    {
+      lines.Fail("a molecule ends without its " +
+        (this->HasAtoms ? std::to_string(this->Bonds) + " bonds"
+                        : std::to_string(this->Atoms) + " atoms") +
+        ". The file may be truncated: fetch or write it again.");
+    }
+  }
+};
+
+/// Refuses the last line of a file if it ends before the words of the line before, or `fewest`.
+void CheckWhole(std::string_view line, std::size_t fewest, const TextLines& lines)
+{
+  if (lines.IsUnfinished() && CountWords(line) < fewest)
+  {
+    lines.Fail("the file ends within this line. Fetch or write it again.");
+  }
+}
+
 /// SYBYL names substructures by residue and number ("ALA12"), others by the residue alone, which
 /// may end in a digit itself ("DC5" of AMBER, "SO4").
 void SplitNamesOfResidues(std::vector<Atom>& atoms)
@@ -384,8 +424,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   ReadingReport report;
   ReadingReport ofOthers;
   TextLines lines(text, path, progress);
-  std::int64_t atoms = 0, bonds = 0;
-  bool hasCharges = true;
+  MOL2Counts counted;
   std::unordered_map<std::int64_t, std::int64_t> place; // of the numbers of atoms
   std::string notRead;                                  // sections
   std::string otherType;                                // the first that is none of SYBYL's
@@ -396,21 +435,28 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
     const bool isWanted = molecule.NumberOfModels - 1 == model;
     if (section == "@<TRIPOS>MOLECULE")
     {
+      counted.Check(lines);
+      counted = {};
       ++molecule.NumberOfModels;
       NextLine(lines); // the name
       std::string_view counts = NextLine(lines);
-      atoms = Count(NextWord(counts), lines, "the number of atoms");
+      counted.Atoms = Count(NextWord(counts), lines, "the number of atoms");
       const std::string_view second = NextWord(counts);
-      bonds = second.empty() ? 0 : Count(second, lines, "the number of bonds");
+      counted.Bonds = second.empty() ? 0 : Count(second, lines, "the number of bonds");
       NextLine(lines); // the kind of molecule
-      hasCharges = Trimmed(NextLine(lines)) != "NO_CHARGES";
+      counted.HasCharges = Trimmed(NextLine(lines)) != "NO_CHARGES";
     }
     else if (section == "@<TRIPOS>ATOM")
     {
-      for (std::int64_t i = 0; i < atoms; ++i)
+      counted.HasAtoms = true;
+      std::size_t words = 0; // of the atom before
+      for (std::int64_t i = 0; i < counted.Atoms; ++i)
       {
         std::string ignored;
-        Atom atom = ReadMOL2Atom(NextLine(lines), hasCharges, isWanted ? otherType : ignored, lines,
+        const std::string_view row = NextLine(lines);
+        CheckWhole(row, words, lines);
+        words = CountWords(row);
+        Atom atom = ReadMOL2Atom(row, counted.HasCharges, isWanted ? otherType : ignored, lines,
           isWanted ? report : ofOthers);
         if (isWanted)
         {
@@ -421,9 +467,12 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
     }
     else if (section == "@<TRIPOS>BOND")
     {
-      for (std::int64_t i = 0; i < bonds; ++i)
+      counted.HasBonds = true;
+      for (std::int64_t i = 0; i < counted.Bonds; ++i)
       {
         std::string_view bond = NextLine(lines);
+        constexpr std::size_t wordsOfBond = 4; // its number, two atoms, its type
+        CheckWhole(bond, wordsOfBond, lines);
         if (isWanted)
         {
           NextWord(bond); // its number
@@ -437,6 +486,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
       notRead += (notRead.empty() ? "" : ", ") + std::string(section.substr(9));
     }
   }
+  counted.Check(lines);
   if (!notRead.empty())
   {
     report.Note("Sections of the MOL2 file that were not read: " + notRead + ".");
@@ -640,8 +690,15 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
       ReadV2000(counts, lines, one, ofOne);
     }
     bool areCodesReplaced = false;
-    while (lines.Next(line) && Trimmed(line) != "$$$$")
+    bool isWhole = counts.find("V3000") != std::string_view::npos; // which has an end of its own
+    while (lines.Next(line))
     {
+      const bool isLast = Trimmed(line) == "$$$$";
+      isWhole = isWhole || isLast || BeginsWith(line, "M  END");
+      if (isLast)
+      {
+        break;
+      }
       const bool isCharge = BeginsWith(line, "M  CHG");
       if ((isCharge || BeginsWith(line, "M  RAD")) && !std::exchange(areCodesReplaced, true))
       {
@@ -655,6 +712,15 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
         ReadCharges(one, line, lines, ofOne);
       }
       fields += BeginsWith(line, ">") ? 1 : 0;
+    }
+    if (!isWhole && lines.IsUnfinished())
+    {
+      lines.Fail("the file ends within this line. Fetch or write it again.");
+    }
+    if (!isWhole)
+    {
+      ofOne.Warn("The file ends without M  END: it may be truncated, so that formal charges are "
+                 "missing. Compare it with its source.");
     }
     if (isWanted)
     {

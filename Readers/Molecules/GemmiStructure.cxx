@@ -430,6 +430,11 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
   }
   PDBMolecule read = ReadPDBModel(text, path, lines, models[static_cast<std::size_t>(choice.Model)],
     report, Between(progress, 0.3, 1.0));
+  if (EndsWithinRecord(text, lines))
+  {
+    throw std::runtime_error(path + ", " + LineOf(text, UnfinishedLine(text)) +
+      ": the file ends within this record. Fetch or write it again.");
+  }
   if (choice.Assembly.empty())
   {
     molecule.Atoms = std::move(read.Atoms);

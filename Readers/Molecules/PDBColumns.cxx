@@ -538,4 +538,29 @@ std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool 
   return runs;
 }
 
+bool EndsWithinRecord(std::string_view text, const PDBLines& lines)
+{
+  const std::string_view line = UnfinishedLine(text);
+  if (line.substr(0, 6) == "CONECT")
+  {
+    constexpr std::size_t first = 11; // behind the first serial number; one is five columns wide
+    return line.size() > first && (line.size() - first) % 5 != 0;
+  }
+  if (lines.Atoms.empty() || line.empty() || lines.Atoms.back().data() != line.data())
+  {
+    return false;
+  }
+  const auto fieldsOf = [](std::string_view atom)
+  {
+    constexpr std::size_t withElement = 78; // a charge may follow
+    const std::size_t size = atom.find_last_not_of(" \r") + 1;
+    return std::min(size, withElement + CoordinateShift(atom)) - CoordinateShift(atom);
+  };
+  const std::size_t size = line.size() - CoordinateShift(line);
+  const bool isWithinField = (size > 54 && size < 60) || (size > 60 && size < 66) || size == 77 ||
+    (size == 79 && line.back() != ' ');
+  return isWithinField ||
+    (lines.Atoms.size() > 1 && size < fieldsOf(lines.Atoms[lines.Atoms.size() - 2]));
+}
+
 }

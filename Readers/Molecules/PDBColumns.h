@@ -53,6 +53,12 @@ inline std::size_t CoordinateShift(std::string_view atom)
   return CoordinateColumns(atom)[3] - 54;
 }
 
+/**
+ * Whether the last line of `text` has no line end and ends within an atom or a CONECT record:
+ * within a field of the columns of PDB, or before the end of the atom before it.
+ */
+bool EndsWithinRecord(std::string_view text, const PDBLines& lines);
+
 /// Consecutive lines with the same residue in columns 18-27 and the same segment.
 struct PDBRun
 {

@@ -227,6 +227,17 @@ std::vector<Atom> ReadAtoms(std::string_view text, const std::string& path,
     throw std::runtime_error(path + ", " + LineOf(text, lines[firstFault]) + ": " +
       ReadAtom(lines[firstFault], atom, isDummy));
   }
+  if (lines.size() > 1 && lines.back().data() == UnfinishedLine(text).data() &&
+    !UnfinishedLine(text).empty())
+  {
+    const std::string_view last = lines.back();
+    const std::string_view before = lines[lines.size() - 2];
+    if (last.size() < before.size() && CountWords(last) < CountWords(before))
+    {
+      throw std::runtime_error(path + ", " + LineOf(text, last) +
+        ": the file ends within this record. Fetch or write it again.");
+    }
+  }
   dummies = dummiesFound;
   return atoms;
 }

@@ -41,6 +41,15 @@
  * another format, without atoms, or with coordinates that are not finite; a model, chain, assembly
  * or alternate location that does not exist.
  *
+ * **Truncated files.** GRO, MOL2 and SDF files have counts and an end, XYZ files counts: one that
+ * is truncated is an error, except that an SDF file without M  END and $$$$ is read with a warning
+ * if its counts are right. PDB, PDBQT, PQR and mmCIF files have neither: one that is truncated
+ * between two records is read as a shorter one (a PDB file may end without END), and one that ends
+ * within a record is an error where that can be seen. Where it cannot: a record of PDB that ends
+ * with one of its fields has no values for further ones (occupancy, B factor, charge, bonds of
+ * CONECT). If no line end follows the last number of a PQR, XYZ or mmCIF file, or of a MOL2 file
+ * without bonds, digits of it may be missing: such a file cannot be distinguished from a whole one.
+ *
  * **Cost.** Reading a million atoms from PQR takes about 1.5 s on two cores, including all bonds,
  * and 0.8 GB. Progress and abort work while reading, except that gemmi parses mmCIF in one call. On
  * several MPI ranks, the first one has the whole molecule.

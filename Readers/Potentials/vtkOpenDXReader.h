@@ -26,7 +26,9 @@
  * any. Values that are not finite are kept and counted in a warning.
  *
  * **If a file is missing, empty, truncated, damaged or of another kind, there is an error with file
- * and line, the output is empty, and an error code of vtkErrorCode is set.
+ * and line, the output is empty, and an error code of vtkErrorCode is set. If a file ends with its
+ * values and no line end follows, digits of the last one may be missing: such a file cannot be
+ * distinguished from a whole one.
  *
  * **Cost.** Time: one pass over the text, about 30 ns for each number on one thread. Memory: the
  * output, plus 32 MiB or one grid plane of constant x. Each MPI rank reads the whole text and keeps

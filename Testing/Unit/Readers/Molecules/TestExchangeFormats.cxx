@@ -281,10 +281,26 @@ TEST(ExchangeFormats, SDFOfBothVersions)
   EXPECT_PART(second.Warnings[0], "2D");
   EXPECT_PART(WhyRefused(v2000.substr(0, 150), MoleculeFormat::SDF), "line");
   const Macromolecule odd =
-    Model("a\nb\n\n  1  1\n    0.0000    0.0000    0.0000 C\n  1  9  1\n", MoleculeFormat::SDF, 0);
+    Model("a\nb\n\n  1  1\n    0.0000    0.0000    0.0000 C\n  1  9  1\nM  END\n",
+      MoleculeFormat::SDF, 0);
   EXPECT_EQ(odd.Atoms.size() + odd.Bonds.size(), 1u);
   ASSERT_EQ(odd.Warnings.size(), 1u);
   EXPECT_PART(odd.Warnings[0], "which are not there, dropped: 1 (first: line 6)");
+}
+
+TEST(ExchangeFormats, SDFWithoutItsEndIsReadWithAWarning)
+{
+  // As aspirin_charged.sdf of chemfiles' test data, whose charges are codes.
+  const std::string whole = "a\nb\n\n  1  0\n    0.0000    0.0000    0.0000 Na  0  3\n";
+  const Macromolecule ion = Model(whole, MoleculeFormat::SDF, 0);
+  ASSERT_EQ(ion.Atoms.size(), 1u);
+  EXPECT_EQ(ion.Atoms[0].Charge, 1.0);
+  ASSERT_EQ(ion.Warnings.size(), 1u);
+  EXPECT_PART(ion.Warnings[0], "ends without M  END");
+  EXPECT_TRUE(Model(whole + "M  END\n", MoleculeFormat::SDF, 0).Warnings.empty());
+  EXPECT_TRUE(Model(whole + "$$$$\n", MoleculeFormat::SDF, 0).Warnings.empty());
+  EXPECT_PART(
+    WhyRefused(whole.substr(0, whole.size() - 1), MoleculeFormat::SDF), "ends within this line");
 }
 
 // Bytes changed, cut and doubled at random: atoms or a message, and nothing that is not finite.
