@@ -350,6 +350,7 @@ void vtkMapHandles::TakeMaps(Work& work, vtkImageData* other)
     {
       throw std::invalid_argument("The other half map has no scalars of one number at each node.");
     }
+    isthmus::RequireUsualValues(others);
     isthmus::RequireSameNodes(work.Image, other);
     work.Mean = MeanOf(work.Image, work.Scalars, others, work.Noise);
     work.Correlation = CorrelationOf(work.Image, work.Scalars, others);

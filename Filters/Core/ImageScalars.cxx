@@ -1,6 +1,8 @@
 #include "Core/ImageScalars.h"
 
 #include "Core/ArrayMemory.h"
+#include "Core/ImageExtent.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>
@@ -9,6 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <stdexcept>
 #include <string>
@@ -59,6 +62,18 @@ void RequireOnePerNode(vtkImageData* image, vtkDataArray* scalars, bool onCells)
   }
 }
 
+/// Whether it is a part of the filter's first input, as those of several ranks.
+bool IsPiece(vtkAlgorithm* filter, vtkImageData* image)
+{
+  constexpr auto whole = &vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT;
+  vtkInformation* const input =
+    filter->GetNumberOfInputPorts() > 0 && filter->GetNumberOfInputConnections(0) > 0
+    ? filter->GetInputInformation(0, 0)
+    : nullptr;
+  return input && input->Has(whole()) &&
+    image->GetNumberOfPoints() < NodeCount(ExtentOf(input, whole()));
+}
+
 }
 
 vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
@@ -76,6 +91,11 @@ vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
     RefuseMissing(named ? name : nullptr, image);
   }
   RequireOnePerNode(image, scalars, onCells);
+  // The values of a part may be those of the background of a map.
+  if (!IsPiece(filter, image) || LargestMagnitude(scalars) >= SmallestPeak)
+  {
+    RequireUsualValues(scalars);
+  }
   return scalars;
 }
 

@@ -27,7 +27,8 @@ namespace isthmus
 
 /// The array that the filter's input array 0 names; the active scalars if it names none, since a
 /// panel without data sends an empty name.
-/// @throws std::invalid_argument, listing the available arrays, unless it has one number per node.
+/// @throws std::invalid_argument, listing the available arrays, unless it has one number per node;
+/// for values out of range (RequireUsualValues() in RangeChecks.h). O(nodes).
 VTKISTHMUSFILTERSCORE_EXPORT vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image);
 
 /// Whether float holds all values of the type of `array`: float and integers of up to 16 bits.

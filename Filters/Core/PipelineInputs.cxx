@@ -4,6 +4,7 @@
 #include "Core/InputOverlap.h"
 #include "Core/NumberText.h"
 #include "Core/Progress.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
@@ -202,6 +203,7 @@ void CheckInputs(vtkAlgorithm* self)
       {
         DemandWholeArrays(data);
         RefuseHidden(data, port);
+        RequireUsualCoordinates(data, "input " + std::to_string(port));
       }
     }
   }

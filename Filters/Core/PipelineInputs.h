@@ -23,9 +23,9 @@ namespace isthmus
 /// @throws std::invalid_argument, naming both types, if an input does not have a type that its port
 /// requires; naming the array, if one has fewer values than there are points (cells, rows ...) and
 /// would be read beyond its end; for points or cells that are hidden (vtkGhostType), which no
-/// filter can leave out; and for inputs that do not overlap (InputOverlap.h). Guarded
-/// (AlgorithmGuard.h) calls it first. O(arrays + ghost types + points of filters with several
-/// inputs).
+/// filter can leave out; for coordinates out of range (RangeChecks.h); and for inputs that do not
+/// overlap (InputOverlap.h). Guarded (AlgorithmGuard.h) calls it first. O(arrays + ghost types +
+/// points).
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /// @throws std::invalid_argument, naming the point, if one is at a position that is not finite;

@@ -11,6 +11,8 @@
 
 #include <string>
 
+class vtkDataArray;
+class vtkDataObject;
 class vtkImageData;
 
 namespace isthmus
@@ -20,6 +22,11 @@ namespace isthmus
 /// underflow.
 constexpr double SmallestLength = 1e-100;
 constexpr double LargestLength = 1e100;
+
+/// Range of the largest absolute value of an image: beyond it, differences of values of single
+/// precision, or products of a few values of double precision, overflow or underflow.
+constexpr double SmallestPeak = 1e-36;
+constexpr double LargestPeak = 1e36;
 
 /// @throws std::invalid_argument, with the property's name, value and range, unless low <= value <=
 /// high. NaN is refused. `meaning` is the end of the message.
@@ -33,6 +40,21 @@ VTKISTHMUSFILTERSCORE_EXPORT void RequireAbove(
 /// @throws std::invalid_argument "<property> is <value>, but <condition>." unless `holds`.
 VTKISTHMUSFILTERSCORE_EXPORT void RequireThat(
   bool holds, const char* property, double value, const char* condition);
+
+/// The largest absolute value of all that are finite; 0 if there is none. O(values), on all
+/// threads.
+VTKISTHMUSFILTERSCORE_EXPORT double LargestMagnitude(vtkDataArray* values);
+
+/// @throws std::invalid_argument, with the array and its largest absolute value, unless that is 0
+/// or from SmallestPeak to LargestPeak. Values that are not finite are ignored. O(values).
+VTKISTHMUSFILTERSCORE_EXPORT void RequireUsualValues(vtkDataArray* values);
+
+/// @throws std::invalid_argument, with the point, if a coordinate of a point set or a graph is
+/// finite and exceeds LargestLength, or if there are several points and all their coordinates are
+/// below SmallestLength but not 0. `name`: "input 0". Points that no cell uses are ignored where
+/// there are cells. O(points).
+VTKISTHMUSFILTERSCORE_EXPORT void RequireUsualCoordinates(
+  vtkDataObject* data, const std::string& name);
 
 /// @throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
 /// spacings not 0, and all coordinates and spacings between SmallestLength and LargestLength.

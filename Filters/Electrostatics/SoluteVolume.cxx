@@ -4,6 +4,7 @@
 #include "Core/ImageScalars.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Electrostatics/SolverMemory.h"
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/GridImages.h"
@@ -260,6 +261,7 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
   volume.Kind = std::string("level ") + FormatNumber(level) + " of " +
     (scalars->GetName() ? scalars->GetName() : "the scalars");
   ShapeOf(image);
+  RequireUsualValues(scalars);
   UseScalars(image, scalars,
     [&](const auto& grid)
     {

@@ -5,6 +5,7 @@
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
+#include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
 #include "Imaging/LocalResolution.h"
 #include "vtkHighOrderDiffusion.h"
@@ -45,6 +46,7 @@ vtkDataArray* ScalarsOf(vtkImageData* half, const char* which)
       std::to_string(scalars->GetNumberOfTuples()) + " values for its " +
       std::to_string(half->GetNumberOfPoints()) + " nodes: it is damaged.");
   }
+  isthmus::RequireUsualValues(scalars);
   return scalars;
 }
 

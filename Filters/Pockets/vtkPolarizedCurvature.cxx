@@ -5,6 +5,7 @@
 #include "Core/ImageExtent.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/PolarizedCurvature.h"
 
 #include <vtkDataArray.h>
@@ -190,6 +191,7 @@ void vtkPolarizedCurvature::Sample(
       " nor scalars: set ImageArrayName to one of the image's point arrays.");
   }
   CheckScalar(scalars, image, "potential");
+  isthmus::RequireUsualValues(scalars);
   const vtkIdType count = surface->GetNumberOfPoints();
   const auto points = Plain<vtkDoubleArray>(surface->GetPoints()->GetData());
   const auto sample =

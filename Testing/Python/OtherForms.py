@@ -1,13 +1,14 @@
 """The same data in another form, each filter and each of its ports, gives the same numbers: volumes of whole
-numbers in every type that holds them, also large ones that single precision rounds, surfaces and meshes with points that no cell uses (far away, in the middle, at
-no finite place, several), atoms with copies of some. Outputs may keep such points; one at no finite place may be
-refused. Points are atoms where cells do not matter, so ports for any points have no unused ones.
+numbers in every type that holds them, also large ones that single precision rounds, surfaces and meshes with points
+that no cell uses (far away, in the middle, at no finite place, several), atoms with copies of some. Outputs may keep
+such points; one at no finite place may be refused. Points are atoms where cells do not matter, so ports for any points
+have no unused ones. Finite values and coordinates of which no products can be computed are refused with one error.
 """
 
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_BIT, vtkDataArray, vtkIdList, vtkPoints
 
 import robustness_trials
@@ -20,6 +21,9 @@ BASE = 1e9
 LEVELS = ("IsoValue", "Level")  # properties
 BITS = 1e-4  # of the largest number of an array: outputs may be of single precision
 FAR = 1e5
+OUT_OF_RANGE = {  # factors of an image's values or of coordinates; each is refused with one error
+    "values of 1e-200": 1e-200, "values of 1e200": 1e200, "values of 3e38": 3e38,
+    "coordinates of 1e-200": 1e-200, "coordinates of 1e200": 1e200, "a coordinate of 1e300": None}
 # Ports for atoms whose outputs are sums over them, or depend on their number. Others give the atoms themselves.
 ATOMS = {(name, "Input") for name in (
     "MolecularPockets", "PoreProfile", "MolecularDensity", "MolecularFlowSurface", "NonpolarSolvation",
@@ -50,6 +54,30 @@ def shifted(image):
     result.DeepCopy(image)
     values = vtk_to_numpy(result.GetPointData().GetScalars())
     values[:] = numpy.roll(values, 1)
+    return result
+
+
+def out_of_range(data, form):
+    """A copy with scalars or coordinates of which no products can be computed."""
+    result = data.NewInstance()
+    result.DeepCopy(data)
+    factor = OUT_OF_RANGE[form]
+    if data.IsA("vtkImageData"):
+        scalars = result.GetPointData().GetScalars()
+        values = numpy.ascontiguousarray(
+            vtk_to_numpy(scalars) * factor, numpy.float32 if factor == 3e38 else numpy.float64)
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(scalars.GetName())
+        result.GetPointData().SetScalars(array)
+        return result
+    places = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    if factor is None:
+        places[0, 0] = 1e300
+    else:
+        places *= factor
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    result.SetPoints(points)
     return result
 
 
@@ -177,6 +205,11 @@ def compared(name, port, kind, form, first, second):
                 setattr(proxy, level, BASE + 60.25)
         return numbers(proxy)
 
+    if form in OUT_OF_RANGE:
+        found = result(second)
+        if found["errors"] != 1.0:
+            return f"{found['errors'][0]:.0f} errors instead of 1"
+        return ", ".join(what for what in found if what.endswith("cells") and found[what].any())
     expected, found = result(first), result(second)
     if form == NOWHERE and found["errors"] == 1.0 and not any(found[what].any() for what in found if what.endswith("cells")):
         return ""
@@ -198,9 +231,16 @@ def trials(name):
                 for type_name in LARGE:
                     yield f"large {type_name}", port, kind, in_type(data, "Double", BASE), in_type(
                         data, type_name, BASE)
+                for form in OUT_OF_RANGE:
+                    if form.startswith("values") and (name, port) != ("SurfaceToGrid", "Grid"):  # only its nodes count
+                        yield form, port, kind, None, out_of_range(data, form)
             elif data.IsA("vtkPointSet") and kind in ("vtkPolyData", "vtkUnstructuredGrid"):
                 for form, places in UNUSED.items():
                     yield form, port, kind, data, with_unused_points(data, places)
+            if data.IsA("vtkPointSet"):
+                for form in OUT_OF_RANGE:
+                    if "coordinate" in form:
+                        yield form, port, kind, None, out_of_range(data, form)
 
 
 def main(names):

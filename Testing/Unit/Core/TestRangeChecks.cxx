@@ -2,9 +2,19 @@
 
 #include "Core/RangeChecks.h"
 
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkMolecule.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -54,4 +64,87 @@ TEST(RangeChecks, AConditionThatHoldsIsNoRefusal)
   EXPECT_NO_THROW(RequireThat(true, "Length", 3.0, "it must be even"));
   EXPECT_EQ(RefusalOf([] { RequireThat(false, "Length", 3.0, "it must be even"); }),
     "Length is 3, but it must be even.");
+}
+
+TEST(RangeChecks, LargestMagnitudeIgnoresWhatIsNotFinite)
+{
+  vtkNew<vtkFloatArray> floats;
+  vtkNew<vtkDoubleArray> doubles;
+  doubles->SetNumberOfComponents(3);
+  vtkNew<vtkIntArray> integers;
+  EXPECT_EQ(LargestMagnitude(floats), 0.0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 300000; ++i) // several blocks
+  {
+    const double odd = i % 2 == 0 ? -infinity : std::nan("");
+    floats->InsertNextValue(i == 200001 ? -7.0f : i % 5 == 0 ? static_cast<float>(odd) : 2.0f);
+    doubles->InsertNextValue(i == 299999 ? -1e300 : i % 5 == 0 ? odd : 1e299);
+    integers->InsertNextValue(i == 0 ? -9 : 4);
+  }
+  EXPECT_EQ(LargestMagnitude(floats), 7.0);
+  EXPECT_EQ(LargestMagnitude(doubles), 1e300);
+  EXPECT_EQ(LargestMagnitude(integers), 9.0);
+}
+
+TEST(RangeChecks, RefusesValuesOfWhichProductsOverflowOrUnderflow)
+{
+  const auto refusal = [](double value)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("Density");
+    values->InsertNextValue(0.5 * value);
+    values->InsertNextValue(-value);
+    values->InsertNextValue(std::nan(""));
+    return RefusalOf([&] { RequireUsualValues(values); });
+  };
+  for (const double usual : { 0.0, 1e-36, 1.0, 1e36 })
+  {
+    EXPECT_EQ(refusal(usual), "") << usual;
+  }
+  EXPECT_EQ(refusal(3e38),
+    "Array 'Density' has the largest absolute value 3e+38, but it must be from 1e-36 to 1e+36, "
+    "since products of values are computed. Divide the map by a number (Calculator), or replace "
+    "values that stand for missing ones.");
+  for (const double unusual : { 1e-300, 1e-37, 1e37, 1e160 })
+  {
+    EXPECT_NE(refusal(unusual), "") << unusual;
+  }
+}
+
+TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  points->InsertNextPoint(0.0, -1e300, std::nan(""));
+  vtkNew<vtkPolyData> atoms;
+  EXPECT_NO_THROW(RequireUsualCoordinates(atoms, "input 0"));
+  atoms->SetPoints(points);
+  const std::string far = "Point 1 of input 0 has the coordinate -1e+300: at most 1e+100 can be "
+                          "worked with. Remove the point, or choose another unit of length.";
+  EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(atoms, "input 0"); }), far);
+  // Points that no cell uses are of no account where there are cells.
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  atoms->SetVerts(vertices);
+  EXPECT_NO_THROW(RequireUsualCoordinates(atoms, "input 0"));
+  vertices->InsertNextCell({ 1 });
+  atoms->Modified();
+  vtkNew<vtkPolyData> both;
+  both->SetPoints(points);
+  both->SetVerts(vertices);
+  EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(both, "input 0"); }), far);
+  points->SetPoint(1, 1e100, 0.0, 0.0);
+  EXPECT_NO_THROW(RequireUsualCoordinates(both, "input 0"));
+  points->SetPoint(0, 1e-120, 0.0, 0.0);
+  points->SetPoint(1, 0.0, 2e-120, 0.0);
+  EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(both, "input 1"); }),
+    "The largest coordinate of input 1 is 2e-120: it should be at least 1e-100. Choose another "
+    "unit of length (Transform).");
+  points->SetPoint(0, 0.0, 0.0, 0.0);
+  points->SetPoint(1, 0.0, 0.0, 0.0);
+  EXPECT_NO_THROW(RequireUsualCoordinates(both, "input 0"));
+  vtkNew<vtkMolecule> molecule;
+  molecule->AppendAtom(6, 0.0, 0.0, 0.0);
+  EXPECT_NO_THROW(RequireUsualCoordinates(molecule, "input 0"));
 }

@@ -268,7 +268,9 @@ TEST(MolecularFlowSurface, BadAtomsAreToldInASentence)
   refused({ { { 0.0, 0.0, 0.0 }, 0.0 } }, "None of the 1 atoms has a radius above 0");
   refused({ { { 0.0, 0.0, 0.0 }, nan } }, "None of the 1 atoms has a radius above 0");
   refused({ { { 0.3, 0.3, 0.3 }, 1e-3 } }, "the surface vanishes");
-  refused({ sound[0], { { 1e300, 0.0, 0.0 }, 1.5 } }, "more than 2^31 nodes");
+  refused({ sound[0], { { 1e90, 0.0, 0.0 }, 1.5 } }, "more than 2^31 nodes");
+  refused(
+    { sound[0], { { 1e300, 0.0, 0.0 }, 1.5 } }, "Point 1 of input 0 has the coordinate 1e+300");
   std::vector<Ball> far = RandomBalls(50, 10.0);
   far.push_back({ { 1e6, 1e6, 0.0 }, 1.5 });
   refused(far, "of memory, but only");
