@@ -7,6 +7,7 @@
 #include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -23,10 +24,12 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkTetCutaway);
@@ -245,6 +248,18 @@ int vtkTetCutaway::RequestData(
     {
       isthmus::RequireOneRank(this, input, "cells");
       isthmus::RequirePlaces(input, "the cells");
+      isthmus::RequireThat(
+        !std::isnan(this->Distance), "Distance", this->Distance, "it must be a number");
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (const auto& [name, point] : { std::pair{ "SeedPoint", this->SeedPoint },
+               std::pair{ "PlaneOrigin", this->PlaneOrigin },
+               std::pair{ "PlaneNormal", this->PlaneNormal } })
+        {
+          isthmus::RequireThat(
+            !std::isnan(point[axis]), name, point[axis], "it must be three numbers");
+        }
+      }
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
     });
 }

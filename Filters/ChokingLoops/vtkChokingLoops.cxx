@@ -416,6 +416,14 @@ bool vtkChokingLoops::FindLoops(
   return isthmus::Succeeds(this, output,
     [&]
     {
+      isthmus::RequireThat(!std::isnan(this->MaximumRadius), "MaximumRadius", this->MaximumRadius,
+        "it must be a number");
+      isthmus::RequireThat(!std::isnan(this->MinimumPersistence), "MinimumPersistence",
+        this->MinimumPersistence, "it must be a number");
+      isthmus::RequireThat(!std::isnan(this->MaximumLength), "MaximumLength", this->MaximumLength,
+        "it must be a number");
+      isthmus::RequireThat(
+        !std::isnan(this->MaximumReach), "MaximumReach", this->MaximumReach, "it must be a number");
       this->Analyse(surface, mesh);
       if (this->AllowSelfIntersections)
       {

@@ -6,6 +6,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -21,6 +22,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkHandleFilling);
 
@@ -104,6 +106,8 @@ int vtkHandleFilling::RequestData(
       {
         return;
       }
+      isthmus::RequireThat(!std::isnan(this->SampleSpacing), "SampleSpacing", this->SampleSpacing,
+        "it must be a number");
       isthmus::HandleFillingParameters parameters;
       parameters.Below = this->FillHandlesBelow;
       parameters.Inside = this->Side != Outside;

@@ -6,6 +6,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/InputOverlap.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -18,6 +19,7 @@
 #include <vtkPolyData.h>
 #include <vtkStaticPointLocator.h>
 
+#include <cmath>
 #include <map>
 #include <queue>
 #include <stdexcept>
@@ -204,6 +206,8 @@ int vtkLoopShortening::RequestData(
     [&]
     {
       isthmus::RequirePlaces(loops, "the loops");
+      isthmus::RequireThat(
+        !std::isnan(this->Tolerance), "Tolerance", this->Tolerance, "it must be a number");
       const auto whole =
         isthmus::GatherSurface(this, vtkPolyData::GetData(input[1]), isthmus::GatherOn::EachRank);
       const vtkIdType count = loops->GetNumberOfLines();

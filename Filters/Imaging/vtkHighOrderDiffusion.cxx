@@ -49,6 +49,7 @@ isthmus::DiffusionParameters vtkHighOrderDiffusion::GetParameters()
   parameters.Order = this->Order;
   parameters.LowerOrders = this->LowerOrders;
   std::copy_n(this->Diffusivity, 4, parameters.Diffusivity.begin());
+  isthmus::RequireThat(!std::isnan(this->Sigma), "Sigma", this->Sigma, "it must be a number");
   parameters.Sigma = this->Sigma > 0.0 || this->Sigma < 0.0 ? this->Sigma : 1.0;
   parameters.Window = this->Window;
   parameters.PreSmoothing = this->PreSmoothing;

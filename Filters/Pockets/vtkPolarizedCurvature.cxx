@@ -156,6 +156,8 @@ int vtkPolarizedCurvature::RequestData(
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
       isthmus::RequirePlaces(surface, "the surface");
+      isthmus::RequireThat(!std::isnan(this->ClassThreshold), "ClassThreshold",
+        this->ClassThreshold, "it must be a number");
       output->ShallowCopy(surface);
       if (surface->GetNumberOfPoints() == 0)
       {

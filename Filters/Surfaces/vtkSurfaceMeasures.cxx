@@ -6,6 +6,7 @@
 #include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Surfaces/CartesianMeasures.h"
 #include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
@@ -23,6 +24,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
+#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkSurfaceMeasures);
@@ -229,6 +231,11 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
       std::to_string(isthmus::NumberOfRanks()) +
       ": take the area and volume of its Contour, which are added up, or one rank.");
   }
+  isthmus::RequireThat(!std::isnan(this->Level), "Level", this->Level, "it must be a number");
+  isthmus::RequireThat(
+    !std::isnan(this->InsideValue), "InsideValue", this->InsideValue, "it must be a number");
+  isthmus::RequireThat(
+    !std::isnan(this->OutsideValue), "OutsideValue", this->OutsideValue, "it must be a number");
   isthmus::CartesianMeasures measures;
   isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
     [&](const auto& grid)

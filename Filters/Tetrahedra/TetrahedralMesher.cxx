@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace isthmus
 {
@@ -178,9 +179,12 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
     return;
   }
   const CGALCriteria& c = p.CGAL;
-  for (const double value : { c.FacetSize, c.FacetDistance, c.CellSize, c.CellRadiusEdgeRatio })
+  for (const auto& [name, value] : { std::pair{ "FacetSize", c.FacetSize },
+         std::pair{ "FacetDistance", c.FacetDistance }, std::pair{ "CellSize", c.CellSize },
+         std::pair{ "CellRadiusEdgeRatio", c.CellRadiusEdgeRatio } })
   {
-    demand(value <= LargestLength, "CGAL's sizes and ratios must be numbers of at most 1e100.");
+    RequireThat(
+      value <= LargestLength, name, value, "CGAL's sizes and ratios must be numbers up to 1e100");
   }
   demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
     "CGAL's facet angle must be from 0 to 30 degrees; above, refinement may not terminate.");

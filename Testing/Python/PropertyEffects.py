@@ -90,6 +90,7 @@ SILENT = {
     ("ChokingLoops", "TrustedOnly"):
         "all loops of the ring are trusted, 205 of 244 of Map Choking Loops are: SignificantLoops.py has a noisy map",
     ("MapChokingLoops", "MemoryLimit"): LIMIT,
+    ("MapChokingLoops", "ProposedLevel"): "what a new filter began with: GivenValues.py",
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("ForceFieldCharges", "ForceField"): "the atoms have charges: TestProteinCharges has some without",

@@ -7,10 +7,13 @@ a result that is finite, or with a sentence and nothing. Proxies are found by th
     pvpython PropertySweep.py [PART OF A PROXY'S NAME]
 """
 
+import math
+import re
 import sys
 
 import robustness_trials
 from good_data import filters, kinds, made
+from PropertyEffects import NEEDS, conditions
 
 NAN, HUGE, LARGEST = float("nan"), 1e300, 2147483647
 # Arrays that are documented to hold NaN where there is nothing to tell.
@@ -27,6 +30,27 @@ LEFT_OUT = {
     ("SurfaceRemesh", "RelativeEdgeLength", 0.01): "ten thousand triangles for each",
     ("TetrahedralMesher", "MinimumDihedralAngle", 40.0): "TetGen ends at TimeLimit, 600 s",
 }
+# Properties that NaN has a meaning for, or that nothing of the good data uses, with the reason.
+ATOMS_OUTSIDE = "the good atoms lie on their surface, which is refused before"
+IGNORES_NAN = {
+    **{("BindingSitesInPockets", name, "vtkPolyData"): "a ball has no pockets"
+       for name in ("MergeDistance", "MinimumArea", "Quantile", "Threshold")},
+    ("DualContouring", "Spacing", "vtkImageData"): "of surfaces",
+    ("DualContouring", "Level", "vtkPolyData"): "of volumes",
+    ("MapChokingLoops", "ProposedLevel", "vtkImageData"): "no level was proposed",
+    ("MapHandles", "MinimumPersistence", "vtkImageData"): "the good half maps are equal, which is refused before",
+    **{(name, ignored, "vtkPointSet"): ATOMS_OUTSIDE for name in ("PoissonBoltzmann", "PoissonBoltzmannOnSurface")
+       for ignored in ("Ions", "Spacing")},
+    **{("SolvationSurface", name, "vtkPointSet"): "the good atoms have no WellDepth, which is refused before"
+       for name in ("EnergyTolerance", "Enlargement", "FieldRelaxation", "Padding", "Pressure", "ProbeRadius",
+                    "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation", "SurfaceTension",
+                    "Temperature")},
+    **{("SurfaceMeasures", name, "vtkPolyData"): "of volumes" for name in ("InsideValue", "IsoValue", "OutsideValue")},
+    ("SurfaceToGrid", "IsoValue", "vtkPolyData"): "of volumes",
+    ("SurfaceToGrid", "Spacing", "vtkPolyData"): "the good data have a grid",
+    ("SurfaceToGrid", "Spacing", "vtkImageData"): "of surfaces",
+}
+SHOWN_WHERE = conditions()
 
 
 def numbers_of(proxy):
@@ -61,11 +85,30 @@ def ends_of(vector):
     return ends
 
 
+def is_named(vector, sentence):
+    """Whether an error says which property it is of: by its name, its setter, or a word of its label."""
+    said = sentence.replace(" ", "").lower()
+    names = [vector.GetXMLName(), vector.GetCommand().replace("Set", "", 1)]
+    names += ["valence"] if vector.GetXMLName() == "Species" else []  # the first number of a row
+    names += [word[:-1] for word in re.findall("[A-Z]?[a-z]{4,}", vector.GetXMLLabel())]
+    return any(name.lower() in said for name in names)
+
+
+def choose_what_shows(proxy, name, property_name):
+    needs = [(other, float(value)) for other, value in SHOWN_WHERE.get((name, property_name), [])]
+    for other, value in needs + list(NEEDS.get((name, property_name), {}).items()):
+        if other != property_name:
+            vector = proxy.SMProxy.GetProperty(other)
+            vector.SetElement(0, value if vector.GetClassName() == "vtkSMDoubleVectorProperty" else int(value))
+
+
 def trial(name, kind, property_name, value):
     """Runs a fresh filter with one property changed; 'result', 'refused' or a complaint."""
     proxy = made(name, kind)
     listener = robustness_trials.Listener(proxy.GetClientSideObject())
     vector = proxy.SMProxy.GetProperty(property_name)
+    if math.isnan(value):
+        choose_what_shows(proxy, name, property_name)
     for element in range(max(1, vector.GetNumberOfElements())):
         vector.SetElement(element, value)
     proxy.SMProxy.UpdateVTKObjects()
@@ -80,7 +123,11 @@ def trial(name, kind, property_name, value):
     if listener.errors:
         if any(len(sentence) < 40 for sentence in listener.errors):
             return f"short sentence: {listener.errors}"
+        if math.isnan(value) and (name, property_name, kind) not in IGNORES_NAN and (len(listener.errors) > 1 or not is_named(vector, listener.errors[0])):
+            return f"NaN is not refused by one error that names the property: {listener.errors}"
         return "refused" if size == 0 else f"an error and {size} elements: {listener.errors[0]}"
+    if math.isnan(value) and (name, property_name, kind) not in IGNORES_NAN:
+        return f"NaN is accepted in silence: {listener.warnings}"
     bad -= MAY_BE_NAN
     return f"silently not finite: {sorted(bad)}" if bad and not listener.warnings else "result"
 
@@ -94,12 +141,14 @@ def trials_of(name):
                     yield kind, property_name, value
 
 
-def sweep(part):
+def sweep(part, only_nan=False):
     counts, complaints = {"result": 0, "refused": 0, "wrong": 0}, []
     for name in filters():
         if part not in name:
             continue
         for kind, property_name, value in trials_of(name):
+            if only_nan and not math.isnan(value):
+                continue
             word, said, took = robustness_trials.run(
                 lambda: trial(name, kind, property_name, value))
             outcome = said if word == "done" else word
@@ -114,8 +163,8 @@ def sweep(part):
 
 
 if __name__ == "__main__":
-    part_of_name = sys.argv[1] if len(sys.argv) > 1 else ""
-    counted, wrong = sweep(part_of_name)
+    part_of_name = next((word for word in sys.argv[1:] if word != "nan"), "")
+    counted, wrong = sweep(part_of_name, "nan" in sys.argv[1:])
     print(f"{sum(counted.values())} trials: {counted}")
     assert not wrong, f"{len(wrong)} trials went wrong"
-    assert part_of_name or counted["result"] > 300 and counted["refused"] > 50
+    assert sys.argv[1:] or counted["result"] > 300 and counted["refused"] > 50
