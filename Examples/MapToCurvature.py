@@ -2,10 +2,12 @@
 
 Usage: pvpython MapToCurvature.py MAP OUTPUT_FOLDER [LEVEL]. Writes curvature.png (six descriptors
 side by side), denoising.png (the surface without and with denoising), surface.vtp, report.json,
-report.txt and pipeline.pvsm, which ParaView opens.
-Without LEVEL, the surface is drawn at Otsu's threshold of the map's histogram.
+report.txt and pipeline.pvsm, which ParaView opens. Prints its steps to standard error and the
+numbers to standard output.
+Without LEVEL, the surface is drawn at the automatic level of Map Surface: recommended, or else estimated.
 """
 
+import re
 import sys
 from pathlib import Path
 
@@ -16,6 +18,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import isthmus_look as look  # noqa: E402, there once paraview.simple has loaded the plugin
 import SurfaceReport  # noqa: E402
+from step_lines import step  # noqa: E402
 
 # Array, title of its colour bar, colours, and where the range comes from: "signed" is symmetric
 # about zero, so that white is flat; "unsigned" starts at zero; else the array's whole range.
@@ -29,19 +32,6 @@ DESCRIPTORS = (
 )
 BACKGROUND = [1.0, 1.0, 1.0]
 INK = [0.1, 0.1, 0.1]
-
-
-def otsu_threshold(values, bins=256):
-    """The threshold that splits values into two classes with the largest variance between them.
-
-    N. Otsu, IEEE Trans. Syst. Man Cybern. 9 (1979) 62, eq. 18.
-    """
-    counts, edges = numpy.histogram(values, bins=bins)
-    centres = (edges[1:] + edges[:-1]) / 2
-    weight = numpy.cumsum(counts) / counts.sum()
-    moment = numpy.cumsum(counts * centres) / counts.sum()
-    spread = numpy.maximum(weight * (1 - weight), 1e-300)
-    return float(edges[1:][numpy.argmax((moment[-1] * weight - moment) ** 2 / spread)])
 
 
 def denoise(volume, **options):
@@ -61,21 +51,49 @@ def isosurface(volume, level, **options):
         **options)
 
 
-def build_pipeline(path, level):
-    """The pipeline reader -> denoised -> isosurface -> curvature, and a text about the level."""
-    reader, denoised = open_denoised(path)
-    reader.UpdatePipeline()
-    image = servermanager.Fetch(reader)
-    density = vtk_to_numpy(image.GetPointData().GetArray("Density"))
-    rule = "given"
-    if level is None:
-        level = otsu_threshold(density[numpy.isfinite(density)])
-        rule = "Otsu's threshold of the map's histogram"
+def read_map(reader):
+    """The map of a reader, as a step."""
+    with step("Reading", reader) as this:
+        reader.UpdatePipeline()
+        image = servermanager.Fetch(reader)
+        low, high = image.GetScalarRange()
+        this.facts += [f"{' x '.join(map(str, image.GetDimensions()))} nodes", f"values {low:.4g} to {high:.4g}"]
+    return image
+
+
+def run_denoising(reader, denoised):
+    """The denoised map, as a step; returns the noise levels of both maps."""
+    with step("Denoising", reader, denoised) as this:
+        denoised.UpdatePipeline()
+        noise = {"map": noise_level(reader), "map, denoised": noise_level(denoised)}
+        this.facts.append("noise {:.2g} to {:.2g}".format(*noise.values()))
+        # Why nothing was removed, in the first words of the filter's warning.
+        this.facts += [re.split("[.:,] ", text)[0].lower() for text in this.take_warnings(denoised)]
+    return noise
+
+
+def chosen_level(reader, level):
+    """The level of the surface and its source, as Map Surface chooses it."""
+    surface = simple.MapSurface(Input=reader)
+    if level is not None:
+        surface.Level = level
+    fields = servermanager.Fetch(surface).GetFieldData()
+    return {"value": fields.GetArray("Level").GetValue(0), "source": fields.GetAbstractArray("LevelSource").GetValue(0)}
+
+
+def run_curvature(image, denoised, level):
+    """The surface and its curvature, as a step: the filter, and its output."""
     surface = isosurface(denoised, level, registrationName="Isosurface", ComputeNormals=1)
     curvature = simple.HessianCurvature(
         registrationName="HessianCurvature", Input=denoised, Surface=surface)
-    curvature.UpdatePipeline()
-    return reader, denoised, curvature, image, {"value": level, "rule": rule}
+    with step("Surface and curvature", surface, curvature) as this:
+        curvature.UpdatePipeline()
+        data = servermanager.Fetch(curvature)
+        this.facts.append(f"{data.GetNumberOfPolys()} triangles")
+    if data.GetNumberOfPolys() == 0:
+        sys.exit("There is no surface at level {:g}: the map's values are between {:g} and {:g}.".format(
+            level, *image.GetScalarRange()))
+    return curvature, data
 
 
 def points_of(data):
@@ -206,16 +224,17 @@ def show_level(volume, level, caption, camera, view):
     set_properties(view, **camera)
 
 
-def before_and_after(reader, denoised, image, level, data):
+def before_and_after(reader, denoised, image, level, data, noise):
     """One layout of isosurfaces with the same level and camera: above, the map without and with denoising; below,
-    the same for the map with added noise as strong as the map itself. Also returns the noise levels."""
+    the same for the map with added noise as strong as the map itself. `noise`: levels of noise of the first two.
+    Returns those of all four as well."""
     noisy = with_added_noise(image, float(numpy.nanstd(vtk_to_numpy(
         image.GetPointData().GetArray("Density")))))
     points = points_of(data)
     camera = look_along(points, *symmetry_axis(points), colour_bar=False)
     volumes = {"map": reader, "map, denoised": denoised, "noise added": noisy,
                "noise added, denoised": denoise(noisy)}
-    noise = {name: noise_level(volume) for name, volume in volumes.items()}
+    noise = {name: noise[name] if name in noise else noise_level(volume) for name, volume in volumes.items()}
     layout = simple.CreateLayout("Denoising")
     layout.SplitVertical(0, 0.5)
     layout.SplitHorizontal(1, 0.5)
@@ -230,19 +249,21 @@ def before_and_after(reader, denoised, image, level, data):
 
 def main(path, folder, level):
     folder.mkdir(parents=True, exist_ok=True)
-    reader, denoised, curvature, image, level = build_pipeline(path, level)
-    data = servermanager.Fetch(curvature)
-    if data.GetNumberOfPolys() == 0:
-        sys.exit(f"There is no surface at level {level['value']:g}: the map's values are "
-                 f"between {image.GetScalarRange()[0]:g} and {image.GetScalarRange()[1]:g}.")
+    reader, denoised = open_denoised(path)
+    image = read_map(reader)
+    noise = run_denoising(reader, denoised)
+    level = chosen_level(reader, level)
+    curvature, data = run_curvature(image, denoised, level["value"])
     # Not as raw appended data, the default: VTK 9.2 with the expat of Debian 12's security updates
     # stumbles over some of those files, depending on where in the file they begin.
     simple.SaveData(str(folder / "surface.vtp"), proxy=curvature, DataMode="Binary")
-    layout = six_views(curvature, data)
-    simple.SaveScreenshot(str(folder / "curvature.png"), layout, ImageResolution=[1800, 1200])
-    simple.SaveState(str(folder / "pipeline.pvsm"))
-    layout, noise = before_and_after(reader, denoised, image, level["value"], data)
-    simple.SaveScreenshot(str(folder / "denoising.png"), layout, ImageResolution=[1400, 1400])
+    with step("Pictures") as this:
+        layout = six_views(curvature, data)
+        simple.SaveScreenshot(str(folder / "curvature.png"), layout, ImageResolution=[1800, 1200])
+        simple.SaveState(str(folder / "pipeline.pvsm"))
+        layout, noise = before_and_after(reader, denoised, image, level["value"], data, noise)
+        simple.SaveScreenshot(str(folder / "denoising.png"), layout, ImageResolution=[1400, 1400])
+        this.facts.append("curvature.png and denoising.png")
     SurfaceReport.write(path, image, level, noise, data, [row[0] for row in DESCRIPTORS], folder)
 
 

@@ -3,7 +3,8 @@
 Usage: pvpython MapToMesh.py MAP FOLDER LEVEL. Denoises as MapToCurvature.py does, takes the level
 set by marching cubes and by Delaunay refinement, and fills the latter with tetrahedra. Writes
 surface_delaunay.vtp, tetrahedra.vtu, angles.png (both histograms of angles, as Fig. 4.5 of the
-thesis), cutaway.png and mesh.txt.
+thesis), cutaway.png and mesh.txt. Prints its steps to standard error and the ranges of the angles
+to standard output.
 """
 
 import sys
@@ -16,6 +17,7 @@ import isthmus_look as look  # noqa: E402, there once paraview.simple has loaded
 import MapToCurvature  # noqa: E402
 from MapToCurvature import (  # noqa: E402
     INK, look_along, points_of, set_properties, show_colour_bar, symmetry_axis)
+from step_lines import step  # noqa: E402
 
 BINS = 18  # of 10 degrees
 BAR = 40  # characters
@@ -24,12 +26,28 @@ COLOURS = {"Marching cubes": (0.62, 0.66, 0.72), "Delaunay": (0.13, 0.47, 0.71)}
 
 def build_meshes(path, level):
     """Both surfaces of the denoised map, and the tetrahedra inside the Delaunay one."""
-    _, denoised = MapToCurvature.open_denoised(path)
+    reader, denoised = MapToCurvature.open_denoised(path)
+    MapToCurvature.run_denoising(reader, denoised)
     contour = MapToCurvature.isosurface(denoised, level)
     delaunay = simple.DelaunayIsosurface(
         registrationName="DelaunayIsosurface", Input=denoised, Level=level)
+    with step("Delaunay surface", delaunay) as this:
+        delaunay.UpdatePipeline()
+        this.facts.append(f"{delaunay.GetDataInformation().GetNumberOfCells()} triangles")
     tetrahedra = simple.TetrahedralMesher(registrationName="Tetrahedra", Input=delaunay)
+    with step("Tetrahedra", tetrahedra) as this:
+        tetrahedra.UpdatePipeline()
+        this.facts.append(f"{tetrahedra.GetDataInformation().GetNumberOfCells()} tetrahedra")
+        unmet = unmet_bounds(tetrahedra)
+        if this.take_warnings(tetrahedra, unmet):
+            this.facts.append(unmet.split(": ")[1].split(". ")[0])
     return {"Marching cubes": contour, "Delaunay": delaunay}, tetrahedra
+
+
+def unmet_bounds(tetrahedra):
+    """What the filter says of tetrahedra that exceed its bounds; "" if there are none."""
+    array = servermanager.Fetch(tetrahedra).GetFieldData().GetAbstractArray("UnmetBounds")
+    return array.GetValue(0) if array else ""
 
 
 def quality(mesh):
@@ -107,16 +125,18 @@ def main(path, folder, level):
     surfaces, tetrahedra = build_meshes(path, level)
     reports = {name: quality(surface) for name, surface in surfaces.items()}
     inside = quality(tetrahedra)
-    lines = side_by_side({name: fractions(report) for name, report in reports.items()})
-    lines += [f"{name}: {summary(report)}" for name, report in reports.items()]
-    lines.append(f"Tetrahedra: {summary(inside)}")
-    (folder / "mesh.txt").write_text("\n".join(lines) + "\n")
-    print("\n".join(lines))
+    histograms = side_by_side({name: fractions(report) for name, report in reports.items()})
+    ranges = [f"{name}: {summary(report)}" for name, report in reports.items()]
+    ranges.append(f"Tetrahedra: {summary(inside)}")
+    (folder / "mesh.txt").write_text("\n".join(histograms + ranges) + "\n")
     simple.SaveData(
         str(folder / "surface_delaunay.vtp"), proxy=surfaces["Delaunay"], DataMode="Binary")
     simple.SaveData(str(folder / "tetrahedra.vtu"), proxy=tetrahedra, DataMode="Binary")
-    angle_picture(reports, folder / "angles.png")
-    cutaway_picture(surfaces["Delaunay"], inside, folder / "cutaway.png")
+    with step("Pictures") as this:
+        angle_picture(reports, folder / "angles.png")
+        cutaway_picture(surfaces["Delaunay"], inside, folder / "cutaway.png")
+        this.facts.append("angles.png and cutaway.png")
+    print("\n".join(ranges))
 
 
 if __name__ == "__main__":

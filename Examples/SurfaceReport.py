@@ -99,7 +99,7 @@ def as_text(report):
         f"Map       {grid['file']}: {' x '.join(map(str, grid['dimensions']))} nodes, "
         f"spacing {' x '.join(f'{s:.4g}' for s in grid['spacing_A'])} A, "
         f"values {grid['range'][0]:.4g} to {grid['range'][1]:.4g}",
-        f"Level     {level['value']:.6g} ({level['rule']})",
+        f"Level     {level['value']:.6g} ({level['source']})",
         *(f"Noise     {value:.4g} ({name})" for name, value in report["noise_level"].items()),
         f"Surface   {surface['triangles']} triangles, {surface['components']} components, "
         f"{'closed' if surface['closed'] else 'open at the border of the map'}",
@@ -121,8 +121,13 @@ def as_text(report):
     return "\n".join(lines) + "\n"
 
 
+def summary(report):
+    """The text without the map and its noise, which the steps of MapToCurvature.py print."""
+    return "".join(line for line in as_text(report).splitlines(True) if not line.startswith(("Map", "Noise")))
+
+
 def write(path, image, level, noise, surface, names, folder):
     report = measure(path, image, level, noise, surface, names)
     (folder / "report.json").write_text(json.dumps(report, indent=2) + "\n")
     (folder / "report.txt").write_text(as_text(report))
-    print(as_text(report), end="")
+    print(summary(report), end="")

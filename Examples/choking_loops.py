@@ -1,9 +1,10 @@
 """The picture of Fig. 6.1 of the thesis for any closed surface: translucent surface, handles and
 tunnels in red, additional loops in yellow, choke points as spheres, persistence diagram beside it.
 
-Usage: pvpython choking_loops.py SURFACE [PICTURE] [DISTANCE_PERCENT PERSISTENCE_PERCENT [SIDE]]
+Usage: pvpython choking_loops.py SURFACE [PICTURE] [RADIUS_PERCENT PERSISTENCE_PERCENT [SIDE]]
 SURFACE: .obj, .stl, .ply, .vtp or .off. PICTURE: a path; default: choking_loops.png in a temporary
-folder. The loops (.vtp) and their numbers (.txt) are written beside it. The paths are printed.
+folder. The loops (.vtp) and their numbers (.txt) are written beside it. The numbers and paths are
+printed to standard output, the steps to standard error.
 SIDE: Inside, Outside or Both (default).
 
 Other scripts call choking_picture() with any source of a closed surface.
@@ -19,10 +20,12 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 from output_folder import output_folder
+from step_lines import step
 
 INK, GREY = (0.10, 0.10, 0.12), (0.66, 0.74, 0.86)
 RED, YELLOW, BLUE, PALE = (0.83, 0.09, 0.10), (0.98, 0.74, 0.02), (0.13, 0.38, 0.70), (0.72, 0.72, 0.74)
 HANDLE, TUNNEL, ADDITIONAL, NOISE = range(4)
+NO_LOOPS = "The surface has no choking loops that could be drawn; see the messages."
 
 
 def output(proxy, port=0):
@@ -133,7 +136,7 @@ def show_series(view, births, deaths, label, colour, marker=0, size=1, line=0):
     display.SeriesLineThickness = [label, "2"]
 
 
-def show_diagram(loops, view, distance, persistence):
+def show_diagram(loops, view, radius, persistence):
     """Plots birth against death of the features, in percent of the reference length of their side, and the line
     above which additional loops are reported."""
     rows = output(loops, 3).GetRowData()
@@ -145,8 +148,8 @@ def show_diagram(loops, view, distance, persistence):
     reported = numpy.isin(numpy.arange(len(kind)), shown)
     voids = (column(rows, "Dimension") == 2) & ~reported & (death <= 100)
     show_series(view, [0, 104], [0, 104], "filled as soon as closed", PALE, line=1)
-    show_series(view, [0, min(distance, 104 - persistence)],
-                [persistence, min(distance, 104 - persistence) + persistence],
+    show_series(view, [0, min(radius, 104 - persistence)],
+                [persistence, min(radius, 104 - persistence) + persistence],
                 "threshold: %g %%" % persistence, INK, line=2)
     for chosen, label, colour, marker in (
             (voids, "not reported", PALE, 4),
@@ -211,22 +214,33 @@ def scene(surface, loops, direction):
     return view
 
 
-def choking_picture(surface, picture, distance=100.0, persistence=5.0, side="Both",
+def choking_picture(surface, picture, radius=100.0, persistence=5.0, side="Both",
                     direction=None, size=(1600, 900)):
     """Draws the choking loops of `surface`, any ParaView source of a closed surface, to `picture`.
 
-    distance, persistence: MaximumDistance and MinimumPersistence of the filter ChokingLoops, in
+    radius, persistence: MaximumRadius and MinimumPersistence of the filter ChokingLoops, in
     percent. direction: from where to look; None: from where the surface looks broadest.
     Returns the counts, facts and rows that numbers_of() names, and the filter's proxy as "proxy".
     """
-    loops = simple.ChokingLoops(
-        registrationName="ChokingLoops", Input=surface, MaximumDistance=float(distance),
-        MinimumPersistence=float(persistence), Side=side, Shortening="Geodesic")
+    loops = loops_of(surface, radius, persistence, side)
     simple.UpdatePipeline(proxy=loops)
     if output(loops, 3).GetNumberOfRows() == 0:
-        raise RuntimeError("The surface has no choking loops that could be drawn; see the messages.")
+        raise RuntimeError(NO_LOOPS)
+    draw(surface, loops, picture, radius, persistence, direction, size)
+    return dict(numbers_of(loops), proxy=loops)
+
+
+def loops_of(surface, radius, persistence, side):
+    """The filter, not yet executed."""
+    return simple.ChokingLoops(
+        registrationName="ChokingLoops", Input=surface, MaximumRadius=float(radius),
+        MinimumPersistence=float(persistence), Side=side, Shortening="Geodesic")
+
+
+def draw(surface, loops, picture, radius, persistence, direction=None, size=(1600, 900)):
+    """The picture of the loops that were found."""
     chart = simple.CreateView("XYChartView")
-    show_diagram(loops, chart, float(distance), float(persistence))
+    show_diagram(loops, chart, float(radius), float(persistence))
     layout = simple.CreateLayout("Choking loops")
     layout.SplitHorizontal(0, 0.60)
     view = scene(surface, loops, direction)
@@ -234,20 +248,20 @@ def choking_picture(surface, picture, distance=100.0, persistence=5.0, side="Bot
     layout.AssignView(2, chart)
     layout.SetSize(*size)
     simple.SaveScreenshot(str(picture), layout, ImageResolution=list(size))
-    return dict(numbers_of(loops), proxy=loops)
 
 
-def told(found):
+def report(found):
+    """The numbers as lines of text; the first has the counts."""
     reference = found["reference length"]
-    return "\n".join((
+    return [
         "handles {handles}, tunnels {tunnels}, additional loops {additional inside} inside and "
         "{additional outside} outside".format(**found),
         "samples %d, largest sampling error %.4g, reference lengths %.5g inside, %.5g outside" % (
             found["samples"], found["largest sampling error"], reference["inside"], reference["outside"]),
-        "seconds: " + ", ".join("%s %.2f" % item for item in found["seconds"].items())))
+        "seconds: " + ", ".join("%s %.2f" % item for item in found["seconds"].items())]
 
 
-def main(surface, picture=None, distance=100.0, persistence=5.0, side="Both"):
+def main(surface, picture=None, radius=100.0, persistence=5.0, side="Both"):
     if not Path(surface).is_file():
         sys.exit(f"There is no file {surface}.")
     source = simple.OpenDataFile(str(surface))
@@ -255,12 +269,21 @@ def main(surface, picture=None, distance=100.0, persistence=5.0, side="Both"):
     if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
         sys.exit(f"{surface} is no surface: make one first, of a map with MapToMesh.py for instance.")
     picture = picture or output_folder() / "choking_loops.png"
-    found = choking_picture(source, picture, distance, persistence, side)
-    print(told(found))
-    loops, numbers = Path(picture).with_suffix(".vtp"), Path(picture).with_suffix(".txt")
-    simple.SaveData(str(loops), simple.OutputPort(found["proxy"], 0), DataMode="Binary")
-    numbers.write_text(told(found) + "\n")
-    print("picture, loops, these numbers:", picture, loops, numbers)
+    loops = loops_of(source, radius, persistence, side)
+    with step("Choking loops", loops) as this:
+        simple.UpdatePipeline(proxy=loops)
+        if output(loops, 3).GetNumberOfRows() == 0:
+            sys.exit(NO_LOOPS)
+        found = numbers_of(loops)
+        this.facts.append(f"{found['samples']} samples")
+    with step("Picture") as this:
+        draw(source, loops, picture, radius, persistence)
+        this.facts.append(Path(picture).name)
+    lines = report(found)
+    file, numbers = Path(picture).with_suffix(".vtp"), Path(picture).with_suffix(".txt")
+    simple.SaveData(str(file), simple.OutputPort(loops, 0), DataMode="Binary")
+    numbers.write_text("\n".join(lines) + "\n")
+    print(*lines[:2], f"Picture, loops, numbers: {picture} {file} {numbers}", sep="\n")
 
 
 if __name__ == "__main__":

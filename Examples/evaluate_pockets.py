@@ -14,8 +14,8 @@ with the same residues, after superposition): as a miss, as a hit, or with all c
 With the probabilities of the pockets: their reliability in bins, the expected calibration error and the
 Brier score. --fpocket runs fpocket (no part of Debian: build it with its own qhull), whose score depends on
 what else is in the file; its centre is the mean of a pocket's alpha spheres. --p2rank reads
-NAME*_predictions.csv of P2Rank for each file NAME.pdb. --whole adds the whole pockets of former
-versions. --each prints the distances. --sweep: 40 settings of inner and outer radius of the
+NAME*_predictions.csv of P2Rank for each file NAME.pdb. --whole adds whole pockets,
+ranked by Score. --each prints the distances. --sweep: 40 settings of inner and outer radius of the
 whole pockets, and of 9 of them with burial radii of 8 to 12 angstrom and powers 0 to 3 of the
 number of atoms in the score, with each complex evaluated by the setting that is best on the others.
 """

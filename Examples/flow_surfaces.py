@@ -116,8 +116,8 @@ def main(molecule, folder):
             ("eta 1.6, T 2.5", {"Enlargement": 1.6}), ("eta 2.0, T 2.5", {"Enlargement": 2.0}),
             ("eta 1.3, T 0.5", {"EvolutionTime": 0.5}), ("eta 1.3, T 2.5", {}),
             ("eta 1.3, T 10", {"EvolutionTime": 10.0}), ("eta 1.3, converged", {"Steady": True}),
-            ("isovalue 0.1", {"IsoValue": 0.1}), ("isovalue 0.37", {"IsoValue": 0.37}),
-            ("isovalue 0.63", {"IsoValue": 0.63}), ("isovalue 0.9", {"IsoValue": 0.9})):
+            ("isovalue 0.1", {"Level": 0.1}), ("isovalue 0.37", {"Level": 0.37}),
+            ("isovalue 0.63", {"Level": 0.63}), ("isovalue 0.9", {"Level": 0.9})):
         flow, told = flow_of(atoms, **properties)
         print(f"{text:18} {told}", flush=True)
         panels.append((flow.GetOutput(), text, False))

@@ -263,7 +263,7 @@ def main():
     parser.add_argument("output")
     parser.add_argument("--level", type=float)
     parser.add_argument("--memory", type=float, default=2.5)
-    parser.add_argument("--strength", type=float, default=0.5)
+    parser.add_argument("--strength", type=float, default=isthmus.vtkHighOrderDiffusion().GetStrength())
     given = parser.parse_args()
     most = int((given.memory - PROGRAM) * 1e9 / BYTES_A_NODE)
     if most < 1:

@@ -1,11 +1,10 @@
-"""Bridges of a density map, coloured by the level at which they appear, on the contour at the recommended
-level (or the one that Map Surface proposes), next to a chart of the components and tunnels that persist, over all
-levels.
+"""Bridges of a density map, coloured by the level at which they appear, on the contour at a level, next to a
+chart of the components and tunnels that persist, over all levels.
 
-Usage: pvpython map_handles.py MAP [PICTURE [RECOMMENDED_LEVEL [LOWEST HIGHEST]]]
+Usage: pvpython map_handles.py MAP [PICTURE [LEVEL [LOWEST HIGHEST]]]
 
-PICTURE: a path; default: map_handles.png in a temporary folder. It is printed. RECOMMENDED_LEVEL: the level
-recommended in the EMDB, which is marked in the chart, or "-". LOWEST, HIGHEST: range of levels (default: from the
+PICTURE: a path; default: map_handles.png in a temporary folder. It is printed. LEVEL: a
+number; default, or "-": the recommended level, or else an estimated one. LOWEST, HIGHEST: range of levels (default: from the
 mean to the maximum).
 """
 
@@ -41,7 +40,7 @@ def show_levels(handles, view):
     curves = simple.Show(simple.OutputPort(handles, 2), view)
     curves.UseIndexForXAxis = 0
     curves.XArrayName = "Level"
-    marks = ["StableLevel"] + ["RecommendedLevel"] * bool(handles.UseRecommendedLevel)
+    marks = ["StableLevel"] + ["RecommendedLevel"] * (handles.FieldData["RecommendedLevel"] is not None)
     names = ["Beta0", "Beta1", "Beta2", *marks]
     curves.SeriesVisibility = names
     curves.SeriesLabel = ["Beta0", "components", "Beta1", "tunnels", "Beta2", "cavities", "StableLevel",
@@ -60,14 +59,9 @@ def main(arguments):
         sys.exit(__doc__)
     picture = arguments[1] if len(arguments) > 1 else str(output_folder() / "map_handles.png")
     density = simple.OpenDataFile(arguments[0])
-    handles = simple.MapHandles(Input=density, UseStableLevel=0)
+    handles = simple.MapHandles(Input=density)
     if len(arguments) > 2 and arguments[2] != "-":
-        handles.UseRecommendedLevel = 1
-        handles.RecommendedLevel = handles.Level = float(arguments[2])
-    else:
-        surface = simple.MapSurface(Input=density)
-        surface.UpdatePipeline()
-        handles.Level = surface.FieldData["Level"].GetRange()[0]
+        handles.Level = float(arguments[2])
     if len(arguments) > 4:
         handles.UseRange = 1
         handles.Range = [float(arguments[3]), float(arguments[4])]

@@ -4,6 +4,9 @@
 # Usage: Examples/run.sh [--no-install] [MAP [LEVEL]]
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 
+# Without empty lines: this output is short.
+say() { printf '%s\n' "$*"; }
+
 install=yes
 if [ "${1:-}" = --no-install ]; then
   install=no
@@ -15,19 +18,24 @@ fi
 configure_and_build
 
 output=${ISTHMUS_OUTPUT_DIR:-$build_dir/example}
-say "From a map to its curvature"
 use_build_tree
+# VTK chooses colours by TERM, even when it writes to a file.
+[ -t 2 ] || export TERM=dumb
 map=$(/usr/bin/python3 "$source_dir/Examples/ChooseMap.py" "$output" ${1:+"$1"})
-with_display pvpython "$source_dir/Examples/MapToCurvature.py" "$map" "$output" ${2:+"$2"}
+
+# Each script prints a line for each step to standard error, and to standard output its numbers, which
+# are kept for the end.
+example() { with_display pvpython "$source_dir/Examples/$1" "${@:2}"; }
+curvature=$(example MapToCurvature.py "$map" "$output" ${2:+"$2"})
 level=$(/usr/bin/python3 -c \
   'import json, sys; print(json.load(open(sys.argv[1]))["level"]["value"])' "$output/report.json")
+meshes=$(example MapToMesh.py "$map" "$output" "$level")
+loops=$(example choking_loops.py "$output/surface_delaunay.vtp" "$output/choking_loops.png" | sed '$d') # without the paths
 
-say "From the map to a Delaunay surface and its tetrahedra"
-with_display pvpython "$source_dir/Examples/MapToMesh.py" "$map" "$output" "$level"
-
-say "Choking loops of the surface"
-with_display pvpython "$source_dir/Examples/choking_loops.py" "$output/surface_delaunay.vtp" \
-  "$output/choking_loops.png"
-
-say "Done. Pictures, numbers, surface and ParaView state are in $output:"
-ls "$output"
+say
+say "$curvature"
+say "$meshes"
+say "$loops"
+say
+say "Pictures in $output: curvature.png, denoising.png, angles.png, cutaway.png,"
+say "choking_loops.png. Numbers: report.txt, report.json, mesh.txt, choking_loops.txt. For ParaView: pipeline.pvsm."

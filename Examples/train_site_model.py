@@ -62,7 +62,7 @@ def describe(folder, out):
             reader.SetFileName(str(path))
             finder = isthmus.vtkMolecularPockets()
             finder.SetInputConnection(reader.GetOutputPort())
-            finder.SetKeepDescriptors(True)
+            finder.GetOutputArraySelection().EnableArray("SiteDescriptors")
             finder.Update()
         judged = finder.GetSiteSurface()
         array = judged.GetPointData().GetArray("SiteDescriptors")

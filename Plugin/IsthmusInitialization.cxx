@@ -1,21 +1,14 @@
 /**
  * @file IsthmusInitialization.cxx
  * @brief What happens when the plugin is loaded: its Python modules can be imported, and new
- * filters get defaults that differ from those in state files.
+ * filters get values that are proposed from the data.
  *
- * A property that did not exist when a state file was written is not in it. Where an added property
- * changes the result, the proxies that the file makes need the old behaviour, which they get by
- * default_values="none", since then nothing is sent and the VTK object decides. New filters get
- * their value from this hint of their proxy:
+ * A value that is automatic unless given (Core/FilterProperties.h) is two properties of a panel, a
+ * number and a switch. This hint of their proxy switches the latter off when the number is set, in
+ * the call that makes the filter as well as later, also of filters that a state file has made:
  *
  *     <InitializationHelper class="vtkSMIsthmusInitialization"
- *       property="AutomaticScale" value="1" otherwise="0" unless="Scale"/>
- *
- * `property` is set to `value`, unless it was set by whoever made the filter. It is set to
- * `otherwise` if the property `unless` was set, or will be set before `property` is: so scripts
- * that know the former only keep their results as well, also those of ParaView's trace, which make
- * a filter first and set properties then. Without `value`, `property` is set only to `otherwise`,
- * if `unless` was set in the call that made the filter.
+ *       property="AutomaticLevel" unless="Level"/>
  *
  * ParaView replaces a property that a domain proposes a value for unless the property was modified
  * in the call that makes the filter. Setting the value that the property has already modifies
@@ -23,11 +16,10 @@
  * a default (default_values="none") setting any value is a modification. The default is in a hint
  * of the property, and is set where there are no data to propose a value from:
  *
- *     <DefaultWithoutData values="0.0" copy="ProposedLevel"/>
+ *     <DefaultWithoutData values="0.0"/>
  *
- * The property `copy`, if there is one, gets the value that a new filter begins with, but not one
- * that was set by the caller. This happens for each proxy with an InitializationHelper of this
- * class, after that of `property`; the helper without attributes does nothing else.
+ * This happens for each proxy with an InitializationHelper of this class, after that of `property`;
+ * the helper without attributes does nothing else.
  */
 #include <vtkCallbackCommand.h>
 #include <vtkClientServerInterpreter.h>
@@ -37,6 +29,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
+#include <vtkProcessModule.h>
 #include <vtkPythonInterpreter.h>
 #include <vtkSMDomain.h>
 #include <vtkSMDomainIterator.h>
@@ -45,10 +38,14 @@
 #include <vtkSMPropertyIterator.h>
 #include <vtkSMProxy.h>
 #include <vtkSMProxyInitializationHelper.h>
+#include <vtkSMProxyManager.h>
+#include <vtkSMSession.h>
+#include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMVectorProperty.h>
+#include <vtkSession.h>
+#include <vtkSessionIterator.h>
 #include <vtkSmartPointer.h>
-#include <vtkWeakPointer.h>
 
 #include <dlfcn.h>
 
@@ -58,48 +55,99 @@
 namespace
 {
 
-/// A property that keeps its value until another one is set, if nobody sets it before.
-struct Follower
-{
-  vtkWeakPointer<vtkSMProperty> Property;
-  vtkMTimeType Set = 0; ///< when it got its value
-  int Otherwise = 0;
-};
+constexpr const char* HelperName = "vtkSMIsthmusInitialization";
 
-void FollowOther(vtkObject*, unsigned long, void* data, void*)
+/// Calls `take(number, its switch)` for each number of the proxy that is automatic unless given.
+template <typename Take>
+void ForEachAutomatic(vtkSMProxy* proxy, Take&& take)
 {
-  auto* follower = static_cast<Follower*>(data);
-  if (follower->Property && follower->Property->GetMTime() == follower->Set)
+  vtkPVXMLElement* const hints = proxy->GetHints();
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
   {
-    vtkSMPropertyHelper(follower->Property).Set(follower->Otherwise);
+    vtkPVXMLElement* const hint = hints->GetNestedElement(i);
+    vtkSMProperty* const number = proxy->GetProperty(hint->GetAttributeOrEmpty("unless"));
+    vtkSMProperty* const automatic = proxy->GetProperty(hint->GetAttributeOrEmpty("property"));
+    if (std::string(hint->GetAttributeOrEmpty("class")) == HelperName && number && automatic)
+    {
+      take(number, automatic);
+    }
   }
 }
 
-void SetOneUnlessOther(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType made)
+/// A number has been set: it is not automatic any more. Resetting it to its default does not count.
+void SwitchOff(vtkObject* caller, unsigned long, void*, void*)
 {
-  vtkSMProperty* property = proxy->GetProperty(xml->GetAttributeOrEmpty("property"));
-  vtkSMProperty* other = proxy->GetProperty(xml->GetAttributeOrEmpty("unless"));
-  int otherwise = 0;
-  if (!property || !other || property->GetMTime() > made ||
-    !xml->GetScalarAttribute("otherwise", &otherwise))
+  auto* const changed = vtkSMProperty::SafeDownCast(caller);
+  if (!changed || !changed->GetParent() || changed->IsValueDefault())
   {
     return;
   }
-  if (other->GetMTime() > made)
+  ForEachAutomatic(changed->GetParent(),
+    [changed](vtkSMProperty* number, vtkSMProperty* automatic)
+    {
+      if (number == changed)
+      {
+        vtkSMPropertyHelper(automatic).Set(0);
+      }
+    });
+}
+
+/// A proxy has been registered, whether made or loaded: its numbers are observed from now on.
+void ObserveNumbers(vtkObject*, unsigned long, void*, void* data)
+{
+  static const auto command = []()
   {
-    vtkSMPropertyHelper(property).Set(otherwise);
-    return;
+    auto made = vtkSmartPointer<vtkCallbackCommand>::New();
+    made->SetCallback(SwitchOff);
+    return made;
+  }();
+  const auto* const registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
+  if (registered && registered->Proxy)
+  {
+    ForEachAutomatic(registered->Proxy,
+      [](vtkSMProperty* number, vtkSMProperty*)
+      {
+        if (!number->HasObserver(vtkCommand::ModifiedEvent, command))
+        {
+          number->AddObserver(vtkCommand::ModifiedEvent, command);
+        }
+      });
   }
-  int value = 0;
-  if (xml->GetScalarAttribute("value", &value))
+}
+
+void ObserveSession(vtkSession* session)
+{
+  auto* const managed = vtkSMSession::SafeDownCast(session);
+  vtkSMSessionProxyManager* const proxies = managed ? managed->GetSessionProxyManager() : nullptr;
+  if (proxies)
   {
-    vtkSMPropertyHelper(property).Set(value);
     vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(FollowOther);
-    command->SetClientData(new Follower{ property, property->GetMTime(), otherwise });
-    command->SetClientDataDeleteCallback([](void* data) { delete static_cast<Follower*>(data); });
-    other->AddObserver(vtkCommand::ModifiedEvent, command);
+    command->SetCallback(ObserveNumbers);
+    proxies->AddObserver(vtkCommand::RegisterEvent, command);
   }
+}
+
+/// Observes the sessions that there are, and those to come.
+void ObserveSessions()
+{
+  vtkProcessModule* const process = vtkProcessModule::GetProcessModule();
+  if (!process)
+  {
+    return;
+  }
+  const auto sessions = vtkSmartPointer<vtkSessionIterator>::Take(process->NewSessionIterator());
+  for (sessions->InitTraversal(); !sessions->IsDoneWithTraversal(); sessions->GoToNextItem())
+  {
+    ObserveSession(sessions->GetCurrentSession());
+  }
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void*, void* id)
+    {
+      ObserveSession(
+        vtkProcessModule::GetProcessModule()->GetSession(*static_cast<vtkIdType*>(id)));
+    });
+  process->AddObserver(vtkCommand::ConnectionCreatedEvent, command);
 }
 
 /// Whether there are data: without, ParaView proposes a share of the extent of bounds from 1 to -1.
@@ -132,18 +180,13 @@ void Propose(vtkSMProperty* property, vtkMTimeType made)
   }
 }
 
-void SetDefault(
-  vtkSMProxy* proxy, vtkSMProperty* property, vtkPVXMLElement* hint, vtkMTimeType made)
+void SetDefault(vtkSMProperty* property, vtkPVXMLElement* hint, vtkMTimeType made)
 {
   std::vector<double> values(vtkSMVectorProperty::SafeDownCast(property)->GetNumberOfElements());
   hint->GetVectorAttribute("values", static_cast<int>(values.size()), values.data());
   const auto count = static_cast<unsigned int>(values.size());
   vtkSMPropertyHelper(property).Set(values.data(), count);
   Propose(property, made);
-  if (vtkSMProperty* copy = proxy->GetProperty(hint->GetAttributeOrEmpty("copy")))
-  {
-    copy->Copy(property);
-  }
 }
 
 void SetDefaults(vtkSMProxy* proxy, vtkMTimeType made)
@@ -157,7 +200,7 @@ void SetDefaults(vtkSMProxy* proxy, vtkMTimeType made)
     vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("DefaultWithoutData") : nullptr;
     if (hint && property->GetMTime() <= made)
     {
-      SetDefault(proxy, property, hint, made);
+      SetDefault(property, hint, made);
     }
   }
 }
@@ -170,9 +213,16 @@ public:
   static vtkSMIsthmusInitialization* New();
   vtkTypeMacro(vtkSMIsthmusInitialization, vtkSMProxyInitializationHelper);
 
-  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType made) override
+  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement*, vtkMTimeType made) override
   {
-    SetOneUnlessOther(proxy, xml, made);
+    ForEachAutomatic(proxy,
+      [made](vtkSMProperty* number, vtkSMProperty* automatic)
+      {
+        if (number->GetMTime() > made && automatic->GetMTime() <= made)
+        {
+          vtkSMPropertyHelper(automatic).Set(0);
+        }
+      });
     SetDefaults(proxy, made);
   }
 };
@@ -189,7 +239,7 @@ vtkObjectBase* NewInitialization(void*)
 
 void RegisterInitialization(vtkClientServerInterpreter* interpreter)
 {
-  interpreter->AddNewInstanceFunction("vtkSMIsthmusInitialization", NewInitialization);
+  interpreter->AddNewInstanceFunction(HelperName, NewInitialization);
 }
 
 /// Python modules lie in the folder python beside this library.
@@ -208,6 +258,7 @@ void AddPythonModules()
 const bool registered = []()
 {
   AddPythonModules();
+  ObserveSessions();
   vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(RegisterInitialization);
   return true;
 }();

@@ -26,7 +26,7 @@ except ImportError:
     from isthmus import loop_views, messages, selections
     from isthmus import pocket_views as pockets_and_pores
 
-DIAGRAMS = {"ChokingLoops": 3, "MapChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
+DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
 CHOKE_POINTS = 2  # port of Choking Loops
 CELL, ROW = 1, 6  # of vtkDataObject's attribute types
 # Of a chart's legend, in pixels: its width, the height of each row; and what axes and title take of a chart.

@@ -40,8 +40,8 @@ IONS = ("IonTransport", "IonTransportOnSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
 DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps")  # what they make is a map: seen as a surface
-# Take a level of a map; ParaView proposes the middle of its range.
-LEVELLED = ("MapChokingLoops", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
+# Contour a map: a menu shows the automatic level as a given one, so that the slider begins there.
+LEVELLED = ("MapSurface", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels
 # Surfaces that are shown in the place of a molecule.
 ENVELOPES = ("MolecularFlowSurface", "SolvationSurface", "PoissonBoltzmann", "PoissonBoltzmannOnSurface")
@@ -501,9 +501,7 @@ def first_values(number):
         return
     if name == "ScalarPersistence":
         proxy.Superlevel = 1  # what is dense is what there is
-    elif name in LEVELLED:
-        _propose_level(proxy)
-    elif name == "MapSurface" and proxy.AutomaticLevel:
+    elif name in LEVELLED and proxy.AutomaticLevel:
         level = _proposed_level(proxy.Input)
         if level is not None:
             proxy.AutomaticLevel, proxy.Level = 0, level
@@ -523,18 +521,6 @@ def _proposed_level(port):
     surface.UpdatePipeline()
     found = surface.FieldData["Level"]
     return found.GetRange()[0] if found and not surface.FieldData["InvertedContrast"] else None
-
-
-def _propose_level(proxy):
-    """The proposed level, where ParaView has put the middle of the map's range."""
-    low, high = proxy.Input.PointData["Density"].GetRange()
-    if abs(proxy.Level - (low + high) / 2) > 1e-6 * (high - low):
-        return  # somebody's own
-    level = _proposed_level(proxy.Input)
-    if level is not None:
-        proxy.Level = level
-        if hasattr(proxy, "UseStableLevel"):  # of most maps the highest densities stay longest alone
-            proxy.UseStableLevel = 0
 
 
 def show(*proxies, view=None, tables=False):

@@ -12,7 +12,7 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-LOOPS = ("ChokingLoops", "MapChokingLoops")
+LOOPS = ("ChokingLoops",)
 STALE = "the loops follow when the slider is released"
 COUNT = " shown"  # ends the names of the texts in the pipeline browser
 

@@ -19,12 +19,12 @@ LEAST_GAIN, LEAST_NOISE = 3.0, 0.005
 MOST_FRAMES = 100  # of a trajectory whose loops are followed, which takes some seconds each
 MOST_NODES = 30000000  # of a map whose noise is estimated, which takes about 30 s
 
-# Properties that menus and buttons of the window set on a new filter. Scripts have other defaults, so that earlier
-# scripts keep their results. Testing/check_defaults.py compares the pipelines with it and with the panels.
+# Properties that menus and buttons of the window set on a new filter, for a first look; scripts get all results.
+# Testing/check_defaults.py compares the pipelines with it and with the panels.
 WATER = {"SolventDielectric": 78.54, "IonicStrength": 0.15}  # at 25 degrees Celsius, with a cell's salt (mol/l)
 SIGNIFICANT = {"MaximumNumberOfLoops": 20, "TrustedOnly": 1}  # few enough to look at, and not caused by the sampling
 FIRST = {
-    "ChokingLoops": SIGNIFICANT, "MapChokingLoops": SIGNIFICANT,
+    "ChokingLoops": SIGNIFICANT,
     "MapSurface": {"MinimumComponentShare": DUST},
     "MolecularDensity": {"Decay": DECAY, "Spacing": SPACING},
     "PoissonBoltzmann": WATER, "PoissonBoltzmannOnSurface": WATER,
@@ -39,7 +39,7 @@ def _step(label, proxy, **properties):
 
 
 _CHAINS = _step("chains", "AtomSelection")
-_LIGANDS = _step("ligands", "AtomSelection", KeepChains=0, KeepLigands=1, KeepIons=1)
+_LIGANDS = _step("ligands", "AtomSelection", IncludeChains=0, IncludeLigands=1, IncludeIons=1)
 _DENSITY = _step("density", "MolecularDensity")
 _SURFACE_OF_ATOMS = _step("surface", "MapSurface", AutomaticLevel=0, Level=1.0, MinimumComponentShare=0.05)
 
@@ -58,7 +58,7 @@ PIPELINES = {
         "chains": _CHAINS, "ligands": _LIGANDS,
         "charges": _step("charges", "ForceFieldCharges"),
         "density": _DENSITY, "surface": _SURFACE_OF_ATOMS,
-        "potential": _step("potential", "PoissonBoltzmannOnSurface", IsoValue=1.0),
+        "potential": _step("potential", "PoissonBoltzmannOnSurface", Level=1.0),
         "curvature": _step("curvature", "CurvatureOnSurface"),
         "polarized": _step("polarized curvature", "PolarizedCurvature"),
         "sites": _step("sites", "BindingSitesInPockets")},

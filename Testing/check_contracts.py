@@ -25,6 +25,7 @@ FILE = re.compile(
     r"(?<![\w.*<>{}-])((?:[\w.-]+/)*[A-Za-z_]\w*\.(?:h|cxx|py|md|sh|cmake))(?![\w*(])")
 CALL = re.compile(r"\b([A-Za-z_]\w*)\s*(?:<[^<>;(){}]*>)?\s*\(")
 MACRO = re.compile(r"\bvtk(Get|Set|Boolean)\w*Macro\(\s*(\w+)")
+PARAMETER = re.compile(r"\bISTHMUS_PARAMETER\w*\(([^()]*)\)")  # FilterProperties.h
 # What stands for any name on the pages that say how files are named.
 PLACEHOLDERS = re.compile(r"(?:Test|Bench|vtk)?(?:X|NAME)\.\w+$")
 # Rooms whose headers still tell what they throw in prose alone; none may be added.
@@ -48,7 +49,10 @@ def parts_of(text):
 def functions_in(code):
     """Names that `code` declares, calls, or has made by VTK's macros."""
     made = {"Get": "Get{}", "Set": "Set{}", "Boolean": "{}On"}
-    return set(CALL.findall(code)) | {made[kind].format(name) for kind, name in MACRO.findall(code)}
+    parameters = {kind + name for arguments in PARAMETER.findall(code)
+                  for name in re.findall(r"\w+", arguments) for kind in ("Set", "Get")}
+    return set(CALL.findall(code)) | parameters | {
+        made[kind].format(name) for kind, name in MACRO.findall(code)}
 
 
 class Tree:

@@ -18,14 +18,14 @@ import xml.etree.ElementTree
 EXCEPTIONS = {
     ("map_to_loops", "surface", "LargestComponents"): "further components are dust: they take time and have no loops",
     **{("*", "ligands", name): "this Atom Selection is the one of what the chains are without"
-       for name in ("KeepChains", "KeepLigands", "KeepIons")},
+       for name in ("IncludeChains", "IncludeLigands", "IncludeIons")},
     ("protein_to_surface", "surface", "AutomaticLevel"): "a molecular density is 1 at the surface, by its definition",
     ("protein_to_surface", "surface", "Level"): "the same",
     ("protein_to_surface", "surface", "MinimumComponentShare"): "small components are cavities, not dust",
     ("protein_to_potential", "surface", "AutomaticLevel"): "as of protein_to_surface",
     ("protein_to_potential", "surface", "Level"): "the same",
     ("protein_to_potential", "surface", "MinimumComponentShare"): "the same",
-    ("protein_to_potential", "potential", "IsoValue"): "the same level: the volume is the molecular density",
+    ("protein_to_potential", "potential", "Level"): "the same level: the volume is the molecular density",
     **{("*", "loops", name): "functions report all loops; run() asks for the significant ones, as menus do"
        for name in ("MaximumNumberOfLoops", "TrustedOnly")},
 }

@@ -72,7 +72,7 @@ class Names:
             return (self.root / name).is_file()
         wrapped, _, entry = name.partition(".")
         headers = [path for path in self.files.get(wrapped, []) if path.suffix == ".h"]
-        declared = rf"\b(?:vtk\w*Macro|ISTHMUS_\w+)\(\s*(?:\w+,\s*)?{entry}\b|\b[SG]et{entry}\("
+        declared = rf"\b(?:vtk\w*Macro|ISTHMUS_\w+)\(\s*(?:[\w.]+,\s*)?{entry}\b|\b[SG]et{entry}\("
         return wrapped.startswith("vtk") and bool(headers) and (
             not entry or any(re.search(declared, self.declarations(path)) for path in headers))
 

@@ -60,7 +60,7 @@ def words_of_call(path):
                      re.DOTALL)
     found, heading = collections.defaultdict(set), "NAME"
     for word in re.sub(r"#.*", "", call.group(1) if call else "").split():
-        if word in ("CLASSES", "HEADERS", "FLAT_HEADERS", "SOURCES", "CGAL", "VECTORISED"):
+        if word in ("CLASSES", "HEADERS", "SOURCES", "CGAL", "LARGE", "VECTORISED"):
             heading = word
         else:
             found[heading].add(word)
@@ -107,7 +107,7 @@ def circles(graph):
 def check_lists(module):
     """Files that the CMakeLists.txt does not name, and names without a file."""
     listing, listed = f"{module.place}/CMakeLists.txt", module.listed
-    sources = set().union(*(listed[key] for key in ("CLASSES", "SOURCES", "CGAL", "VECTORISED")))
+    sources = set().union(*(listed[key] for key in ("CLASSES", "SOURCES", "CGAL", "LARGE", "VECTORISED")))
     there = {path.stem for path in module.files if path.suffix == ".cxx"}
     complaints = [f"{listing} lists {name}.h, which does not exist"
                   for name in sorted(listed["HEADERS"]) if not (module.folder / f"{name}.h").exists()]
@@ -168,7 +168,7 @@ def check_licences(modules):
             todo += module.declares(private=True)
             files = [path.name for path in module.files
                      if re.search(r"#\s*include\s*<(CGAL/|gmp|mpfr)", path.read_text())]
-            if files or module.listed["CGAL"]:
+            if files or module.listed["CGAL"] or module.listed["LARGE"]:
                 complaints.append(f"{name} is to be free of CGAL, but {other} has it")
     return complaints
 

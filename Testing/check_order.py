@@ -18,7 +18,7 @@ from check_modules import included_names
 
 # {module: the start of each order that its README must draw}
 DRAWN = {"Filters/ChokingLoops": ["vtkChokingLoops"]}
-MOST = 12  # concepts that a reader has to visit
+MOST = 13  # concepts that a reader has to visit, the parameters included
 BLOCK = re.compile(r"<!-- order from (\w+) -->\n+((?: {4}.*\n|\n)+)")
 
 

@@ -6,11 +6,11 @@
 In the headers of vtk classes and property macros (Filters, Readers) and in the panels (Plugin/*.xml):
 
 - a switch is a `bool` with vtkSetMacro, vtkGetMacro and vtkBooleanMacro, never a vtkTypeBool;
-- an isovalue is `Level`; names with IsoValue exist as deprecated ones only, and no `command` uses one;
+- an isovalue is `Level`, in classes and panels;
 - which side of an isosurface is inside is `InsideIsHigher`;
 - memory is given in MiB, never in MB;
 - enumerators are in PascalCase (`ByArea`), names of programs and formats as they are written elsewhere;
-- a property with a setter has a getter, and its comment states the default.
+- a property with a setter has a getter; one of the parameters that is a bool is an ISTHMUS_PARAMETER_SWITCH.
 
 Prints one line per error; the exit status is 1 if there are any.
 """
@@ -19,31 +19,13 @@ import re
 import sys
 
 MACRO = re.compile(r"\bvtk(Set|Get|Boolean)(\w*?)Macro\(\s*(\w+)\s*(?:,\s*([\w:]+))?")
-DEPRECATED = re.compile(r"ISTHMUS_DEPRECATED\([^)]*\)\s*[^;{]*?\b(\w+)\(")
+# ISTHMUS_PARAMETER, _OF, _SWITCH, _SWITCH_OF, _VECTOR3 (FilterProperties.h): the kind and the arguments.
+PARAMETER = re.compile(r"\bISTHMUS_PARAMETER(\w*)\(([^()]*)\)")
 ENUM = re.compile(r"\benum\b[^{;]*\{([^}]*)\}")
 ACRONYMS = {"AMBER", "CGAL", "GRO", "MMCIF", "MOL2", "PARSE", "PDB", "PDBQT", "PQR", "SDF", "XYZ"}
 # Levels of a filtration and of an isosurface: only the latter have an inside.
 FILTRATIONS = {"vtkScalarPersistence.h"}
 OTHER_NAMES = re.compile(r"IsoValue|Isovalue|ContourValue")
-
-
-def groups_of(text):
-    """(line, comment, code) of each run of declarations of a class and the comment above it."""
-    comment, code, first = [], [], 0
-    for number, line in enumerate(text.split("\n") + [""], 1):
-        stripped = line.strip()
-        if stripped in ("///@{", "///@}", ""):
-            if code:
-                yield first, " ".join(comment), code
-            comment, code = [], []
-        elif stripped.startswith(("///", "/**", "*")):
-            if code:
-                yield first, " ".join(comment), code
-                comment, code = [], []
-            comment.append(stripped)
-        else:
-            first = first if code else number
-            code.append(stripped)
 
 
 def check_header(name, text):
@@ -53,7 +35,11 @@ def check_header(name, text):
     found = {"Set": {}, "Get": {}, "Boolean": {}}
     for match in MACRO.finditer(text):
         found[match[1]][match[3]] = match[4]
-    deprecated = set(DEPRECATED.findall(text))
+    for match in PARAMETER.finditer(text):
+        is_switch = "_SWITCH" in match[1]
+        words = match[2].split(", ")[1 if match[1].endswith("_OF") else 0:]
+        for kind in ("Set", "Get", *["Boolean"] * is_switch):
+            found[kind][words[0]] = "bool" if is_switch else words[1]
     for number, line in enumerate(text.split("\n"), 1):
         if re.search(r"\bvtkTypeBool\b", line) and "ProcessRequest" not in line:
             complaints.append(f"{where}:{number} has a vtkTypeBool: use bool")
@@ -70,20 +56,15 @@ def check_header(name, text):
         if property_name == "Superlevel" and name.name not in FILTRATIONS:
             complaints.append(f"{where}: Superlevel says which side is inside: name it InsideIsHigher")
     for match in re.finditer(r"\b[SG]et(\w*(?:IsoValue|Isovalue)\w*)\(", text):
-        if match[0][:-1] not in deprecated:
-            complaints.append(f"{where}: {match[0][:-1]} is not deprecated: name it Level")
+        complaints.append(f"{where}: {match[0][:-1]}() is of an isovalue: name it Level")
     for match in ENUM.finditer(text):
         body = re.sub(r"//[^\n]*", "", match[1])
         for enumerator in body.split(","):
-            words = re.match(r"\s*(\w+)(\s+ISTHMUS_DEPRECATED_ENUMERATOR\()?", enumerator)
-            if not words or words[2] or words[1] in ACRONYMS:
+            words = re.match(r"\s*(\w+)", enumerator)
+            if not words or words[1] in ACRONYMS:
                 continue
             if "_" in words[1] or not re.match(r"[A-Z]\w*[a-z]", words[1]):
                 complaints.append(f"{where}: the enumerator {words[1]} is not in PascalCase")
-    for number, comment, code in groups_of(text):
-        sets = [match[3] for line in code for match in MACRO.finditer(line) if match[1] == "Set"]
-        if sets and not re.search(r"[Dd]efault", comment):
-            complaints.append(f"{where}:{number} does not state the default of {sets[0]}")
     return complaints, len(found["Set"])
 
 
@@ -99,9 +80,9 @@ def check_macros(name, text):
 
 def check_panel(name, text):
     complaints = []
-    for command in re.findall(r'command="(\w+)"', text):
-        if OTHER_NAMES.search(command):
-            complaints.append(f"{name.as_posix()}: the command {command} is deprecated: use SetLevel")
+    for word in re.findall(r'\b(?:name|command)="(\w+)"', text):
+        if OTHER_NAMES.search(word):
+            complaints.append(f"{name.as_posix()}: {word} is of an isovalue: name it Level")
     if re.search(r"\bMB\b", text):
         complaints.append(f"{name.as_posix()} has MB: give memory in MiB")
     return complaints

@@ -116,12 +116,14 @@ function (isthmus_python_sources folder destination)
   file(GLOB panels CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/*.xml")
   file(GLOB lists CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*/CMakeLists.txt"
     "${CMAKE_CURRENT_SOURCE_DIR}/Readers/*/CMakeLists.txt")
+  file(GLOB tables CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/[FR]*/*/vtk*.cxx"
+    "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*/*Arrays.h")
   add_custom_command(
     OUTPUT "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
     COMMAND "${Python3_EXECUTABLE}" -B "${from}/describe.py"
       "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}" "${PROJECT_VERSION}"
-    DEPENDS "${from}/describe.py" "${from}/__init__.py.in" "${from}/data_pipelines.py"
-      "${from}/function_examples.txt" ${panels} ${lists}
+    DEPENDS "${from}/describe.py" "${from}/output_arrays.py" "${from}/__init__.py.in"
+      "${from}/data_pipelines.py" "${from}/function_examples.txt" ${panels} ${lists} ${tables}
     COMMENT "Describing the filters for Python"
     VERBATIM)
   add_custom_target(isthmus_python_description ALL
@@ -136,7 +138,7 @@ function (isthmus_python_sources folder destination)
   install(FILES "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
     DESTINATION "${destination}" COMPONENT python)
 
-  set(sources "${CMAKE_CURRENT_SOURCE_DIR}/cmake/vtkIsthmus.py" "${from}/py.typed")
+  set(sources "${from}/py.typed")
   foreach (part IN ITEMS __main__ accessor command data_pipelines functions incidence samples)
     list(APPEND sources "${from}/${part}.py")
   endforeach ()

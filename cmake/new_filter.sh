@@ -55,6 +55,7 @@ list_in()
   fi
 }
 list_in SOURCES "$name"
+list_in HEADERS "$name" # vtk$name.h includes it
 list_in CLASSES "vtk$name"
 echo "Filters/$module/CMakeLists.txt: vtk$name, $name"
 

@@ -46,7 +46,7 @@ plain_packages=(
 test_packages=(
   libgtest-dev libbenchmark-dev python3-scipy python3-gemmi python3-mrcfile pdb2pqr openmpi-bin
   optional:libgudhi-dev optional:python3-gudhi optional:python3-mdanalysis imagemagick xdotool
-  clang clang-format clang-tidy libclang-rt-CLANG-dev file dpkg-dev locales curl
+  debootstrap clang clang-format clang-tidy libclang-rt-CLANG-dev file dpkg-dev locales curl
   optional:chromium optional:libjs-three)
 
 # What the guide is built by (CMake target `guide`): 60 MB.
@@ -102,8 +102,8 @@ choose_packages()
     say "Not in the archive of $(system_name), so tests that compare with them are skipped: ${left_out[*]}"
   fi
   if [ ${#lacking[@]} -gt 0 ]; then
-    echo "Not in the archive of $(system_name): ${lacking[*]}. Isthmus is built on Debian 12 and 13;" \
-      "elsewhere install what these provide and run again with --no-install." >&2
+    echo "Not in the archive of $(system_name): ${lacking[*]}. Isthmus is built on Debian 12, 13 and" \
+      "testing; elsewhere install what these provide and run again with --no-install." >&2
     exit 1
   fi
 }

@@ -76,8 +76,15 @@ DECLARATIONS = {
     **{f"vtkSetVector{n}Macro(name, type)": "virtual void Set##name("
        + ", ".join(f"type value{i}" for i in range(n)) + ");" for n in (2, 3, 4, 6)},
     **{f"vtkGetVector{n}Macro(name, type)": "virtual type* Get##name();" for n in (2, 3, 4, 6)},
-    "ISTHMUS_DEPRECATED(version, instead)": "",
-    "ISTHMUS_DEPRECATED_ENUMERATOR(version, instead)": "",
+    "ISTHMUS_PARAMETER(name, type)": "virtual void Set##name(type value); virtual type Get##name();",
+    "ISTHMUS_PARAMETER_OF(parameters, name, type)":
+        "virtual void Set##name(type value); virtual type Get##name();",
+    "ISTHMUS_PARAMETER_SWITCH_OF(parameters, name)": "virtual void Set##name(bool value); "
+        "virtual bool Get##name(); virtual void name##On(); virtual void name##Off();",
+    "ISTHMUS_PARAMETER_SWITCH(name)": "virtual void Set##name(bool value); virtual bool Get##name(); "
+        "virtual void name##On(); virtual void name##Off();",
+    **{f"ISTHMUS_PARAMETER_VECTOR{n}(name, type)": "virtual void Set##name("
+       + ", ".join(f"type value{i}" for i in range(n)) + "); virtual type* Get##name();" for n in (3, 4)},
 }
 
 

@@ -208,7 +208,7 @@ def spheres(atoms):
 def atom_selection(view):
     atoms = data("molecules/complexes/3pa3.pdb.gz")
     plain(simple.AtomSelection(Input=atoms), view, [0.6, 0.6, 0.65])
-    plain(spheres(simple.AtomSelection(Input=atoms, KeepChains=0, KeepLigands=1)), view, VERMILION)
+    plain(spheres(simple.AtomSelection(Input=atoms, IncludeChains=0, IncludeLigands=1)), view, VERMILION)
     return 0.0, 0.0, 1.0
 
 

@@ -13,19 +13,19 @@
 /**
  * Properties of a filter (FilterProperties.h).
  *
- * KeepWaters: treat water as part of the molecule. Default off.
+ * IncludeWaters: treat water as part of the molecule. Default off.
  *
  * UnitedAtoms: if amino acids or nucleotides have no hydrogens at all and the radii are those of a
  * table by element, they are replaced by united-atom radii: C 1.85, N 1.75, O 1.65, P 2.10, S 2.00
  * (AtomRadii.h). Radii of a force field are not changed. Default on.
  */
 #define ISTHMUS_ATOM_PROPERTIES()                                                                  \
-  ISTHMUS_SWITCH(KeepWaters, false);                                                               \
+  ISTHMUS_SWITCH(IncludeWaters, false);                                                            \
   ISTHMUS_SWITCH(UnitedAtoms, true);                                                               \
                                                                                                    \
   void PrintAtomProperties(ostream& os, vtkIndent indent)                                          \
   {                                                                                                \
-    os << indent << "KeepWaters: " << this->KeepWaters << "\n"                                     \
+    os << indent << "IncludeWaters: " << this->IncludeWaters << "\n"                               \
        << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";                                  \
   }                                                                                                \
   static_assert(true, "takes a semicolon")

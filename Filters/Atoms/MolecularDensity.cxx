@@ -1,8 +1,8 @@
 #include "Atoms/MolecularDensity.h"
 
 #include "Atoms/BallBricks.h"
-#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Core/VectorClones.h"
 
 #include <algorithm>
@@ -197,21 +197,14 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
 DensityGrid GridAroundBalls(
   const std::vector<Ball>& balls, double spacing, const std::array<double, 3>& padding)
 {
-  if (!(spacing > 0.0) || std::isinf(spacing))
-  {
-    throw std::invalid_argument("Spacing is " + FormatNumber(spacing) +
-      ", but it is the grid spacing: give a positive length.");
-  }
+  RequireAbove("Spacing", spacing, 0.0, LargestLength, "It is a length.");
   CheckBalls(balls);
   DensityGrid grid;
   grid.Spacing = spacing;
   for (std::size_t axis = 0; axis < 3 && !balls.empty(); ++axis)
   {
-    if (!(padding[axis] >= 0.0) || std::isinf(padding[axis]))
-    {
-      throw std::invalid_argument("Padding is " + FormatNumber(padding[axis]) +
-        " along an axis, but it is the room around the atoms: give a length of 0 or more.");
-    }
+    RequireRange("Padding", padding[axis], 0.0, LargestLength,
+      "It is the room around the atoms along an axis.");
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Ball& ball : balls)
@@ -243,11 +236,7 @@ void GaussianSum(const std::vector<Ball>& balls, double decay, const std::array<
   GridView<float> to, const ProgressCallback& progress)
 {
   constexpr double steepest = 500.0; // exp(709) is the largest double
-  if (!(decay > 0.0) || decay > steepest)
-  {
-    throw std::invalid_argument("Decay is " + FormatNumber(decay) +
-      ", but Gaussians have to fall off, and not at once: give a number above 0, up to 500.");
-  }
+  RequireAbove("Decay", decay, 0.0, steepest);
   // exp(-d (reach^2 - 1)) is the smallest term, with reach in radii.
   const double reach = std::sqrt(1.0 - std::log(SmallestTerm) / decay);
   Fill(balls, reach, origin, to, progress,

@@ -56,8 +56,8 @@ VTKISTHMUSFILTERSATOMS_EXPORT DensityGrid GridAroundBalls(
  * negative, not finite, or so large compared with the grid that the lists would not fit into
  * memory.
  */
-VTKISTHMUSFILTERSATOMS_EXPORT void UnionOfBalls(const std::vector<Ball>& balls,
-  const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
+void UnionOfBalls(const std::vector<Ball>& balls, const std::array<double, 3>& origin,
+  GridView<float> to, const ProgressCallback& progress = {});
 
 /// The same for the sum of Gaussians with the given decay (above 0, up to 500), summed in double
 /// precision.

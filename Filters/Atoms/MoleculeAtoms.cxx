@@ -1,6 +1,7 @@
 #include "Atoms/MoleculeAtoms.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 
 #include <vtkAlgorithm.h>
@@ -9,7 +10,6 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkMolecule.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
@@ -116,7 +116,7 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
   if (choice.Kept.empty() && options.RequireBalls && !options.Selection->Waters)
   {
     throw std::invalid_argument(
-      "All atoms are water, which is dropped: switch KeepWaters on to include it.");
+      "All atoms are water, which is dropped: switch IncludeWaters on to include it.");
   }
   return choice;
 }
@@ -417,13 +417,7 @@ std::set<std::string> NamesIn(const std::string& list)
 
 void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName("Notes");
-  for (const std::string& note : notes)
-  {
-    array->InsertNextValue(note);
-  }
-  to->GetFieldData()->AddArray(array);
+  AddColumn<vtkStringArray>(to->GetFieldData(), "Notes", notes);
 }
 
 }

@@ -1,4 +1,5 @@
 #include "Atoms/MoleculeCartoon.h"
+#include "Core/RangeChecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -488,10 +489,21 @@ void DrawBases(const std::vector<NamedAtom>& atoms, const std::vector<PolymerRes
 
 }
 
+void Check(const CartoonShape& shape)
+{
+  constexpr double largest = 1e6; // larger than any molecule
+  RequireAbove("RibbonWidth", shape.RibbonWidth, 0.0, largest, "It is in angstrom.");
+  RequireAbove("RibbonThickness", shape.RibbonThickness, 0.0, largest, "It is in angstrom.");
+  RequireAbove("StickRadius", shape.StickRadius, 0.0, largest, "It is in angstrom.");
+  RequireRange("BallScale", shape.BallScale, 0.0, largest, "It multiplies radii.");
+  RequireRange("Sides", static_cast<double>(shape.Sides), 3, 64);
+}
+
 void DrawCartoon(const std::vector<NamedAtom>& atoms, const std::vector<PolymerResidue>& residues,
   const std::vector<SecondaryStructure>& structure, const CartoonShape& shape, CartoonMesh& mesh,
   const ProgressCallback& progress)
 {
+  Check(shape);
   Builder builder(mesh, shape.Sides);
   for (std::size_t first = 0; first < residues.size();)
   {
@@ -519,6 +531,7 @@ void DrawBallsAndSticks(const std::vector<NamedAtom>& atoms, const std::vector<D
   const std::vector<std::array<std::int64_t, 2>>& bonds, const CartoonShape& shape,
   CartoonMesh& mesh, const ProgressCallback& progress)
 {
+  Check(shape);
   constexpr std::size_t atOnce = 1024;
   Builder builder(mesh, shape.Sides);
   const double work = static_cast<double>(balls.size() + bonds.size());

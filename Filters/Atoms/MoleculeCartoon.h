@@ -31,9 +31,13 @@ struct CartoonShape
   double RibbonWidth = 2.4;         ///< of helices and strands
   double RibbonThickness = 0.5;     ///< of them, and the diameter of coil
   double StickRadius = 0.2;         ///< of bonds
-  std::int64_t Sides = 12;          ///< of a section, at least 3
+  double BallScale = 0.25;          ///< radius of balls over the van der Waals radius
+  std::int64_t Sides = 12;          ///< of a section, from 3 to 64
   std::int64_t StepsPerResidue = 6; ///< along the chain, even
 };
+
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSFILTERSATOMS_EXPORT void Check(const CartoonShape& shape);
 
 /// Polygons with one normal for each point.
 struct CartoonMesh

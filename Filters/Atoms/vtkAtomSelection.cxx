@@ -135,16 +135,16 @@ int vtkAtomSelection::RequestData(
 void vtkAtomSelection::Select(vtkPointSet* atoms, vtkPointSet* output)
 {
   PolymerOptions keep;
-  keep.Hydrogens = this->KeepHydrogens;
-  keep.Waters = this->KeepWaters;
-  keep.Ions = this->KeepIons;
-  keep.Ligands = this->KeepLigands;
-  keep.ProstheticGroups = this->KeepProstheticGroups;
-  keep.Residues = isthmus::NamesIn(this->KeepResidues);
+  keep.Hydrogens = this->IncludeHydrogens;
+  keep.Waters = this->IncludeWaters;
+  keep.Ions = this->IncludeIons;
+  keep.Ligands = this->IncludeLigands;
+  keep.ProstheticGroups = this->IncludeProstheticGroups;
+  keep.Residues = isthmus::NamesIn(this->IncludeResidues);
   const std::vector<NamedAtom> named = isthmus::NamedAtomsOf(atoms);
   this->UpdateProgress(0.3);
   PolymerChoice choice = isthmus::ChoosePolymer(named, keep);
-  if (!this->KeepChains)
+  if (!this->IncludeChains)
   {
     choice.Kept = WithoutPolymer(named, keep, choice);
     choice.Notes.emplace_back("Chains of amino acids and nucleotides were left out.");
@@ -163,11 +163,11 @@ void vtkAtomSelection::Select(vtkPointSet* atoms, vtkPointSet* output)
 void vtkAtomSelection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "KeepChains: " << this->KeepChains << "\n";
-  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
-  os << indent << "KeepProstheticGroups: " << this->KeepProstheticGroups << "\n";
-  os << indent << "KeepIons: " << this->KeepIons << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
-  os << indent << "KeepResidues: " << this->KeepResidues << "\n";
+  os << indent << "IncludeChains: " << this->IncludeChains << "\n";
+  os << indent << "IncludeLigands: " << this->IncludeLigands << "\n";
+  os << indent << "IncludeProstheticGroups: " << this->IncludeProstheticGroups << "\n";
+  os << indent << "IncludeIons: " << this->IncludeIons << "\n";
+  os << indent << "IncludeWaters: " << this->IncludeWaters << "\n";
+  os << indent << "IncludeHydrogens: " << this->IncludeHydrogens << "\n";
+  os << indent << "IncludeResidues: " << this->IncludeResidues << "\n";
 }

@@ -25,7 +25,7 @@
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 #include "vtkPointSetAlgorithm.h"
 
-#include <string> // for KeepResidues
+#include <string> // for IncludeResidues
 
 class VTKISTHMUSFILTERSATOMS_EXPORT vtkAtomSelection : public vtkPointSetAlgorithm
 {
@@ -36,22 +36,22 @@ public:
 
   ///@{
   /// Names of residues that are always kept, separated by blanks or commas. Default: none.
-  vtkSetMacro(KeepResidues, std::string);
-  vtkGetMacro(KeepResidues, std::string);
+  vtkSetMacro(IncludeResidues, std::string);
+  vtkGetMacro(IncludeResidues, std::string);
   ///@}
 
   /// Chains of amino acids and nucleotides. Default on.
-  ISTHMUS_SWITCH(KeepChains, true);
+  ISTHMUS_SWITCH(IncludeChains, true);
   /// Ligands, prosthetic groups included. Default off.
-  ISTHMUS_SWITCH(KeepLigands, false);
+  ISTHMUS_SWITCH(IncludeLigands, false);
   /// Hemes, flavins, iron-sulphur clusters and the like. Default off.
-  ISTHMUS_SWITCH(KeepProstheticGroups, false);
+  ISTHMUS_SWITCH(IncludeProstheticGroups, false);
   /// Residues of one heavy atom. Default off.
-  ISTHMUS_SWITCH(KeepIons, false);
+  ISTHMUS_SWITCH(IncludeIons, false);
   /// Water. Default off.
-  ISTHMUS_SWITCH(KeepWaters, false);
+  ISTHMUS_SWITCH(IncludeWaters, false);
   /// Hydrogens of what is kept. Default on.
-  ISTHMUS_SWITCH(KeepHydrogens, true);
+  ISTHMUS_SWITCH(IncludeHydrogens, true);
 
 protected:
   vtkAtomSelection() = default;
@@ -66,7 +66,7 @@ private:
 
   void Select(vtkPointSet* atoms, vtkPointSet* output);
 
-  std::string KeepResidues;
+  std::string IncludeResidues;
 };
 
 #endif

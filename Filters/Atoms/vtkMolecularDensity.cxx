@@ -4,7 +4,9 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/Index.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NamedColumns.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
 
@@ -15,17 +17,14 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 
 vtkStandardNewMacro(vtkMolecularDensity);
@@ -39,11 +38,8 @@ using isthmus::MoleculeAtoms;
 /// All atoms, those of radius 0 included; radii times `scale`.
 MoleculeAtoms ScaledAtoms(vtkDataObject* input, const std::string& radii, double scale)
 {
-  if (!(scale > 0.0) || std::isinf(scale))
-  {
-    throw std::invalid_argument("RadiusScale is " + isthmus::FormatNumber(scale) +
-      ", but it is a factor of lengths: give a positive number.");
-  }
+  isthmus::RequireAbove(
+    "RadiusScale", scale, 0.0, isthmus::LargestLength, "It multiplies the radii.");
   isthmus::AtomOptions all;
   all.RadiusArray = radii;
   all.ZeroRadii = true;
@@ -79,24 +75,10 @@ void SetGeometry(const DensityGrid& grid, vtkImageData* image)
 /// The array `Density` of the image, not yet filled.
 vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
-  const double nodes = static_cast<double>(grid.Dimensions[0]) *
-    static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
-  isthmus::MemoryBudget().Require(nodes * sizeof(float),
-    "A grid of " + std::to_string(grid.Dimensions[0]) + " x " + std::to_string(grid.Dimensions[1]) +
-      " x " + std::to_string(grid.Dimensions[2]) + " nodes (Spacing " +
-      isthmus::FormatNumber(grid.Spacing) + ")",
-    "choose a larger Spacing");
-  vtkNew<vtkFloatArray> density;
-  density->SetName("Density");
-  // Asked of malloc first, since a vtkDataArray that gets no memory prints an error of its own.
-  const auto values = static_cast<std::size_t>(nodes);
-  auto* memory = static_cast<float*>(std::malloc(values * sizeof(float)));
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  density->SetVoidArray(
-    memory, static_cast<vtkIdType>(values), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  isthmus::MemoryBudget().RequireGrid(
+    grid.Dimensions, sizeof(float), isthmus::TextOf("choose a Spacing larger than ", grid.Spacing));
+  const auto density = isthmus::NamedArray<vtkFloatArray>(
+    "Density", isthmus::At(grid.Dimensions[0] * grid.Dimensions[1] * grid.Dimensions[2]));
   image->GetPointData()->SetScalars(density);
   return density;
 }
@@ -150,6 +132,7 @@ int vtkMolecularDensity::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
+      isthmus::RequireRange("Form", this->Form, UnionOfBalls, GaussianSum);
       this->Advance->RequireOneRank(0, "atoms");
       if (input && input->GetNumberOfPoints() > 0)
       {
@@ -186,10 +169,9 @@ void vtkMolecularDensity::FillImage(
   {
     isthmus::GaussianSum(atoms.Balls, this->Decay, grid.Origin, nodes, progress);
   }
-  vtkNew<vtkDoubleArray> level; // for vtkMapSurface
-  level->SetName("RecommendedLevel");
-  level->InsertNextValue(this->Form == UnionOfBalls ? 0.5 : 1.0);
-  output->GetFieldData()->AddArray(level);
+  // for vtkMapSurface
+  isthmus::AddColumn<vtkDoubleArray>(
+    output->GetFieldData(), "RecommendedLevel", { this->Form == UnionOfBalls ? 0.5 : 1.0 });
 }
 
 void vtkMolecularDensity::PrintSelf(ostream& os, vtkIndent indent)

@@ -55,8 +55,8 @@ public:
   vtkTypeMacro(vtkMolecularDensity, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
-  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
+  /// Input array 0 is the point array of the radii, `Radius` by default.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   enum Forms
   {
@@ -66,7 +66,7 @@ public:
 
   ///@{
   /// UnionOfBalls or GaussianSum (default).
-  vtkSetClampMacro(Form, int, UnionOfBalls, GaussianSum);
+  vtkSetMacro(Form, int);
   vtkGetMacro(Form, int);
   ///@}
 

@@ -2,7 +2,6 @@
 
 #include "Atoms/AtomRadii.h"
 #include "Atoms/MoleculeAtoms.h"
-#include "Atoms/MoleculeCartoon.h"
 #include "Atoms/PolymerResidues.h"
 #include "Atoms/SecondaryStructure.h"
 #include "Core/AlgorithmGuard.h"
@@ -61,19 +60,6 @@ using isthmus::operator*;
 using isthmus::operator+;
 
 using Indices = std::vector<std::size_t>;
-
-/// Widths in angstrom, factors of radii: larger than any molecule.
-constexpr double greatestSize = 1e6;
-
-void RequirePositive(double value, const char* name, bool zeroToo = false)
-{
-  if (!(value > 0.0 || (zeroToo && value == 0.0)) || value > greatestSize)
-  {
-    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
-      ": give " + (zeroToo ? "0 or " : "") + "a positive number of at most " +
-      isthmus::FormatNumber(greatestSize) + ".");
-  }
-}
 
 std::string LabelOf(const NamedAtom& atom)
 {
@@ -310,15 +296,11 @@ double BallRadius(const NamedAtom& atom, bool isBonded, double scale, double sti
 }
 
 /// Half of a mesh's arrays are on its points: 162 points and 320 triangles of a ball, at most.
-void RequireMemory(std::size_t balls, std::size_t bonds, std::size_t residues, std::int64_t sides)
+double CartoonBytes(std::size_t balls, std::size_t bonds, std::size_t residues, std::int64_t sides)
 {
-  const double bytes = 60e3 * static_cast<double>(balls) +
+  return 60e3 * static_cast<double>(balls) +
     static_cast<double>(sides) *
-      (400.0 * static_cast<double>(bonds) + 900.0 * static_cast<double>(residues));
-  isthmus::MemoryBudget().Require(bytes,
-    "A cartoon of " + std::to_string(residues) + " residues and " + std::to_string(balls) +
-      " balls",
-    "reduce Sides, or select fewer atoms");
+    (400.0 * static_cast<double>(bonds) + 900.0 * static_cast<double>(residues));
 }
 
 }
@@ -351,10 +333,7 @@ int vtkMoleculeCartoon::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
-      RequirePositive(this->RibbonWidth, "RibbonWidth");
-      RequirePositive(this->RibbonThickness, "RibbonThickness");
-      RequirePositive(this->StickRadius, "StickRadius");
-      RequirePositive(this->BallScale, "BallScale", true);
+      isthmus::Check(this->Parameters);
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
       isthmus::RequireOneRank(this, atoms, "atoms");
       if (atoms && atoms->GetNumberOfPoints() > 0)
@@ -373,9 +352,9 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   // What belongs to chains, and what else is drawn.
   isthmus::PolymerOptions options;
   isthmus::PolymerChoice chains = isthmus::ChoosePolymer(atoms, options);
-  options.Ligands = this->KeepLigands;
-  options.Ions = this->KeepIons;
-  options.Waters = this->KeepWaters;
+  options.Ligands = this->IncludeLigands;
+  options.Ions = this->IncludeIons;
+  options.Waters = this->IncludeWaters;
   const isthmus::PolymerChoice all = isthmus::ChoosePolymer(atoms, options);
   notes = all.Notes;
   if (!chains.AnyChain)
@@ -438,18 +417,20 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   {
     isBonded[static_cast<std::size_t>(a)] = isBonded[static_cast<std::size_t>(b)] = 1;
   }
+  const CartoonShape& shape = this->Parameters;
   std::vector<DrawnBall> balls;
   for (std::size_t i = 0; i < atoms.size(); ++i)
   {
     if (isDrawn[i] != 0)
     {
       balls.push_back({ static_cast<std::int64_t>(i),
-        BallRadius(atoms[i], isBonded[i] != 0, this->BallScale, this->StickRadius) });
+        BallRadius(atoms[i], isBonded[i] != 0, shape.BallScale, shape.StickRadius) });
     }
   }
-  const CartoonShape shape{ this->RibbonWidth, this->RibbonThickness, this->StickRadius,
-    this->Sides };
-  RequireMemory(balls.size(), bonds.size(), residues.OfChains, shape.Sides);
+  isthmus::MemoryBudget().Require(
+    CartoonBytes(balls.size(), bonds.size(), residues.OfChains, shape.Sides),
+    isthmus::TextOf("A cartoon of ", residues.OfChains, " residues and ", balls.size(), " balls"),
+    "reduce Sides, or select fewer atoms");
   CartoonMesh cartoon;
   CartoonMesh sticks;
   const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
@@ -504,13 +485,13 @@ void vtkMoleculeCartoon::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ComputeSecondaryStructure: " << this->ComputeSecondaryStructure << "\n";
-  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
-  os << indent << "KeepIons: " << this->KeepIons << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
+  os << indent << "IncludeLigands: " << this->IncludeLigands << "\n";
+  os << indent << "IncludeIons: " << this->IncludeIons << "\n";
+  os << indent << "IncludeWaters: " << this->IncludeWaters << "\n";
   os << indent << "StickResidues: " << this->StickResidues << "\n";
-  os << indent << "RibbonWidth: " << this->RibbonWidth << "\n";
-  os << indent << "RibbonThickness: " << this->RibbonThickness << "\n";
-  os << indent << "StickRadius: " << this->StickRadius << "\n";
-  os << indent << "BallScale: " << this->BallScale << "\n";
-  os << indent << "Sides: " << this->Sides << "\n";
+  os << indent << "RibbonWidth: " << this->GetRibbonWidth() << "\n";
+  os << indent << "RibbonThickness: " << this->GetRibbonThickness() << "\n";
+  os << indent << "StickRadius: " << this->GetStickRadius() << "\n";
+  os << indent << "BallScale: " << this->GetBallScale() << "\n";
+  os << indent << "Sides: " << this->GetSides() << "\n";
 }

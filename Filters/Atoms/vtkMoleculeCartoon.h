@@ -39,6 +39,7 @@
 #ifndef vtkMoleculeCartoon_h
 #define vtkMoleculeCartoon_h
 
+#include "Atoms/MoleculeCartoon.h"
 #include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
@@ -64,29 +65,24 @@ public:
   ///@{
   /// Width and thickness of helices and strands, in angstrom. Coil is as thick. Defaults 2.4 and
   /// 0.5.
-  vtkSetMacro(RibbonWidth, double);
-  vtkGetMacro(RibbonWidth, double);
-  vtkSetMacro(RibbonThickness, double);
-  vtkGetMacro(RibbonThickness, double);
+  ISTHMUS_PARAMETER(RibbonWidth, double);
+  ISTHMUS_PARAMETER(RibbonThickness, double);
   ///@}
 
   ///@{
   /// Radius of bonds, in angstrom. Default 0.2.
-  vtkSetMacro(StickRadius, double);
-  vtkGetMacro(StickRadius, double);
+  ISTHMUS_PARAMETER(StickRadius, double);
   ///@}
 
   ///@{
   /// Radius of balls over the van der Waals radius; at least as thick as the sticks. Atoms without
   /// a bond have twice that. Default 0.25; 0: sticks only.
-  vtkSetMacro(BallScale, double);
-  vtkGetMacro(BallScale, double);
+  ISTHMUS_PARAMETER(BallScale, double);
   ///@}
 
   ///@{
   /// Polygons around a tube, 3 to 64. Default 12.
-  vtkSetClampMacro(Sides, int, 3, 64);
-  vtkGetMacro(Sides, int);
+  ISTHMUS_PARAMETER(Sides, int);
   ///@}
 
   vtkPolyData* GetSticks();   ///< Output 1.
@@ -95,11 +91,11 @@ public:
   /// Secondary structure by hydrogen bonds, even if the file has it. Default off.
   ISTHMUS_SWITCH(ComputeSecondaryStructure, false);
   /// Ligands, prosthetic groups included. Default on.
-  ISTHMUS_SWITCH(KeepLigands, true);
+  ISTHMUS_SWITCH(IncludeLigands, true);
   /// Residues of one heavy atom. Default on.
-  ISTHMUS_SWITCH(KeepIons, true);
+  ISTHMUS_SWITCH(IncludeIons, true);
   /// Water. Default off.
-  ISTHMUS_SWITCH(KeepWaters, false);
+  ISTHMUS_SWITCH(IncludeWaters, false);
 
 protected:
   vtkMoleculeCartoon();
@@ -116,11 +112,7 @@ private:
   void Draw(vtkPointSet* atoms, vtkInformationVector* outputs);
 
   std::string StickResidues;
-  double RibbonWidth = 2.4;
-  double RibbonThickness = 0.5;
-  double StickRadius = 0.2;
-  double BallScale = 0.25;
-  int Sides = 12;
+  isthmus::CartoonShape Parameters;
 };
 
 #endif

@@ -1,26 +1,28 @@
 #include "CellComplex/TetCutaway.h"
 
+#include "Core/RangeChecks.h"
+
 namespace isthmus
 {
 namespace
 {
 
-/// Whether the cell with this center may be removed; for Number the count alone decides.
+/// Whether the cell with this center may be removed; for ByNumber the count alone decides.
 bool Allows(const CutawayRule& rule, const Position& seed, const Position& center)
 {
   double squaredDistance = 0.0, height = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     squaredDistance += (center[i] - seed[i]) * (center[i] - seed[i]);
-    height += (center[i] - rule.Origin[i]) * rule.Normal[i];
+    height += (center[i] - rule.PlaneOrigin[i]) * rule.PlaneNormal[i];
   }
-  switch (rule.By)
+  switch (rule.StopRule)
   {
-    case CutawayRule::Kind::Distance:
+    case CutawayRule::StopRules::ByDistance:
       return squaredDistance <= rule.Distance * rule.Distance;
-    case CutawayRule::Kind::Plane:
+    case CutawayRule::StopRules::ByPlane:
       return height > 0.0;
-    case CutawayRule::Kind::Number:
+    case CutawayRule::StopRules::ByNumber:
       break;
   }
   return true;
@@ -28,14 +30,27 @@ bool Allows(const CutawayRule& rule, const Position& seed, const Position& cente
 
 }
 
+void Check(const CutawayRule& rule)
+{
+  RequireChoice("StopRule", rule.StopRule, CutawayRule::StopRules::ByPlane);
+  RequireRange("NumberOfCells", static_cast<double>(rule.NumberOfCells), 0.0, Unlimited);
+  RequireRange("Distance", rule.Distance, 0.0, Unlimited, "It is a length.");
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    RequireRange("PlaneOrigin", rule.PlaneOrigin[i], -Unlimited, Unlimited);
+    RequireRange("PlaneNormal", rule.PlaneNormal[i], -Unlimited, Unlimited);
+  }
+}
+
 template <typename Id>
 std::vector<unsigned char> CutAway(const CompactCombinatorialMap<Id>& map,
   typename CompactCombinatorialMap<Id>::Cell seed, const CutawayRule& rule,
   const std::function<Position(std::size_t)>& centerOf, const ProgressCallback& progress)
 {
+  Check(rule);
   using Cell = typename CompactCombinatorialMap<Id>::Cell;
   constexpr std::size_t cellsPerReport = 1u << 16;
-  const std::size_t most = rule.By == CutawayRule::Kind::Number
+  const std::size_t most = rule.StopRule == CutawayRule::StopRules::ByNumber
     ? static_cast<std::size_t>(rule.NumberOfCells)
     : map.NumberOfCells();
   std::vector<unsigned char> gone(map.NumberOfCells(), 0);

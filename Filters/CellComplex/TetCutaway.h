@@ -23,18 +23,21 @@ using Position = std::array<double, 3>;
 /// Which cells may be removed, among those reached from the seed through faces of removed cells.
 struct CutawayRule
 {
-  enum class Kind
+  enum class StopRules
   {
-    Number,   ///< the first NumberOfCells in breadth-first order
-    Distance, ///< those whose centers are at most Distance from the seed cell's center
-    Plane     ///< those whose centers lie on the side of the plane to which Normal points
+    ByNumber,   ///< the first NumberOfCells in breadth-first order
+    ByDistance, ///< those whose centers are at most Distance from the seed cell's center
+    ByPlane     ///< those whose centers lie on the side of the plane to which PlaneNormal points
   };
-  Kind By = Kind::Number;
-  std::int64_t NumberOfCells = 0;
-  double Distance = 0.0;
-  Position Origin{ 0, 0, 0 };
-  Position Normal{ 0, 0, 1 };
+  StopRules StopRule = StopRules::ByNumber;
+  std::int64_t NumberOfCells = 1000;
+  double Distance = 1.0; ///< in the units of the mesh
+  Position PlaneOrigin{ 0, 0, 0 };
+  Position PlaneNormal{ 0, 0, 1 };
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT void Check(const CutawayRule& rule);
 
 /**
  * Returns 1 for each removed cell and 0 for the others. `centerOf(cell)` returns the center of a

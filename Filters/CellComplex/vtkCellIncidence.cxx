@@ -6,6 +6,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 
 #include <vtkCellArray.h>
@@ -32,15 +33,6 @@ namespace
 
 constexpr std::int64_t CellsPerPiece = 1 << 14;
 
-template <typename Array>
-vtkNew<Array> NewArray(const char* name, std::size_t size)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  isthmus::SizeArray(array, static_cast<vtkIdType>(size));
-  return array;
-}
-
 /// The cells of one output, all edges or all faces, and their arrays.
 struct Elements
 {
@@ -50,11 +42,11 @@ struct Elements
   vtkNew<vtkIdTypeArray> Count, First;
 
   Elements(const char* idName, std::size_t size)
-    : Offsets(NewArray<vtkIdTypeArray>("", size + 1))
-    , Ids(NewArray<vtkIdTypeArray>(idName, size))
-    , OnBoundary(NewArray<vtkUnsignedCharArray>("OnBoundary", size))
-    , Count(NewArray<vtkIdTypeArray>("NumberOfIncidentCells", size))
-    , First(NewArray<vtkIdTypeArray>("FirstIncidentCell", size))
+    : Offsets(isthmus::NamedArray<vtkIdTypeArray>("", size + 1))
+    , Ids(isthmus::NamedArray<vtkIdTypeArray>(idName, size))
+    , OnBoundary(isthmus::NamedArray<vtkUnsignedCharArray>("OnBoundary", size))
+    , Count(isthmus::NamedArray<vtkIdTypeArray>("NumberOfIncidentCells", size))
+    , First(isthmus::NamedArray<vtkIdTypeArray>("FirstIncidentCell", size))
   {
   }
 
@@ -207,7 +199,8 @@ int vtkCellIncidence::RequestData(
           Elements lines("EdgeId", map.Edges(isthmus::Between(progress, 0.5, 0.65)).Size());
           FillEdges(map, cells, lines, isthmus::Between(progress, 0.65, 0.75));
           Elements polygons("FaceId", map.Faces(isthmus::Between(progress, 0.75, 0.9)).Size());
-          const auto second = NewArray<vtkIdTypeArray>("SecondIncidentCell", map.Faces().Size());
+          const auto second =
+            isthmus::NamedArray<vtkIdTypeArray>("SecondIncidentCell", map.Faces().Size());
           FillFaces(map, cells, polygons, second, isthmus::Between(progress, 0.9, 1.0));
           edges->SetLines(lines.MoveTo(edges, input, this->PassCellData));
           faces->SetPolys(polygons.MoveTo(faces, input, this->PassCellData));

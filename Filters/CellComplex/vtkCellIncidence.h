@@ -40,7 +40,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Whether edges and faces carry the cell data of their first incident cell. Default: on.
+  /// Whether edges and faces carry the cell data of their first incident cell.
   vtkSetMacro(PassCellData, bool);
   vtkGetMacro(PassCellData, bool);
   vtkBooleanMacro(PassCellData, bool);

@@ -37,10 +37,10 @@ void RequireKind(int kind)
 }
 
 /// A map with either width of ids.
-class vtkCombinatorialMap::Queries
+class vtkCombinatorialMap::vtkInternals
 {
 public:
-  virtual ~Queries() = default;
+  virtual ~vtkInternals() = default;
   virtual vtkIdType Number(int kind) const = 0;
   virtual void Find(int from, vtkIdType id, int to, std::vector<vtkIdType>& found) = 0;
   virtual vtkIdType Beta(int dimension, vtkIdType dart) const = 0;
@@ -60,10 +60,10 @@ public:
 };
 
 template <typename Map>
-class vtkCombinatorialMap::QueriesOf : public vtkCombinatorialMap::Queries
+class vtkCombinatorialMap::vtkInternalsOf : public vtkCombinatorialMap::vtkInternals
 {
 public:
-  QueriesOf(vtkUnstructuredGrid* grid, const isthmus::GridCells& cells)
+  vtkInternalsOf(vtkUnstructuredGrid* grid, const isthmus::GridCells& cells)
     : Mesh(cells.List())
     , Star(this->Mesh)
     , CellOfGrid(isthmus::At(grid->GetNumberOfCells()), -1)
@@ -178,7 +178,7 @@ private:
 /// Visits all darts of an element.
 template <typename Map>
 template <typename Visit>
-void vtkCombinatorialMap::QueriesOf<Map>::ForDarts(int from, vtkIdType id, Visit&& visit)
+void vtkCombinatorialMap::vtkInternalsOf<Map>::ForDarts(int from, vtkIdType id, Visit&& visit)
 {
   const auto visitHalf = [&](HalfFaceId half)
   {
@@ -232,7 +232,7 @@ void vtkCombinatorialMap::QueriesOf<Map>::ForDarts(int from, vtkIdType id, Visit
 }
 
 template <typename Map>
-void vtkCombinatorialMap::QueriesOf<Map>::Find(
+void vtkCombinatorialMap::vtkInternalsOf<Map>::Find(
   int from, vtkIdType id, int to, std::vector<vtkIdType>& found)
 {
   found.clear();
@@ -303,7 +303,7 @@ bool Attempted(vtkObject* self, Work&& work)
 
 bool vtkCombinatorialMap::SetMesh(vtkUnstructuredGrid* mesh)
 {
-  this->Kept.reset();
+  this->Internals.reset();
   this->Modified();
   return Attempted(this,
     [&]
@@ -319,12 +319,12 @@ bool vtkCombinatorialMap::SetMesh(vtkUnstructuredGrid* mesh)
         if (isthmus::CompactCombinatorialMap<std::uint32_t>::FitsIn(cells.List()))
         {
           using Map = isthmus::CompactCombinatorialMap<std::uint32_t>;
-          this->Kept = std::make_unique<QueriesOf<Map>>(mesh, cells);
+          this->Internals = std::make_unique<vtkInternalsOf<Map>>(mesh, cells);
         }
         else
         {
           using Map = isthmus::CompactCombinatorialMap<std::uint64_t>;
-          this->Kept = std::make_unique<QueriesOf<Map>>(mesh, cells);
+          this->Internals = std::make_unique<vtkInternalsOf<Map>>(mesh, cells);
         }
         if (!cells.Remark().empty())
         {
@@ -353,7 +353,7 @@ vtkIdType vtkCombinatorialMap::GetNumber(int kind)
     [&]
     {
       RequireKind(kind);
-      number = this->Kept ? this->Kept->Number(kind) : 0;
+      number = this->Internals ? this->Internals->Number(kind) : 0;
     });
   return number;
 }
@@ -367,9 +367,9 @@ void vtkCombinatorialMap::GetIncident(int from, vtkIdType id, int to, vtkIdList*
       RequireKind(from);
       RequireKind(to);
       std::vector<vtkIdType> ids;
-      if (this->Kept)
+      if (this->Internals)
       {
-        this->Kept->Find(from, this->Kept->Checked(from, id), to, ids);
+        this->Internals->Find(from, this->Internals->Checked(from, id), to, ids);
       }
       for (const vtkIdType element : ids)
       {
@@ -390,9 +390,9 @@ void vtkCombinatorialMap::GetIncidence(
       RequireKind(to);
       std::vector<vtkIdType> found;
       offsets->InsertNextValue(0);
-      for (vtkIdType i = 0; this->Kept && i < this->Kept->Number(from); ++i)
+      for (vtkIdType i = 0; this->Internals && i < this->Internals->Number(from); ++i)
       {
-        this->Kept->Find(from, i, to, found);
+        this->Internals->Find(from, i, to, found);
         for (const vtkIdType element : found)
         {
           ids->InsertNextValue(element);
@@ -413,33 +413,33 @@ void vtkCombinatorialMap::GetBeta(int dimension, vtkIdTypeArray* darts)
         throw std::invalid_argument(
           "There is no beta_" + std::to_string(dimension) + ": choose 1, 2 or 3.");
       }
-      for (vtkIdType i = 0; this->Kept && i < this->Kept->Number(Dart); ++i)
+      for (vtkIdType i = 0; this->Internals && i < this->Internals->Number(Dart); ++i)
       {
-        darts->InsertNextValue(this->Kept->Beta(dimension, i));
+        darts->InsertNextValue(this->Internals->Beta(dimension, i));
       }
     });
 }
 
 int vtkCombinatorialMap::GetNumberOfTables()
 {
-  return this->Kept ? static_cast<int>(this->Kept->Tables().size()) : 0;
+  return this->Internals ? static_cast<int>(this->Internals->Tables().size()) : 0;
 }
 
 const char* vtkCombinatorialMap::GetTableName(int table)
 {
   const bool exists = table >= 0 && table < this->GetNumberOfTables();
-  return exists ? this->Kept->Tables()[isthmus::At(table)].Name : nullptr;
+  return exists ? this->Internals->Tables()[isthmus::At(table)].Name : nullptr;
 }
 
 vtkIdType vtkCombinatorialMap::GetTableBytes(int table)
 {
   const bool exists = table >= 0 && table < this->GetNumberOfTables();
-  return exists ? static_cast<vtkIdType>(this->Kept->Tables()[isthmus::At(table)].Bytes) : 0;
+  return exists ? static_cast<vtkIdType>(this->Internals->Tables()[isthmus::At(table)].Bytes) : 0;
 }
 
 double vtkCombinatorialMap::GetEstimatedBytes()
 {
-  return this->Kept ? this->Kept->Estimate() : 0.0;
+  return this->Internals ? this->Internals->Estimate() : 0.0;
 }
 
 void vtkCombinatorialMap::PrintSelf(ostream& os, vtkIndent indent)

@@ -90,10 +90,10 @@ private:
   vtkCombinatorialMap(const vtkCombinatorialMap&) = delete;
   void operator=(const vtkCombinatorialMap&) = delete;
 
-  class Queries;
+  class vtkInternals;
   template <typename Map>
-  class QueriesOf;
-  std::unique_ptr<Queries> Kept;
+  class vtkInternalsOf;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -4,10 +4,11 @@
 #include "CellComplex/GridMap.h"
 #include "CellComplex/TetCutaway.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
+#include "Core/View.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -23,7 +24,6 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -82,12 +82,8 @@ typename Map::Cell CellNearest(const Map& map, vtkUnstructuredGrid* grid, const 
 template <typename Map>
 typename Map::Cell CellOfFace(const Map& map, vtkIdType face)
 {
-  if (face < 0 || face >= static_cast<vtkIdType>(map.NumberOfFaces()))
-  {
-    throw std::invalid_argument("SeedFace " + std::to_string(face) +
-      " does not exist: the mesh has the faces 0 ... " + std::to_string(map.NumberOfFaces() - 1) +
-      ".");
-  }
+  isthmus::RequireRange("SeedFace", static_cast<double>(face), 0.0,
+    static_cast<double>(map.NumberOfFaces()) - 1.0, "These are the faces of the mesh.");
   return map.CellOf(
     map.Faces().DartOf(typename Map::Face(static_cast<typename Map::IdType>(face))));
 }
@@ -106,8 +102,7 @@ public:
   void WriteSurface(const Map& map, const isthmus::GridCells& cells, vtkPolyData* output) const
   {
     vtkNew<vtkCellArray> polygons;
-    vtkNew<vtkUnsignedCharArray> exposed;
-    exposed->SetName("Exposed");
+    const auto exposed = isthmus::NamedArray<vtkUnsignedCharArray>("Exposed");
     vtkNew<vtkIdList> owners, points;
     for (std::size_t c = 0; c < this->Gone.size(); ++c)
     {
@@ -171,11 +166,9 @@ private:
     data->CopyGlobalIdsOff();
     data->CopyAllocate(this->Input->GetCellData(), owners->GetNumberOfIds());
     data->CopyData(this->Input->GetCellData(), owners, vtkIdType(0));
-    vtkNew<vtkIdTypeArray> original;
-    original->SetName("OriginalCellIds");
-    isthmus::SizeArray(original, owners->GetNumberOfIds());
-    std::copy_n(owners->GetPointer(0), owners->GetNumberOfIds(), original->GetPointer(0));
-    data->AddArray(original);
+    const isthmus::View<vtkIdType> ids(
+      owners->GetPointer(0), static_cast<std::size_t>(owners->GetNumberOfIds()));
+    isthmus::AddColumn<vtkIdTypeArray>(data, "OriginalCellIds", ids);
   }
 
   vtkUnstructuredGrid* Input;
@@ -208,10 +201,6 @@ int vtkTetCutaway::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
   vtkUnstructuredGrid* remaining = vtkUnstructuredGrid::GetData(outputVector, 1);
   const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  const double *origin = this->PlaneOrigin, *normal = this->PlaneNormal;
-  const isthmus::CutawayRule rule{ static_cast<isthmus::CutawayRule::Kind>(this->StopRule),
-    this->NumberOfCells, this->Distance, { origin[0], origin[1], origin[2] },
-    { normal[0], normal[1], normal[2] } };
   const auto cut = [&](const auto& map, const isthmus::GridCells& cells)
   {
     if (!cells.Remark().empty())
@@ -231,8 +220,8 @@ int vtkTetCutaway::RequestData(
       return Center(input, vertices.size(), [&](std::size_t v) { return vertices[v]; });
     };
     const std::vector<unsigned char> gone =
-      isthmus::CutAway(map, seed, rule, centerOf, isthmus::Between(progress, 0.6, 0.8));
-    if (!gone[seed.Value] && this->StopRule == ByPlane)
+      isthmus::CutAway(map, seed, this->Parameters, centerOf, isthmus::Between(progress, 0.6, 0.8));
+    if (!gone[seed.Value] && this->GetStopRule() == ByPlane)
     {
       vtkWarningMacro(
         "Nothing is removed: the seed cell lies on the side of the plane that is kept. "
@@ -248,17 +237,11 @@ int vtkTetCutaway::RequestData(
     {
       isthmus::RequireOneRank(this, input, "cells");
       isthmus::RequirePlaces(input, "the cells");
-      isthmus::RequireThat(
-        !std::isnan(this->Distance), "Distance", this->Distance, "it must be a number");
-      for (int axis = 0; axis < 3; ++axis)
+      isthmus::Check(this->Parameters);
+      isthmus::RequireChoice<int>("SeedMode", this->SeedMode, AtFace);
+      for (const double coordinate : this->SeedPoint)
       {
-        for (const auto& [name, point] : { std::pair{ "SeedPoint", this->SeedPoint },
-               std::pair{ "PlaneOrigin", this->PlaneOrigin },
-               std::pair{ "PlaneNormal", this->PlaneNormal } })
-        {
-          isthmus::RequireThat(
-            !std::isnan(point[axis]), name, point[axis], "it must be three numbers");
-        }
+        isthmus::RequireRange("SeedPoint", coordinate, -isthmus::Unlimited, isthmus::Unlimited);
       }
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
     });
@@ -275,9 +258,9 @@ void vtkTetCutaway::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeedMode: " << this->SeedMode << "\n";
   os << indent << "SeedPoint: " << text(this->SeedPoint) << "\n";
   os << indent << "SeedFace: " << this->SeedFace << "\n";
-  os << indent << "StopRule: " << this->StopRule << "\n";
-  os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
-  os << indent << "Distance: " << this->Distance << "\n";
-  os << indent << "PlaneOrigin: " << text(this->PlaneOrigin) << "\n";
-  os << indent << "PlaneNormal: " << text(this->PlaneNormal) << "\n";
+  os << indent << "StopRule: " << this->GetStopRule() << "\n";
+  os << indent << "NumberOfCells: " << this->Parameters.NumberOfCells << "\n";
+  os << indent << "Distance: " << this->Parameters.Distance << "\n";
+  os << indent << "PlaneOrigin: " << text(this->Parameters.PlaneOrigin.data()) << "\n";
+  os << indent << "PlaneNormal: " << text(this->Parameters.PlaneNormal.data()) << "\n";
 }

@@ -26,7 +26,8 @@
 #ifndef vtkTetCutaway_h
 #define vtkTetCutaway_h
 
-#include "Core/Deprecation.h"
+#include "CellComplex/TetCutaway.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -41,23 +42,21 @@ public:
   enum SeedModes
   {
     AtPoint = 0,
-    AtFace = 1,
-    SEED_POINT ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use AtPoint") = AtPoint,
-    SEED_FACE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use AtFace") = AtFace
+    AtFace = 1
   };
-  ///@{ Where the removal begins: at the boundary face nearest to SeedPoint (default), or at the
+  ///@{ Where the removal begins: at the boundary face nearest to SeedPoint, or at the
   /// face with the number SeedFace.
-  vtkSetClampMacro(SeedMode, int, AtPoint, AtFace);
+  vtkSetMacro(SeedMode, int);
   vtkGetMacro(SeedMode, int);
   ///@}
 
   ///@{
-  /// A point near the boundary, in the units of the mesh. Default: the origin.
+  /// A point near the boundary, in the units of the mesh.
   vtkSetVector3Macro(SeedPoint, double);
   vtkGetVector3Macro(SeedPoint, double);
   ///@}
 
-  ///@{ FaceId of the seed face, as numbered by vtkCellIncidence. Default: 0.
+  ///@{ FaceId of the seed face, as numbered by vtkCellIncidence.
   vtkSetMacro(SeedFace, vtkIdType);
   vtkGetMacro(SeedFace, vtkIdType);
   ///@}
@@ -66,33 +65,25 @@ public:
   {
     ByNumber = 0,
     ByDistance = 1,
-    ByPlane = 2,
-    STOP_BY_NUMBER ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByNumber") = ByNumber,
-    STOP_BY_DISTANCE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByDistance") = ByDistance,
-    STOP_BY_PLANE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByPlane") = ByPlane
+    ByPlane = 2
   };
-  ///@{ Criterion that ends the removal: NumberOfCells (default), Distance, or the plane.
-  vtkSetClampMacro(StopRule, int, ByNumber, ByPlane);
-  vtkGetMacro(StopRule, int);
+  ///@{ Criterion that ends the removal: NumberOfCells, Distance, or the plane.
+  ISTHMUS_PARAMETER(StopRule, int);
   ///@}
 
-  ///@{ Number of cells to remove. Default: 1000.
-  vtkSetClampMacro(NumberOfCells, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(NumberOfCells, vtkIdType);
+  ///@{ Number of cells to remove.
+  ISTHMUS_PARAMETER(NumberOfCells, vtkIdType);
   ///@}
 
   ///@{ Largest distance of the centers of removed cells from that of the seed cell, in the units of
-  /// the mesh. Default: 1.
-  vtkSetClampMacro(Distance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Distance, double);
+  /// the mesh.
+  ISTHMUS_PARAMETER(Distance, double);
   ///@}
 
   ///@{ Plane: cells with their center on the side to which PlaneNormal points are removed if they
-  /// are connected with the seed. Default: the origin and z.
-  vtkSetVector3Macro(PlaneOrigin, double);
-  vtkGetVector3Macro(PlaneOrigin, double);
-  vtkSetVector3Macro(PlaneNormal, double);
-  vtkGetVector3Macro(PlaneNormal, double);
+  /// are connected with the seed.
+  ISTHMUS_PARAMETER_VECTOR3(PlaneOrigin, double);
+  ISTHMUS_PARAMETER_VECTOR3(PlaneNormal, double);
   ///@}
 
 protected:
@@ -103,14 +94,10 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  isthmus::CutawayRule Parameters;
   int SeedMode = AtPoint;
   double SeedPoint[3] = { 0.0, 0.0, 0.0 };
   vtkIdType SeedFace = 0;
-  int StopRule = ByNumber;
-  vtkIdType NumberOfCells = 1000;
-  double Distance = 1.0;
-  double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
-  double PlaneNormal[3] = { 0.0, 0.0, 1.0 };
 
 private:
   vtkTetCutaway(const vtkTetCutaway&) = delete;

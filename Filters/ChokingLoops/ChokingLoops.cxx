@@ -105,19 +105,6 @@ AnalysisCost CostOf(const SurfaceView& samples)
   return cost;
 }
 
-bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence)
-{
-  const MemoryBudget budget(limit / 1048576.0);
-  if (budget.Allows(cost.Bytes))
-  {
-    return true;
-  }
-  sentence =
-    budget.Message(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
-      "raise SampleSpacing or simplify the surface");
-  return false;
-}
-
 /// Everything known about a surface. Built in order, since each part refers to those before.
 struct ChokingAnalysis
 {
@@ -277,14 +264,13 @@ AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
 /// Does `before` leave handles or tunnels that the next round may not settle either? Mostly it does
 /// not, so TetGen begins beside it, where memory allows both.
 bool MayNeedCompletion(
-  const ChokingAnalysis& before, AnalysisCost cost, std::size_t own, double memoryLimit)
+  const ChokingAnalysis& before, AnalysisCost cost, std::size_t own, int memoryLimit)
 {
   if (cost.Own == 0)
   {
     cost.ExpectCompletion(own);
   }
-  std::string tooMuch;
-  return CountUnresolved(before.Found) > 0 && FitsMemory(cost, memoryLimit, tooMuch);
+  return CountUnresolved(before.Found) > 0 && MemoryBudget(memoryLimit).Allows(cost.Bytes);
 }
 
 }
@@ -292,6 +278,7 @@ bool MayNeedCompletion(
 ChokingLoops::ChokingLoops(
   TriangleMesh surface, const ChokingLoopParameters& parameters, const ProgressCallback& progress)
 {
+  Check(parameters);
   ChokingLoopTimes times;
   Stopwatch watch;
   RepairReport repairs;
@@ -308,14 +295,12 @@ ChokingLoops::ChokingLoops(
   {
     surface = {};
   }
-  std::string tooMuch;
   std::optional<ConformingMesh> conforming; // made while a finer sampling is analysed
   std::size_t before = 0;                   // places that the previous round left unresolved
   AnalysisCost cost = CostOf(samples);
-  if (!FitsMemory(cost, parameters.MemoryLimit, tooMuch))
-  {
-    throw std::runtime_error(tooMuch);
-  }
+  MemoryBudget(parameters.MemoryLimit)
+    .Require(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
+      "raise SampleSpacing or simplify the surface");
   for (int round = 0;; ++round)
   {
     // Later rounds are rare: each takes half of the remaining progress.
@@ -339,7 +324,7 @@ ChokingLoops::ChokingLoops(
       spacing * std::pow(0.6, Rounds), Between(progress, to, to));
     times.Sampling += watch.Lap();
     cost = NextCost(samples, *this->State, times, round + 1, own);
-    if (samples.Points.empty() || !FitsMemory(cost, parameters.MemoryLimit, tooMuch))
+    if (samples.Points.empty() || !MemoryBudget(parameters.MemoryLimit).Allows(cost.Bytes))
     {
       break; // too expensive: unresolved features stay marked as not trusted
     }

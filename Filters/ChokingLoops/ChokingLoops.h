@@ -5,6 +5,7 @@
 #ifndef isthmus_ChokingLoops_h
 #define isthmus_ChokingLoops_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
 #include "ChokingLoops/FeatureDiagram.h"
 #include "ChokingLoops/FeatureMembrane.h"
 #include "ChokingLoops/SurfacePreparation.h"
@@ -13,7 +14,6 @@
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,47 +64,21 @@ struct AnalysisCost
   double Seconds = -1.0;      ///< total, with the triangulation; below 0: not known yet
 
   /// This estimate completed with the measured time of the triangulation.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost After(double triangulation) const;
+  AnalysisCost After(double triangulation) const;
 
   /// Derives Units from the analysis of the same surface on fewer samples, which took `seconds`
   /// without GeneratorCompletion.h.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void LearnFrom(const AnalysisCost& before, double seconds);
+  void LearnFrom(const AnalysisCost& before, double seconds);
 
   /// Includes the cost of GeneratorCompletion.h on the surface's own `points`.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ExpectCompletion(std::size_t points);
+  void ExpectCompletion(std::size_t points);
 
   /// Estimated time of GeneratorCompletion.h in seconds.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double Completion() const;
+  double Completion() const;
 };
 
 /// Cost of analysing the samples of a closed surface, without the times. O(n).
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost CostOf(const SurfaceView& samples);
-
-/**
- * Whether the analysis fits into `limit` bytes (0: the available memory). If not, `sentence` is an
- * error message that states the required memory and what to do.
- */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool FitsMemory(
-  const AnalysisCost& cost, double limit, std::string& sentence);
-
-struct ChokingLoopParameters
-{
-  /// Edges of the surface are split until none is longer than this. In units of the data; 0:
-  /// automatic, which spreads about 20,000 samples over the surface and refines where a feature
-  /// cannot be distinguished from the sampling, as long as a round resolves at least half of such
-  /// places.
-  double SampleSpacing = 0.0;
-  /// Analyse a surface even if it intersects itself. The numbers of handles and tunnels are then
-  /// not guaranteed.
-  bool AllowSelfIntersections = false;
-  /// Memory limit of the analysis in bytes; 0: the available memory. An error is thrown if the
-  /// samples do not fit; refinement that would not fit is skipped.
-  double MemoryLimit = 0.0;
-  /// Called with the estimated cost of the samples: before the work begins, and again, including
-  /// the time, once they are triangulated; also after each refinement, and if handles or tunnels
-  /// turn out not to be resolved by the samples (GeneratorCompletion.h).
-  std::function<void(const AnalysisCost& cost)> Estimated;
-};
+AnalysisCost CostOf(const SurfaceView& samples);
 
 class ConformingMesh;
 struct ChokingAnalysis;
@@ -128,8 +102,8 @@ public:
    *
    * Time is nearly linear: about 20 s and 1.5 GB for a million points, on two threads.
    */
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit ChokingLoops(TriangleMesh surface,
-    const ChokingLoopParameters& parameters = {}, const ProgressCallback& progress = {});
+  explicit ChokingLoops(TriangleMesh surface, const ChokingLoopParameters& parameters = {},
+    const ProgressCallback& progress = {});
 
   /**
    * Analyses `surface` on the lower-star filtration of a function on a tetrahedral mesh on one or
@@ -140,67 +114,64 @@ public:
    * without errors, the values are taken as a function of another kind. Radii are known up to the
    * error of the mesh (CellError).
    */
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(const SurfaceView& surface,
-    const TetrahedralMesh& mesh, const std::vector<double>& values,
-    const std::optional<std::vector<double>>& errors, const ProgressCallback& progress = {});
+  ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& mesh,
+    const std::vector<double>& values, const std::optional<std::vector<double>>& errors,
+    const ProgressCallback& progress = {});
 
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ~ChokingLoops();
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(ChokingLoops&&) noexcept;
+  ~ChokingLoops();
+  ChokingLoops(ChokingLoops&&) noexcept;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops& operator=(ChokingLoops&&) noexcept;
 
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const FeatureDiagram& Diagram() const;
+  const FeatureDiagram& Diagram() const;
 
   /// The surface after splitting for sampling: loops and membranes refer to its points.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const TriangleMesh& Samples() const;
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceAdjacency& Adjacency() const;
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceHomology& Homology() const;
+  const TriangleMesh& Samples() const;
+  const SurfaceAdjacency& Adjacency() const;
+  const SurfaceHomology& Homology() const;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const ChokingLoopTimes& Times() const;
 
   /// The estimated cost of the work on these samples.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const AnalysisCost& Cost() const;
+  const AnalysisCost& Cost() const;
 
   /// The repairs of the surface before the analysis.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const RepairReport& Repairs() const;
+  const RepairReport& Repairs() const;
 
   /// A message to the user about the result, in one or two sentences; empty if there is none.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::string& Remark() const;
 
   /// The largest sampling error anywhere, or, on a mesh, the largest error of the function at any
   /// feature: the smallest radius that can be trusted everywhere.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LargestError() const;
+  double LargestError() const;
 
   /// Features of a selection, ascending by Radius(): indices into Diagram().Features.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> Select(
-    const FeatureSelection& selection) const;
+  std::vector<std::size_t> Select(const FeatureSelection& selection) const;
 
   /// Loops and membrane of a feature; computed on first use.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOf(std::size_t feature);
+  const Membrane& MembraneOf(std::size_t feature);
 
   /// The same for a feature whose membrane is already computed.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOfMade(std::size_t feature) const;
+  const Membrane& MembraneOfMade(std::size_t feature) const;
 
   /// MinimumCutMembrane() of a feature, computed on first use; null if there is none, or if the
   /// feature is a handle or tunnel whose loops the cut cannot replace (IsInterchangeable()).
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane* MinimumCutMembraneOf(
+  const Membrane* MinimumCutMembraneOf(
     std::size_t feature, const ProgressCallback& progress = {}, bool chords = false);
 
   /// GreedyMembrane() of a feature; empty in those cases in which MinimumCutMembraneOf() is null.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> GreedyMembraneOf(
-    std::size_t feature) const;
+  std::optional<Membrane> GreedyMembraneOf(std::size_t feature) const;
 
   /// EncirclingMembranes() of a feature.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranesOf(
+  std::vector<Membrane> EncirclingMembranesOf(
     std::size_t feature, double longest, std::size_t most = SIZE_MAX) const;
 
   /// ContactMembrane() of a feature.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> ContactMembraneOf(
-    std::size_t feature, double longest) const;
+  std::optional<Membrane> ContactMembraneOf(std::size_t feature, double longest) const;
 
   /// Points of the samples where the ball that gets stuck touches the surface.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SimplexId> ContactsOf(std::size_t feature) const;
+  std::vector<SimplexId> ContactsOf(std::size_t feature) const;
 
   /// Centre of the ball that gets stuck.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 ChokePoint(std::size_t feature) const;
+  Point3 ChokePoint(std::size_t feature) const;
 
 private:
   void AnalyseSamples(TriangleMesh samples, AnalysisCost cost,

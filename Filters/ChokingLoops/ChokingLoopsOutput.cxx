@@ -2,6 +2,7 @@
 
 #include "ChokingLoops/LoopDrawing.h"
 #include "Core/Geometry.h"
+#include "Core/NamedColumns.h"
 #include "Surfaces/TriangleTree.h"
 
 #include <vtkCellArray.h>
@@ -221,6 +222,7 @@ double ReachOf(const ChokingLoops& loops, const ShownFeature& feature)
 void ApplyLimits(
   const ChokingLoops& loops, const LoopLimits& limits, std::vector<ShownFeature>& features)
 {
+  Check(limits);
   const auto isBeyond = [&](const ShownFeature& feature)
   {
     return (limits.MaximumLength > 0.0 && LongestOf(feature) > limits.MaximumLength) ||
@@ -237,7 +239,7 @@ void ApplyLimits(
       feature.SharedWith = isFirst ? -1 : static_cast<std::ptrdiff_t>(known->second);
     }
   }
-  if (limits.ByLength)
+  if (limits.LoopOrder == LoopOrder::ByLength)
   {
     std::stable_sort(features.begin(), features.end(),
       [](const ShownFeature& a, const ShownFeature& b) { return LongestOf(a) < LongestOf(b); });
@@ -248,35 +250,6 @@ void ApplyLimits(
 // ChokingLoopsOutput
 namespace
 {
-
-/// Named columns of one kind, appended to any attributes when complete.
-template <typename Array>
-class Columns
-{
-public:
-  Array* operator[](const char* name)
-  {
-    vtkSmartPointer<Array>& column = this->Known[name];
-    if (!column)
-    {
-      column = vtkSmartPointer<Array>::New();
-      column->SetName(name);
-    }
-    return column;
-  }
-
-  template <typename Attributes>
-  void AddTo(Attributes* attributes) const
-  {
-    for (const auto& entry : this->Known)
-    {
-      attributes->AddArray(entry.second);
-    }
-  }
-
-private:
-  std::map<std::string, vtkSmartPointer<Array>> Known;
-};
 
 const char* NameOf(FeatureKind kind)
 {
@@ -293,49 +266,35 @@ const char* NameOf(FeatureKind kind)
   }
 }
 
-/// Attributes of the features of an output: one row for each of its cells or points.
-struct FeatureRows
+/// A cell or point of an output, and the feature it belongs to.
+struct FeatureRow
 {
-  Columns<vtkIntArray> Integers;
-  Columns<vtkDoubleArray> Numbers;
-
-  /// Attributes that all outputs have.
-  void Add(const ShownFeature& shown, const ShapeFeature& f)
-  {
-    this->Integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
-    this->Integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-    this->Numbers["Radius"]->InsertNextValue(f.Radius());
-  }
-  void AddSide(const ShapeFeature& f)
-  {
-    this->Integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
-  }
-  /// Birth, death and persistence (ShapeFeature).
-  void AddBar(const ShapeFeature& f)
-  {
-    this->Numbers["Birth"]->InsertNextValue(f.Birth());
-    this->Numbers["Death"]->InsertNextValue(f.Death);
-    this->Numbers["Persistence"]->InsertNextValue(f.Persistence());
-  }
-  /// Deprecated names, removed in 1.1.0: `Distance` is Radius.
-  void AddDistance(const ShapeFeature& f)
-  {
-    this->Numbers["Distance"]->InsertNextValue(f.Radius());
-  }
-  /// Deprecated names, removed in 1.1.0: `Fill` is Death, `Widening` is Persistence.
-  void AddFill(const ShapeFeature& f)
-  {
-    this->Numbers["Fill"]->InsertNextValue(f.Death);
-    this->Numbers["Widening"]->InsertNextValue(f.Persistence());
-  }
-
-  template <typename Attributes>
-  void AddTo(Attributes* attributes) const
-  {
-    this->Integers.AddTo(attributes);
-    this->Numbers.AddTo(attributes);
-  }
+  const ShownFeature* Shown;
+  const ShapeFeature* Feature;
+  double Reach = 0.0;
+  std::size_t Loop = 0; ///< of the feature
 };
+using FeatureRows = std::vector<FeatureRow>;
+using Row = const FeatureRow&;
+
+/// Attributes that loops, membranes and choke points have.
+void AddCommonColumns(vtkFieldData* data, const FeatureRows& rows)
+{
+  AddColumnOf<vtkIntArray>(data, "FeatureId", rows, [](Row row) { return row.Shown->Index; });
+  AddColumnOf<vtkIntArray>(
+    data, "Kind", rows, [](Row row) { return static_cast<int>(row.Feature->Kind); });
+  AddColumnOf<vtkDoubleArray>(data, "Radius", rows, [](Row row) { return row.Feature->Radius(); });
+  AddColumnOf<vtkDoubleArray>(data, "Birth", rows, [](Row row) { return row.Feature->Birth(); });
+  AddColumnOf<vtkDoubleArray>(data, "Death", rows, [](Row row) { return row.Feature->Death; });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Persistence", rows, [](Row row) { return row.Feature->Persistence(); });
+}
+
+void AddSide(vtkFieldData* data, const FeatureRows& rows)
+{
+  AddColumnOf<vtkIntArray>(
+    data, "Side", rows, [](Row row) { return static_cast<int>(row.Feature->Side); });
+}
 
 /// Points of a feature in an output, each inserted once.
 class PointMap
@@ -398,8 +357,6 @@ void FillLoops(
 {
   const vtkSmartPointer<vtkPoints> points = DoublePoints();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkStringArray> names;
-  names->SetName("KindName");
   FeatureRows rows;
   std::map<const LoopFeature*, Cells> drawn;
   for (const ShownFeature& shown : features)
@@ -415,25 +372,25 @@ void FillLoops(
     for (std::size_t k = 0; k < cells.size(); ++k)
     {
       lines->InsertNextCell(static_cast<vtkIdType>(cells[k].size()), cells[k].data());
-      const SimplexId anchor = shown.Geometry->Anchors[k];
-      names->InsertNextValue(NameOf(f.Kind));
-      rows.Add(shown, f);
-      rows.AddSide(f);
-      rows.AddBar(f);
-      rows.AddDistance(f);
-      rows.AddFill(f);
-      rows.Integers["Trusted"]->InsertNextValue(f.Trusted);
-      rows.Integers["SharedWith"]->InsertNextValue(static_cast<int>(shown.SharedWith));
-      rows.Integers["Component"]->InsertNextValue(loops.Homology().ComponentOf(anchor));
-      rows.Numbers["Uncertainty"]->InsertNextValue(UncertaintyOf(f));
-      rows.Numbers["Length"]->InsertNextValue(shown.Geometry->Lengths[k]);
-      rows.Numbers["Reach"]->InsertNextValue(reach);
+      rows.push_back({ &shown, &f, reach, k });
     }
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  rows.AddTo(output->GetCellData());
-  output->GetCellData()->AddArray(names);
+  vtkFieldData* const data = output->GetCellData();
+  AddCommonColumns(data, rows);
+  AddSide(data, rows);
+  AddColumnOf<vtkStringArray>(
+    data, "KindName", rows, [](Row row) { return NameOf(row.Feature->Kind); });
+  AddColumnOf<vtkIntArray>(data, "Trusted", rows, [](Row row) { return row.Feature->Trusted; });
+  AddColumnOf<vtkIntArray>(data, "SharedWith", rows, [](Row row) { return row.Shown->SharedWith; });
+  AddColumnOf<vtkIntArray>(data, "Component", rows,
+    [&](Row row) { return loops.Homology().ComponentOf(row.Shown->Geometry->Anchors[row.Loop]); });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Uncertainty", rows, [](Row row) { return UncertaintyOf(*row.Feature); });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Length", rows, [](Row row) { return row.Shown->Geometry->Lengths[row.Loop]; });
+  AddColumnOf<vtkDoubleArray>(data, "Reach", rows, [](Row row) { return row.Reach; });
   output->GetCellData()->SetActiveScalars("Radius");
 }
 
@@ -450,23 +407,25 @@ void FillMembranes(const ChokingLoops& loops, const std::vector<ShownFeature>& f
     for (const auto& t : shown.Geometry->Membrane)
     {
       triangles->InsertNextCell({ map.Of(t[0]), map.Of(t[1]), map.Of(t[2]) });
-      rows.Add(shown, f);
-      rows.AddBar(f);
-      rows.AddDistance(f);
-      rows.Numbers["Area"]->InsertNextValue(shown.Geometry->Area);
-      if (method != MembraneMethod::Automatic)
-      {
-        rows.Integers["Method"]->InsertNextValue(static_cast<int>(shown.Geometry->Method));
-      }
-      if (method == MembraneMethod::Greedy)
-      {
-        rows.Numbers["GrowthCost"]->InsertNextValue(shown.Geometry->GrowthCost);
-      }
+      rows.push_back({ &shown, &f });
     }
   }
   output->SetPoints(points);
   output->SetPolys(triangles);
-  rows.AddTo(output->GetCellData());
+  vtkFieldData* const data = output->GetCellData();
+  AddCommonColumns(data, rows);
+  AddColumnOf<vtkDoubleArray>(
+    data, "Area", rows, [](Row row) { return row.Shown->Geometry->Area; });
+  if (method != MembraneMethod::Automatic)
+  {
+    AddColumnOf<vtkIntArray>(
+      data, "Method", rows, [](Row row) { return static_cast<int>(row.Shown->Geometry->Method); });
+  }
+  if (method == MembraneMethod::Greedy)
+  {
+    AddColumnOf<vtkDoubleArray>(
+      data, "GrowthCost", rows, [](Row row) { return row.Shown->Geometry->GrowthCost; });
+  }
 }
 
 void FillChokePoints(
@@ -479,42 +438,36 @@ void FillChokePoints(
   {
     const ShapeFeature& f = loops.Diagram().Features[shown.Index];
     vertices->InsertNextCell({ points->InsertNextPoint(loops.ChokePoint(shown.Index).data()) });
-    rows.Add(shown, f);
-    rows.AddBar(f);
-    rows.AddSide(f);
+    rows.push_back({ &shown, &f });
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
-  rows.AddTo(output->GetPointData());
+  AddCommonColumns(output->GetPointData(), rows);
+  AddSide(output->GetPointData(), rows);
   output->GetPointData()->SetActiveScalars("Radius");
 }
 
 void FillDiagram(const ChokingLoops& loops, vtkTable* output)
 {
-  Columns<vtkIntArray> integers;
-  Columns<vtkDoubleArray> numbers;
+  using Feature = const ShapeFeature&;
   const std::vector<ShapeFeature>& features = loops.Diagram().Features;
-  for (std::size_t i = 0; i < features.size(); ++i)
-  {
-    const ShapeFeature& f = features[i];
-    integers["FeatureId"]->InsertNextValue(static_cast<int>(i));
-    integers["Dimension"]->InsertNextValue(f.Dimension);
-    integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
-    integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-    numbers["Birth"]->InsertNextValue(f.PairBirth);
-    numbers["Death"]->InsertNextValue(f.PairDeath);
-    numbers["Persistence"]->InsertNextValue(f.PairDeath - f.PairBirth);
-    numbers["Radius"]->InsertNextValue(f.Radius());
-  }
-  integers.AddTo(output->GetRowData());
-  numbers.AddTo(output->GetRowData());
+  vtkFieldData* const data = output->GetRowData();
+  AddColumnOf<vtkIntArray>(data, "FeatureId", features.size(), [](std::size_t row) { return row; });
+  AddColumnOf<vtkIntArray>(data, "Dimension", features, [](Feature f) { return f.Dimension; });
+  AddColumnOf<vtkIntArray>(
+    data, "Side", features, [](Feature f) { return static_cast<int>(f.Side); });
+  AddColumnOf<vtkIntArray>(
+    data, "Kind", features, [](Feature f) { return static_cast<int>(f.Kind); });
+  AddColumnOf<vtkDoubleArray>(data, "Birth", features, [](Feature f) { return f.PairBirth; });
+  AddColumnOf<vtkDoubleArray>(data, "Death", features, [](Feature f) { return f.PairDeath; });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Persistence", features, [](Feature f) { return f.PairDeath - f.PairBirth; });
+  AddColumnOf<vtkDoubleArray>(data, "Radius", features, [](Feature f) { return f.Radius(); });
 }
 
 void AddAnalysisFieldData(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output)
 {
-  Columns<vtkDoubleArray> numbers;
-  Columns<vtkIdTypeArray> counts;
   std::array<vtkIdType, 4> shown{ 0, 0, 0, 0 }; // handles, tunnels, additional inside and outside
   for (const ShownFeature& s : features)
   {
@@ -522,39 +475,31 @@ void AddAnalysisFieldData(
     const auto kind = static_cast<std::size_t>(f.Kind);
     ++shown[kind < 2 ? kind : 2 + static_cast<std::size_t>(f.Side)];
   }
-  counts["NumberOfSamples"]->InsertNextValue(static_cast<vtkIdType>(loops.Samples().Points.size()));
-  counts["NumberOfHandles"]->InsertNextValue(shown[0]);
-  counts["NumberOfTunnels"]->InsertNextValue(shown[1]);
-  counts["NumberOfAdditionalLoops"]->InsertNextValue(shown[2]);
-  counts["NumberOfAdditionalLoops"]->InsertNextValue(shown[3]);
-  numbers["LargestSamplingError"]->InsertNextValue(loops.LargestError());
-  for (const double reference : loops.Diagram().Reference)
-  {
-    numbers["ReferenceLength"]->InsertNextValue(reference);
-  }
-  numbers["ProposedThreshold"]->SetNumberOfComponents(2);
-  numbers["ProposedThreshold"]->SetComponentName(0, "Threshold");
-  numbers["ProposedThreshold"]->SetComponentName(1, "Width");
+  vtkFieldData* const data = output->GetFieldData();
+  AddColumn<vtkIdTypeArray>(data, "NumberOfSamples", { loops.Samples().Points.size() });
+  AddColumn<vtkIdTypeArray>(data, "NumberOfHandles", { shown[0] });
+  AddColumn<vtkIdTypeArray>(data, "NumberOfTunnels", { shown[1] });
+  AddColumn<vtkIdTypeArray>(data, "NumberOfAdditionalLoops", { shown[2], shown[3] });
+  AddColumn<vtkDoubleArray>(data, "LargestSamplingError", { loops.LargestError() });
+  AddColumn<vtkDoubleArray>(data, "ReferenceLength", loops.Diagram().Reference);
+  auto* threshold = AddArray<vtkDoubleArray>(data, "ProposedThreshold", 2, 2);
+  threshold->SetComponentName(0, "Threshold");
+  threshold->SetComponentName(1, "Width");
   for (const SpaceSide side : { SpaceSide::Inside, SpaceSide::Outside })
   {
     const PersistenceGap gap = LargestGap(loops.Diagram(), side);
-    numbers["ProposedThreshold"]->InsertNextTuple2(gap.Threshold, gap.Width);
+    threshold->SetTuple2(side == SpaceSide::Inside ? 0 : 1, gap.Threshold, gap.Width);
   }
   const RepairReport& repairs = loops.Repairs();
   if (!repairs.Message.empty())
   {
-    counts["Repaired"]->InsertNextValue(repairs.Changed);
-    vtkNew<vtkDoubleArray> places;
-    places->SetName("RepairedPlaces");
-    places->SetNumberOfComponents(3);
-    for (const Point3& p : repairs.Places)
+    AddColumn<vtkIdTypeArray>(data, "Repaired", { repairs.Changed });
+    auto* places = AddArray<vtkDoubleArray>(data, "RepairedPlaces", repairs.Places.size(), 3);
+    for (std::size_t i = 0; i < repairs.Places.size(); ++i)
     {
-      places->InsertNextTuple(p.data());
+      places->SetTuple(static_cast<vtkIdType>(i), repairs.Places[i].data());
     }
-    output->GetFieldData()->AddArray(places);
   }
-  counts.AddTo(output->GetFieldData());
-  numbers.AddTo(output->GetFieldData());
 }
 
 }

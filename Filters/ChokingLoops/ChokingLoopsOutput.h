@@ -7,7 +7,6 @@
 #define isthmus_ChokingLoopsOutput_h
 
 #include "ChokingLoops/LoopDrawing.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -36,8 +35,7 @@ struct ShownFeature
  *
  * Cost: pairs of similar loops times their points squared.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void FindShared(
-  const ChokingLoops& loops, std::vector<ShownFeature>& features);
+void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features);
 
 // ------------------------------------------------------------------------------------------
 // Drops loops that are too long or too far from the point where the ball gets stuck.
@@ -46,22 +44,13 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void FindShared(
 // passage of the same girth. To find the round passages, loops are sorted by length, and those
 // around a choke face that do not reach the surface within a given distance are discarded.
 
-struct LoopLimits
-{
-  double MaximumLength =
-    0.0; ///< of a feature's longest loop, in the unit of the points; 0: no limit
-  double MaximumReach = 0.0; ///< ReachOf() a feature; 0: no limit
-  bool ByLength = false;     ///< ascending by the longest loop instead of by radius
-};
-
 /// Distance of the farthest point of a feature's loops from its choke point, in radii: slightly
 /// above 1 for a round neck, sqrt(1 + (a/b)^2) for a slot with sides a and b < a.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ReachOf(
-  const ChokingLoops& loops, const ShownFeature& feature);
+double ReachOf(const ChokingLoops& loops, const ShownFeature& feature);
 
 /// Drops the features beyond the limits and sorts the others. If the first of several features that
 /// share a loop is dropped, the next one takes its place in SharedWith. O(points of all loops).
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ApplyLimits(
+void ApplyLimits(
   const ChokingLoops& loops, const LoopLimits& limits, std::vector<ShownFeature>& features);
 
 }

@@ -508,19 +508,26 @@ namespace
 /// Gaps narrower than this part of the reference length do not count.
 constexpr double NarrowestGap = 0.01;
 
+double InUnitOfPoints(double length, LengthUnit unit, double reference)
+{
+  return unit == LengthUnit::Percent ? 0.01 * length * reference : length;
+}
+
 bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const std::array<double, 2>& leastPersistence, const ShapeFeature& f)
 {
   const auto side = static_cast<std::size_t>(f.Side);
-  const double most = selection.MaximumRadius.Of(diagram.Reference[side]);
+  const double most =
+    InUnitOfPoints(selection.MaximumRadius, selection.MaximumRadiusUnit, diagram.Reference[side]);
   const bool near = f.Radius() <= most * (1.0 + 1e-9);
-  if (!(f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside) ||
+  if (selection.Side ==
+      (f.Side == SpaceSide::Inside ? SideSelection::Outside : SideSelection::Inside) ||
     (selection.TrustedOnly && !f.Trusted))
   {
     return false;
   }
   return IsGenerator(f)
-    ? near || selection.AlwaysReportHandles
+    ? near || selection.AlwaysIncludeHandles
     : f.Kind == FeatureKind::Additional && near && f.Persistence() >= leastPersistence[side];
 }
 
@@ -553,13 +560,15 @@ PersistenceGap LargestGap(const FeatureDiagram& diagram, SpaceSide side)
 std::vector<std::size_t> SelectFeatures(
   const FeatureDiagram& diagram, const FeatureSelection& selection)
 {
+  Check(selection);
   std::array<double, 2> least{};
   for (const SpaceSide side : { SpaceSide::Inside, SpaceSide::Outside })
   {
     const auto s = static_cast<std::size_t>(side);
-    least[s] = selection.Threshold == ThresholdMode::LargestGap
+    least[s] = selection.ThresholdMode == ThresholdMode::LargestGap
       ? LargestGap(diagram, side).Threshold
-      : selection.MinimumPersistence.Of(diagram.Reference[s]);
+      : InUnitOfPoints(
+          selection.MinimumPersistence, selection.MinimumPersistenceUnit, diagram.Reference[s]);
   }
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < diagram.Features.size(); ++i)
@@ -569,12 +578,13 @@ std::vector<std::size_t> SelectFeatures(
       chosen.push_back(i);
     }
   }
-  if (selection.MaximumNumber > 0 && chosen.size() > selection.MaximumNumber)
+  const auto most = static_cast<std::size_t>(selection.MaximumNumberOfLoops);
+  if (most > 0 && chosen.size() > most)
   {
     std::stable_sort(chosen.begin(), chosen.end(),
       [&diagram](std::size_t a, std::size_t b)
       { return diagram.Features[a].Persistence() > diagram.Features[b].Persistence(); });
-    chosen.resize(selection.MaximumNumber);
+    chosen.resize(most);
     std::sort(chosen.begin(), chosen.end());
   }
   return chosen;

@@ -6,6 +6,7 @@
 #ifndef isthmus_FeatureDiagram_h
 #define isthmus_FeatureDiagram_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
 #include "ChokingLoops/SurfaceHomology.h"
 #include "Core/DisjointSets.h"
 #include "Core/Geometry.h"
@@ -30,12 +31,11 @@ namespace isthmus
 class EnclosureTest
 {
 public:
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EnclosureTest(
-    const SurfaceView& mesh, const SurfaceHomology& homology);
+  EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& homology);
 
   /// Ascending ids of the components that enclose `p`: an odd number of them means inside. Within
   /// rounding (1e-12 of the size) of the surface either result is possible.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<int> Enclosing(const Point3& p) const;
+  std::vector<int> Enclosing(const Point3& p) const;
 
 private:
   std::size_t Bin(double v, std::size_t axis) const;
@@ -76,14 +76,12 @@ struct CellError
  * of the smallest ball around the tetrahedron, and by Jung's theorem at most sqrt(3/8) of its
  * longest edge.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<CellError> DistanceErrors(
-  const CellFiltration& mesh, const std::vector<double>& values,
+std::vector<CellError> DistanceErrors(const CellFiltration& mesh, const std::vector<double>& values,
   const std::vector<double>& atPoints);
 
 /// The errors of any other function: within a tetrahedron, the true function may take any value
 /// between those at the corners.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<CellError> RangeErrors(
-  const CellFiltration& mesh, const std::vector<double>& values);
+std::vector<CellError> RangeErrors(const CellFiltration& mesh, const std::vector<double>& values);
 
 /// A filtration of a surface's surroundings, with associated data.
 struct FeatureContext
@@ -126,8 +124,7 @@ struct FeatureContext
 class SpaceRegions
 {
 public:
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SpaceRegions(
-    const FeatureContext& context, const ProgressCallback& progress = {});
+  explicit SpaceRegions(const FeatureContext& context, const ProgressCallback& progress = {});
 
   /// The components of M that enclose a tetrahedron, ascending; empty for the exterior (None).
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
@@ -150,10 +147,8 @@ private:
 };
 
 /// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 Circumcentre(
-  const Point3& p, const Point3& q, const Point3& r);
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 Circumcentre(
-  const Point3& p, const Point3& q, const Point3& r, const Point3& s);
+Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r);
+Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Point3& s);
 
 inline bool FeatureContext::IsWall(TriangleId t) const
 {
@@ -241,47 +236,11 @@ struct FeatureDiagram
  * death among those born below the error. Pairs of equal birth and death, and pairs that die below
  * the error, are omitted.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram FindFeatures(
+FeatureDiagram FindFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
 // Selection of the reported features, and the threshold proposed by a diagram.
-
-/// A length as given by the user: in percent of a side's reference length, or in units of the data.
-struct LengthSetting
-{
-  double Value = 0.0;
-  bool Percent = true;
-
-  double Of(double reference) const
-  {
-    return this->Percent ? 0.01 * this->Value * reference : this->Value;
-  }
-};
-
-/// How additional features are separated from noise.
-enum class ThresholdMode
-{
-  Given,     ///< by FeatureSelection::MinimumPersistence
-  LargestGap ///< by the largest gap of each side's diagram
-};
-
-/// Which features to report.
-struct FeatureSelection
-{
-  bool Inside = true;
-  bool Outside = true;
-  LengthSetting MaximumRadius{ 100.0, true };
-  LengthSetting MinimumPersistence{ 5.0, true };
-  ThresholdMode Threshold = ThresholdMode::Given;
-  /// Report handles and tunnels whatever MaximumRadius is. MinimumPersistence never applies to
-  /// them: a ring of constant width does not widen behind the narrowing, and yet it is a handle.
-  bool AlwaysReportHandles = true;
-  /// Drop features that may be caused by the sampling (see ShapeFeature::Trusted).
-  bool TrustedOnly = false;
-  /// Keep the features of the largest persistence; 0: all of them.
-  std::size_t MaximumNumber = 0;
-};
 
 /// A gap between consecutive persistences of one side, in the unit of the points.
 struct PersistenceGap
@@ -295,11 +254,10 @@ struct PersistenceGap
  * persistences in descending order, with 0 after the last. If no gap is wider than 1 % of the
  * side's reference length, the threshold is that 1 %.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT PersistenceGap LargestGap(
-  const FeatureDiagram& diagram, SpaceSide side);
+PersistenceGap LargestGap(const FeatureDiagram& diagram, SpaceSide side);
 
 /// Indices of the features of a selection, ascending by Radius(). O(n log n).
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SelectFeatures(
+std::vector<std::size_t> SelectFeatures(
   const FeatureDiagram& diagram, const FeatureSelection& selection);
 
 }

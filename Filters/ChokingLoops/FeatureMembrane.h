@@ -7,7 +7,6 @@
 #define isthmus_FeatureMembrane_h
 
 #include "ChokingLoops/FeatureDiagram.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <optional>
 
@@ -42,32 +41,29 @@ struct Membrane
  * the way), the filling of the feature's sum of basis loops on its side is used instead; if that
  * fails too, Loops is empty. Time: proportional to the number of triangles passed.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane FeatureMembrane(const FeatureContext& context,
-  SpaceRegions& regions, const ShapeFeature& feature, HomologySpan* span = nullptr);
+Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
+  const ShapeFeature& feature, HomologySpan* span = nullptr);
 
 /// The membrane from MinimumCutTriangles(), with all loops on M; empty if there is none. With
 /// `chords`, edges off M between points of M are replaced by the shortest paths on M.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> MinimumCutMembrane(
-  const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
-  const ProgressCallback& progress = {}, bool chords = false);
+std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
+  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {},
+  bool chords = false);
 
 /// The membrane from GrowGreedily(), with the remaining edges off M replaced by the shortest paths
 /// on M; empty if there is none or if such a path is missing.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> GreedyMembrane(
-  const FeatureContext& context, const ShapeFeature& feature);
+std::optional<Membrane> GreedyMembrane(const FeatureContext& context, const ShapeFeature& feature);
 
 /// Adds the fan of triangles from the first point of a closed loop to its edges.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void AddFan(
-  const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId, 3>>& triangles);
+void AddFan(const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId, 3>>& triangles);
 
 /// Splits a cycle of edges of M (every point in an even number of them) into simple loops of
 /// points.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::vector<SimplexId>> SimpleLoops(
+std::vector<std::vector<SimplexId>> SimpleLoops(
   const SurfaceAdjacency& surface, const SurfaceChain& edges);
 
 /// The edges of M between consecutive points of a closed loop.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceChain LoopEdges(
-  const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
+SurfaceChain LoopEdges(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
 /// A diagram, with the membrane and the choke point of each feature.
 struct LocatedFeatures
@@ -79,8 +75,7 @@ struct LocatedFeatures
 };
 
 /// The sum of the classes of a membrane's loops.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologyClass ClassOf(
-  const FeatureContext& context, const Membrane& membrane);
+HomologyClass ClassOf(const FeatureContext& context, const Membrane& membrane);
 
 /**
  * True if the loops of another membrane may replace those of a feature. For additional features
@@ -88,11 +83,11 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologyClass ClassOf(
  * classes of previous features on the same side, so that all loops stay independent whichever are
  * exchanged.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsInterchangeable(const FeatureContext& context,
-  const LocatedFeatures& features, std::size_t feature, const Membrane& other);
+bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& features,
+  std::size_t feature, const Membrane& other);
 
 /// The classes of loops that bound on a side, i.e. those of its handles or of its tunnels.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
+HomologySpan BoundingClasses(
   const FeatureContext& context, const LocatedFeatures& features, SpaceSide side);
 
 // ------------------------------------------------------------------------------------------
@@ -113,15 +108,13 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
  * shortest paths. Time for each contact: O(n log n) in the n points within half of `longest` (or
  * within three quarters of the longest loop found, once there are `most` loops).
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranes(
-  const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
-  double longest, std::size_t most);
+std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
+  const LocatedFeatures& features, std::size_t feature, double longest, std::size_t most);
 
 /// The loop along shortest paths of edges from each contact to the next, if it bounds. This is the
 /// last resort, since it may go back and forth. Each path has at most the length `longest`.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> ContactMembrane(
-  const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
-  double longest);
+std::optional<Membrane> ContactMembrane(const FeatureContext& context,
+  const LocatedFeatures& features, std::size_t feature, double longest);
 
 }
 

@@ -160,7 +160,7 @@ ConformingMesh::ConformingMesh(const SurfaceView& surface)
         TetrahedralParameters parameters;
         parameters.Side = MeshedSide::Both;
         parameters.TetGen.RadiusEdgeRatio = 0.0; // no refinement: M's own points and those of a box
-        parameters.TetGen.Limits.Seconds = MostSeconds;
+        parameters.TetGen.Limits.TimeLimit = MostSeconds;
         return MeshTetrahedra(surface, parameters,
           [this](double done)
           {

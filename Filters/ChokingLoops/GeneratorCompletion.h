@@ -38,15 +38,15 @@ struct ConformingGenerator
 class ConformingMesh
 {
 public:
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit ConformingMesh(const SurfaceView& surface);
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ~ConformingMesh();
+  explicit ConformingMesh(const SurfaceView& surface);
+  ~ConformingMesh();
   ConformingMesh(const ConformingMesh&) = delete;
   ConformingMesh& operator=(const ConformingMesh&) = delete;
 
   /// Waits for the mesh and returns it; can be called once.
   /// @throws std::runtime_error or std::invalid_argument with a message when TetGen is missing,
   /// fails or takes longer than two minutes; Cancelled.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TetrahedralMesh Take(const ProgressCallback& progress);
+  TetrahedralMesh Take(const ProgressCallback& progress);
 
 private:
   std::atomic<double> Done{ 0.0 }; ///< what TetGen has done, in [0, 1]
@@ -70,9 +70,8 @@ private:
  * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h).
  * @throws what ConformingMesh::Take() throws. Time and memory: see MeshTetrahedra().
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
-  const SurfaceView& surface, const ProgressCallback& progress = {},
-  ConformingMesh* mesh = nullptr);
+std::vector<ConformingGenerator> ConformingGenerators(const SurfaceView& surface,
+  const ProgressCallback& progress = {}, ConformingMesh* mesh = nullptr);
 
 /**
  * Transfers a loop and membrane of `surface` to the same surface after SplitLongEdges()
@@ -82,8 +81,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> Conforming
 class SplitSurface
 {
 public:
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SplitSurface(
-    const SurfaceView& surface, const SurfaceAdjacency& samples);
+  SplitSurface(const SurfaceView& surface, const SurfaceAdjacency& samples);
 
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane Of(const Membrane& membrane) const;
 
@@ -101,7 +99,7 @@ private:
 
 /// Number of handles and tunnels that the samples do not resolve: those not above the sampling
 /// error, or without a loop.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::size_t CountUnresolved(const LocatedFeatures& features);
+std::size_t CountUnresolved(const LocatedFeatures& features);
 
 inline bool AllResolved(const LocatedFeatures& features)
 {
@@ -119,9 +117,8 @@ inline bool AllResolved(const LocatedFeatures& features)
  * @param mesh as for ConformingGenerators().
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CompleteGenerators(const FeatureContext& context,
-  const SurfaceView& surface, LocatedFeatures& features, const ProgressCallback& progress = {},
-  ConformingMesh* mesh = nullptr);
+void CompleteGenerators(const FeatureContext& context, const SurfaceView& surface,
+  LocatedFeatures& features, const ProgressCallback& progress = {}, ConformingMesh* mesh = nullptr);
 
 }
 

@@ -251,7 +251,7 @@ public:
     const ProgressCallback& progress)
     : Result(result)
     , Parameters(parameters)
-    , Loops(result.Mesh, WithoutCheck(parameters.Analysis), Between(progress, 0.0, 0.6))
+    , Loops(result.Mesh, WithoutCheck(parameters), Between(progress, 0.0, 0.6))
     , Space(this->Loops.Samples(), this->Loops.Homology())
     , Now(result.Mesh)
   {
@@ -287,9 +287,10 @@ private:
     std::vector<std::size_t> small;
     for (std::size_t i = 0; i < features.size(); ++i)
     {
-      const bool isWanted = features[i].Kind == FeatureKind::Handle ? this->Parameters.Inside
-                                                                    : this->Parameters.Outside;
-      if (IsGenerator(features[i]) && isWanted && features[i].Radius() < this->Parameters.Below)
+      const bool isWanted = this->Parameters.Side !=
+        (features[i].Kind == FeatureKind::Handle ? SideSelection::Outside : SideSelection::Inside);
+      if (IsGenerator(features[i]) && isWanted &&
+        features[i].Radius() < this->Parameters.FillHandlesBelow)
       {
         small.push_back(i);
       }
@@ -409,16 +410,7 @@ private:
 FilledSurface FillHandles(
   TriangleMesh surface, const HandleFillingParameters& parameters, const ProgressCallback& progress)
 {
-  if (!(parameters.Below > 0.0) || !std::isfinite(parameters.Below))
-  {
-    throw std::invalid_argument("FillHandlesBelow has to be above 0 and finite: the radius below "
-                                "which handles and tunnels are filled.");
-  }
-  if (!(parameters.Thickness > 0.0 && parameters.Thickness <= 1.0))
-  {
-    throw std::invalid_argument("The thickness of fillings has to be above 0 and at most one "
-                                "radius.");
-  }
+  Check(parameters);
   FilledSurface result;
   result.Mesh = OutwardSurface(
     CheckedSurface(std::move(surface), false, Between(progress, 0.0, 0.2), &result.Repairs));

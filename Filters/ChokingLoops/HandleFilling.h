@@ -7,7 +7,6 @@
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "Core/TriangleMesh.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <optional>
 
@@ -33,26 +32,13 @@ struct MembranePlate
  *
  * The curve is sampled at 32 to 256 points, where possible no farther apart than half of `rim`.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<MembranePlate> PlateOn(
-  const std::vector<Point3>& loop, double thickness, double rim);
+std::optional<MembranePlate> PlateOn(const std::vector<Point3>& loop, double thickness, double rim);
 
 // ------------------------------------------------------------------------------------------
 // A surface without its small handles and tunnels.
 //
 // Source: X. Feng, PhD thesis, chapter 6, names topological filtering as a use of choking loops:
 // small tunnels filled, thin handles cut.
-
-struct HandleFillingParameters
-{
-  /// Handles and tunnels with a smaller radius are removed. In the unit of the points.
-  double Below = 0.0;
-  /// Thickness of the plate that fills a tunnel, or width of the gap that cuts a handle, in radii
-  /// of the handle or tunnel.
-  double Thickness = 0.25;
-  bool Inside = true;  ///< cut handles
-  bool Outside = true; ///< fill tunnels
-  ChokingLoopParameters Analysis;
-};
 
 /// The filling of one handle or tunnel.
 struct HandleFill
@@ -88,12 +74,11 @@ struct FilledSurface
  * Away from the plates the surface is bitwise unchanged. A plate is thinned by factors of two, down
  * to an eighth, where its edge would otherwise protrude from the wall that holds it.
  *
- * @throws std::invalid_argument for a size that is not above 0 or a thickness outside (0, 1];
- * everything that ChokingLoops throws; Cancelled. Time: one ChokingLoops per round (usually one or
- * two), and O(n log n) per plate.
+ * @throws everything that Check() and ChokingLoops throw; Cancelled. Time: one ChokingLoops per
+ * round (usually one or two), and O(n log n) per plate.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FilledSurface FillHandles(TriangleMesh surface,
-  const HandleFillingParameters& parameters, const ProgressCallback& progress = {});
+FilledSurface FillHandles(TriangleMesh surface, const HandleFillingParameters& parameters,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -241,13 +241,14 @@ HandleSupport SupportAs(const std::vector<MapHandle>& handles, const VolumeView&
   cubical.Superlevel = parameters.Superlevel;
   std::vector<int> found(handles.size()), noisy(handles.size());
   std::vector<T> values;
-  for (int r = 0; r < bootstrap.Resamples; ++r)
+  for (int r = 0; r < bootstrap.NumberOfResamples; ++r)
   {
     values = observed;
-    noises.AddTo(values, bootstrap.Seed * 1000003U + static_cast<std::uint64_t>(r));
+    noises.AddTo(values,
+      static_cast<std::uint64_t>(bootstrap.Seed) * 1000003U + static_cast<std::uint64_t>(r));
     const VolumeView resample(values.data(), volume.Dimensions);
-    const auto part = Between(progress, static_cast<double>(r) / bootstrap.Resamples,
-      static_cast<double>(r + 1) / bootstrap.Resamples);
+    const auto part = Between(progress, static_cast<double>(r) / bootstrap.NumberOfResamples,
+      static_cast<double>(r + 1) / bootstrap.NumberOfResamples);
     const CubicalDiagram pairs = CubicalPersistence(resample, cubical, part);
     auto others = MapHandles(
       resample, ScalarFeatures(resample, MeasureVolume(resample), pairs, wanted), wanted);
@@ -261,7 +262,7 @@ HandleSupport SupportAs(const std::vector<MapHandle>& handles, const VolumeView&
   HandleSupport result;
   for (std::size_t i = 0; i < handles.size(); ++i)
   {
-    const double count = bootstrap.Resamples;
+    const double count = bootstrap.NumberOfResamples;
     result.Support.push_back(found[i] / count);
     result.PValue.push_back(
       IsThere(handles[i], bootstrap.Level) ? (1.0 + noisy[i]) / (1.0 + count) : 1.0);
@@ -275,6 +276,7 @@ HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView&
   const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
   const SupportParameters& bootstrap, const ProgressCallback& progress)
 {
+  Check(bootstrap);
   const bool fitsFloat = volume.Floating ? volume.Bytes == 4 : volume.Bytes <= 2;
   const auto support = fitsFloat ? &SupportAs<float> : &SupportAs<double>;
   return support(handles, volume, parameters, threshold, noise, bootstrap, progress);

@@ -5,6 +5,7 @@
 #ifndef isthmus_HandleSupport_h
 #define isthmus_HandleSupport_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
 #include "ChokingLoops/MapHandles.h"
 #include "Core/Progress.h"
 
@@ -21,13 +22,6 @@ struct HandleSupport
   std::vector<double> PValue;  ///< that noise caused it at the level; 1: not there at all
 };
 
-struct SupportParameters
-{
-  int Resamples = 100;
-  std::uint64_t Seed = 1;
-  double Level = 0.0; ///< the chosen level
-};
-
 /// Distance, in nodes, within which a handle of a resample can be the same handle.
 constexpr double HandleMatchDistance = 8.0;
 
@@ -40,12 +34,11 @@ constexpr double HandleMatchDistance = 8.0;
 class NoiseBootstrap
 {
 public:
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT NoiseBootstrap(
-    const std::vector<float>& noise, const std::array<std::int64_t, 3>& dimensions);
+  NoiseBootstrap(const std::vector<float>& noise, const std::array<std::int64_t, 3>& dimensions);
 
   /// Adds noise to `values`, float or double. Bitwise identical for the same seed.
   template <typename T>
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void AddTo(std::vector<T>& values, std::uint64_t seed) const;
+  void AddTo(std::vector<T>& values, std::uint64_t seed) const;
 
 private:
   std::array<std::int64_t, 3> Dimensions;
@@ -58,10 +51,9 @@ private:
  * noise, with the same range and `threshold` (in units of the values), in each resample. Cost: that
  * of CubicalPersistence for each resample. @throws Cancelled
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HandleSupport SupportOf(const std::vector<MapHandle>& handles,
-  const VolumeView& volume, const FeatureParameters& parameters, double threshold,
-  const std::vector<float>& noise, const SupportParameters& bootstrap,
-  const ProgressCallback& progress = {});
+HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView& volume,
+  const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
+  const SupportParameters& bootstrap, const ProgressCallback& progress = {});
 
 }
 

@@ -11,7 +11,6 @@
 #include "ChokingLoops/FeatureMembrane.h"
 #include "ChokingLoops/LoopShortening.h"
 #include "Core/Geometry.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>
 #include <map>
@@ -27,7 +26,7 @@ namespace isthmus
  * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S. With a function on a mesh: how
  * far it may lie below or above (ShapeFeature::FunctionError).
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
+double UncertaintyOf(const ShapeFeature& feature);
 
 /**
  * Lower bound for the length of a loop that surrounds a choke point: 2 pi (Radius() -
@@ -38,32 +37,22 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& fe
  * loop, the projection lies in no open hemisphere, and a closed curve on a unit sphere that lies in
  * no open hemisphere is at least 2 pi long (W. Fenchel, Math. Ann. 101 (1929) 238).
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ShortestGirth(const ShapeFeature& feature);
+double ShortestGirth(const ShapeFeature& feature);
 
 /// True when `centre` is within `reach` of the convex hull of `points`. By Gilbert's algorithm (E.
 /// G. Gilbert, SIAM J. Control 4 (1966) 61); O(points) per iteration.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsSurrounded(
-  const Point3& centre, double reach, const std::vector<Point3>& points);
+bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>& points);
 
 /// Largest angle, in radians, by which a closed polygon turns at a point; points closer together
 /// than `least` count as one.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double SharpestTurn(
-  const std::vector<Point3>& polygon, double least);
+double SharpestTurn(const std::vector<Point3>& polygon, double least);
 
 // ------------------------------------------------------------------------------------------
 // From the loops of a membrane along edges to geodesic loops, with an adapted membrane.
 
-/// How the membrane that spans a choke is computed.
-enum class MembraneMethod
-{
-  Automatic,  ///< as MakeLoopFeature() chooses
-  MinimumCut, ///< of least area (MinimumCutMembrane.h)
-  Greedy      ///< grown from the choke triangle (the same file)
-};
-
 /// Geometry of one feature. Membrane corners are ids: those below the number of samples are points
 /// of the sampled surface, the others Extra points.
-struct VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature
+struct LoopFeature
 {
   std::vector<std::vector<SimplexId>> Loops;
   std::vector<double> Lengths;
@@ -94,16 +83,15 @@ constexpr double SharpestKept = 0.7853981633974483;
 
 /// The loops of a membrane, shortened on M; loops through some of the `pins` stay fixed there.
 /// Empty with 0 `rounds`: the loops are not changed. @throws Cancelled.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceCurve> ShortenedLoops(
-  const SurfaceAdjacency& surface, const Membrane& membrane, int rounds,
-  const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
+std::vector<SurfaceCurve> ShortenedLoops(const SurfaceAdjacency& surface, const Membrane& membrane,
+  int rounds, const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
 
 /// The feature with the shortened loops of its membrane, if there are any, and strips of triangles
 /// between the old and the new loops. Corners at pins that turn by more than SharpestKept are cut
 /// at a distance of `cut`. If there are several loops, those that are contractible on M are filled
 /// instead.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature Drawn(const SurfaceAdjacency& surface,
-  const Membrane& membrane, const std::vector<SurfaceCurve>& tight, double cut = 0.0);
+LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
+  const std::vector<SurfaceCurve>& tight, double cut = 0.0);
 
 // ------------------------------------------------------------------------------------------
 // A choking loop as displayed: curves on the surface and a membrane that they bound.
@@ -134,8 +122,8 @@ struct LoopTolerances
 };
 
 /// True when loops belong to the choke point of a feature, see MakeLoopFeature().
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool BelongsToChokePoint(const ChokingLoops& loops,
-  std::size_t feature, const LoopFeature& geometry, const LoopTolerances& tolerances = {});
+bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t feature,
+  const LoopFeature& geometry, const LoopTolerances& tolerances = {});
 
 /**
  * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened by that many
@@ -157,9 +145,9 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool BelongsToChokePoint(const ChokingLoops
  *
  * @throws Cancelled.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& loops,
-  std::size_t feature, int rounds, const ProgressCallback& progress = {},
-  const LoopTolerances& tolerances = {}, MembraneMethod method = MembraneMethod::Automatic);
+LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t feature, int rounds,
+  const ProgressCallback& progress = {}, const LoopTolerances& tolerances = {},
+  MembraneMethod method = MembraneMethod::Automatic);
 
 // ------------------------------------------------------------------------------------------
 // Loops of many features, and the estimated time to draw them.
@@ -171,8 +159,7 @@ struct DrawingCost
   double Seconds = 0.0;
 
   /// The estimate after `done` of `count` features, in the order of SampledFirst(), took `seconds`.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT static DrawingCost After(
-    std::size_t done, std::size_t count, double seconds);
+  static DrawingCost After(std::size_t done, std::size_t count, double seconds);
 };
 
 /**
@@ -187,8 +174,7 @@ struct DrawingCost
  * distribution is skewed, so the estimate is more often too low than too high (on noisy contours
  * 0.36 to 0.93 times the actual time).
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SampledFirst(
-  std::size_t count, std::size_t& sample);
+std::vector<std::size_t> SampledFirst(std::size_t count, std::size_t& sample);
 
 /// Key: feature and rounds of shortening.
 using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
@@ -203,9 +189,8 @@ using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
  *
  * @throws Cancelled. What is drawn by then is kept in `drawn`.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void DrawFeatures(ChokingLoops& loops,
-  const std::vector<std::size_t>& features, int rounds, DrawnFeatures& drawn,
-  const std::function<void(const DrawingCost&)>& estimated = {},
+void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features, int rounds,
+  DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated = {},
   const ProgressCallback& progress = {}, MembraneMethod method = MembraneMethod::Automatic);
 
 }

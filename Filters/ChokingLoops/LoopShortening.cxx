@@ -444,6 +444,7 @@ double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurveP
 SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop,
   const LoopShorteningParameters& parameters, const ProgressCallback& progress)
 {
+  Check(parameters);
   SurfaceCurve curve;
   curve.Length = LengthAlong(surface, loop);
   Shortener shortener(surface, StripLeftOf(surface, loop));
@@ -706,6 +707,7 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
   const std::vector<SimplexId>& pins, const LoopShorteningParameters& parameters,
   const ProgressCallback& progress)
 {
+  Check(parameters);
   SurfaceCurve curve;
   curve.Converged = true;
   const auto pieces = PiecesOf(loop, pins);

@@ -5,9 +5,9 @@
 #ifndef isthmus_LoopShortening_h
 #define isthmus_LoopShortening_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
 #include "ChokingLoops/SurfacePaths.h"
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -34,14 +34,7 @@ struct SurfaceCurve
 };
 
 /// The length of the closed curve through these points.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LengthOf(
-  const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings);
-
-struct LoopShorteningParameters
-{
-  int MaximumRounds = 200; ///< each finds the shortest path in the strip and reroutes the strip
-  double Tolerance = 1e-6; ///< relative accuracy of the length within a strip
-};
+double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings);
 
 /**
  * Shortens the closed curve through the points `loop`; an edge joins consecutive points.
@@ -49,9 +42,8 @@ struct LoopShorteningParameters
  * The result is never longer than the input. Time of a round: proportional to the number of edges
  * crossed. Throws std::invalid_argument if no edge joins two consecutive points, and Cancelled.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
-  const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {},
-  const ProgressCallback& progress = {});
+SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop,
+  const LoopShorteningParameters& parameters = {}, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
 // A closed curve that is geodesic between fixed points.
@@ -63,9 +55,9 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjac
  *
  * @pre at least one pin is a point of the loop. @throws the exceptions of ShortenLoop().
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface,
-  const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins,
-  const LoopShorteningParameters& parameters = {}, const ProgressCallback& progress = {});
+SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop,
+  const std::vector<SimplexId>& pins, const LoopShorteningParameters& parameters = {},
+  const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
 // Cuts the corners of a curve that is fixed at points of a surface.
@@ -80,7 +72,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdj
  *
  * Time: proportional to the number of crossings removed.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve CutCorners(
+SurfaceCurve CutCorners(
   const SurfaceAdjacency& surface, SurfaceCurve curve, double sharpest, double reach);
 
 }

@@ -7,7 +7,6 @@
 #define isthmus_MapHandles_h
 
 #include "Persistence/ScalarFeatures.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -40,19 +39,18 @@ struct StableInterval
 };
 
 /// Bridges, then windows, each sorted by FeatureId, of the features kept.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<MapHandle> MapHandles(
+std::vector<MapHandle> MapHandles(
   const VolumeView& volume, const FeatureList& features, const FeatureParameters& parameters);
 
 /**
  * The intervals between levels in `range` where a feature that is kept begins or ends, the longest
  * first. Intervals without any component are omitted.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<StableInterval> StableIntervals(
+std::vector<StableInterval> StableIntervals(
   const FeatureList& features, bool superlevel, const std::array<double, 2>& range);
 
 /// Betti numbers of the features kept at one level.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::array<std::int64_t, 3> BettiAt(
-  const FeatureList& features, bool superlevel, double level);
+std::array<std::int64_t, 3> BettiAt(const FeatureList& features, bool superlevel, double level);
 
 }
 

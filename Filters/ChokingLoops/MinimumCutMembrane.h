@@ -8,7 +8,6 @@
 
 #include "ChokingLoops/FeatureDiagram.h"
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
 #include <array>
@@ -41,9 +40,9 @@ struct FlowLink
  * @pre nodes of links, sources and sinks lie in [0, nodes); no node is source and sink.
  * @throws Cancelled before it begins.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<char> MinimumCut(std::int32_t nodes,
-  const std::vector<FlowLink>& links, const std::vector<std::int32_t>& sources,
-  const std::vector<std::int32_t>& sinks, const ProgressCallback& progress = {});
+std::vector<char> MinimumCut(std::int32_t nodes, const std::vector<FlowLink>& links,
+  const std::vector<std::int32_t>& sources, const std::vector<std::int32_t>& sinks,
+  const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
 // The tetrahedra around a choke triangle, and the triangles between them.
@@ -186,9 +185,8 @@ struct ShapeFeature;
  * the complex.
  * @throws Cancelled.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain MinimumCutTriangles(
-  const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
-  const ProgressCallback& progress = {}, bool chords = false);
+TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeature& feature,
+  const Point3& centre, const ProgressCallback& progress = {}, bool chords = false);
 
 // ------------------------------------------------------------------------------------------
 // A membrane through a choke triangle that grows step by step.
@@ -222,7 +220,7 @@ struct GreedyPatches
  * of the complex (all sample points lie on M, where d is 0). @pre `feature.Choke` is a triangle of
  * the complex.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<GreedyPatches> GrowGreedily(
+std::optional<GreedyPatches> GrowGreedily(
   const FeatureContext& context, const ShapeFeature& feature);
 
 }

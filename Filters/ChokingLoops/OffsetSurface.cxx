@@ -34,7 +34,6 @@ Bounds3 BoxAround(const SurfaceView& surface, double distance, std::int64_t cell
   {
     throw std::invalid_argument("The surface has no triangles: give a triangulated surface.");
   }
-  RequireAbove("Distance", distance, 0.0, LargestLength, "It is the distance from the surface.");
   const auto& first = surface.Points[static_cast<std::size_t>(surface.Triangles[0][0])];
   Bounds3 box{ first, first };
   for (const Triangle& t : surface.Triangles)
@@ -91,32 +90,32 @@ void MakeExact(
 }
 
 /// For GridOfDistances(), the copy that is contoured, and the contour.
-void RequireMemory(const Bounds3& box, std::int64_t cells)
+double GridBytes(const Bounds3& box, std::int64_t cells)
 {
   constexpr double bytes = 40.0; // for each node
   const Point3 size = box.Max - box.Min;
   const double h = std::max({ size[0], size[1], size[2] }) / static_cast<double>(cells);
-  MemoryBudget().Require(bytes * (size[0] / h + 1.0) * (size[1] / h + 1.0) * (size[2] / h + 1.0),
-    "A grid with a Resolution of " + std::to_string(cells), "choose a lower Resolution");
+  return bytes * (size[0] / h + 1.0) * (size[1] / h + 1.0) * (size[2] / h + 1.0);
 }
 
 }
 
-DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, OffsetSide side,
-  std::int64_t cells, const ProgressCallback& progress)
+DistanceGrid OffsetDistances(const SurfaceView& surface, const OffsetSurfaceParameters& parameters,
+  const ProgressCallback& progress)
 {
-  RequireRange("Resolution", static_cast<double>(cells), 8, 1024,
-    "It is the number of cells along the longest side.");
+  Check(parameters);
   const UnitScale scale(surface.Points);
   if (!scale.IsOne())
   {
-    if (side != OffsetSide::Both)
+    if (parameters.Side != SideSelection::Both)
     {
       RequireShellsApart(surface); // with the place in the user's unit
     }
     TriangleMesh scaled = CopyOf(surface);
     scale.Apply(scaled.Points);
-    DistanceGrid grid = OffsetDistances(scaled, scale.Factor() * distance, side, cells, progress);
+    OffsetSurfaceParameters scaledParameters = parameters;
+    scaledParameters.Distance *= scale.Factor();
+    DistanceGrid grid = OffsetDistances(scaled, scaledParameters, progress);
     const double back = 1.0 / scale.Factor();
     grid.Origin = back * grid.Origin;
     grid.Spacing *= back;
@@ -126,8 +125,11 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
     }
     return grid;
   }
+  const double distance = parameters.Distance;
+  const std::int64_t cells = parameters.Resolution;
   const Bounds3 box = BoxAround(surface, distance, cells);
-  RequireMemory(box, cells);
+  MemoryBudget().Require(GridBytes(box, cells),
+    "A grid with a Resolution of " + std::to_string(cells), "choose a lower Resolution");
   DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.5));
   if (distance > 2.0 * grid.Spacing)
   {
@@ -139,12 +141,12 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
       " the grid is too coarse: no node is near the surface. Use a smaller Distance or a higher "
       "Resolution.");
   }
-  if (side != OffsetSide::Both)
+  if (parameters.Side != SideSelection::Both)
   {
     const std::vector<Point3> points = PointsFrom(grid.Origin, surface);
     const std::vector<unsigned char> inside = NodesInside({ points, surface.Triangles },
       ShapeOf(grid), [&](const Point3& p) { return p + grid.Origin; });
-    const bool wanted = side == OffsetSide::Inside;
+    const bool wanted = parameters.Side == SideSelection::Inside;
     for (std::size_t i = 0; i < inside.size(); ++i)
     {
       grid.Values[i] = (inside[i] != 0) == wanted ? grid.Values[i] : -grid.Values[i];

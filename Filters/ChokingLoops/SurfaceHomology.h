@@ -8,7 +8,6 @@
 
 #include "ChokingLoops/SurfacePaths.h"
 #include "Persistence/FiltrationPairs.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
 #include <set>
@@ -32,7 +31,7 @@ class SurfaceHomology
 {
 public:
   /// Time: O(n (1 + g / 64)). Memory, if there are handles: g / 4 bytes per edge.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SurfaceHomology(const SurfaceAdjacency& surface);
+  explicit SurfaceHomology(const SurfaceAdjacency& surface);
 
   /// 2g, where g is summed over all components.
   std::size_t Rank() const { return this->Generators.size(); }
@@ -45,10 +44,10 @@ public:
   }
 
   /// Basis loop i as edges.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceChain Loop(std::size_t i) const;
+  SurfaceChain Loop(std::size_t i) const;
 
   /// The class of a cycle of edges. Its coordinates are with respect to the loops above.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologyClass ClassOf(const SurfaceChain& edges) const;
+  HomologyClass ClassOf(const SurfaceChain& edges) const;
 
   /// Adds an edge to the class of a chain. The class starts at zero and equals ClassOf() once the
   /// chain is a cycle.
@@ -87,7 +86,7 @@ class HomologySpan
 {
 public:
   /// Adds a class; returns true if it was not in the subspace before.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Add(HomologyClass c);
+  bool Add(HomologyClass c);
 
   bool Contains(HomologyClass c) const
   {
@@ -98,7 +97,7 @@ public:
   std::size_t Rank() const { return this->Rows.size(); }
 
 private:
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Reduce(HomologyClass& c) const;
+  void Reduce(HomologyClass& c) const;
 
   std::vector<std::pair<std::size_t, HomologyClass>> Rows; ///< leading bit, reduced class
 };
@@ -112,8 +111,8 @@ class SurfaceInComplex
 {
 public:
   /// O(n). Keeps references to both.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface,
-    const CellFiltration& f, const ProgressCallback& progress = {});
+  SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f,
+    const ProgressCallback& progress = {});
 
   /// The surface's edge that an edge of the complex is, or None.
   SurfaceEdgeId SurfaceEdge(EdgeId edge) const { return this->OnSurface[edge]; }
@@ -123,12 +122,11 @@ public:
    * the Voronoi cells that it passes. Each of these enters the complex before half the length of
    * the edge, and the path can be deformed into the edge within the balls of that radius.
    */
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
+  EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
 
   /// Shortest path of surface edges between two points of the surface, at most `reach` long; empty
   /// when there is none.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceEdgeId> ShortestPath(
-    SimplexId from, SimplexId to, double reach) const;
+  std::vector<SurfaceEdgeId> ShortestPath(SimplexId from, SimplexId to, double reach) const;
 
 private:
   const SurfaceAdjacency& Surface;
@@ -153,12 +151,11 @@ void Toggle(std::set<Id>& chain, Id e)
 }
 
 /// Boundary of a set of triangles, over Z/2, ascending.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain BoundaryOf(
-  const CellFiltration& f, const TriangleChain& triangles);
+EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles);
 
 /// Those of the `triangles` that are connected with `seed` across edges that are not on M.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain ConnectedPiece(const CellFiltration& f,
-  const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
+TriangleChain ConnectedPiece(const CellFiltration& f, const SurfaceInComplex& surface,
+  const std::set<TriangleId>& triangles, TriangleId seed);
 
 // ------------------------------------------------------------------------------------------
 // The triangle, and so the radius, at which each class of loops on a surface dies.
@@ -179,9 +176,9 @@ struct SurfaceGenerator
  * closes a class of its side, possibly plus one that died before on the other side. Ascending by
  * value. Time: 2g cycle reductions and an elimination of 2g columns.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceGenerator> SurfaceGenerators(
-  const SurfaceHomology& homology, const SurfaceInComplex& surface, const CellFiltration& f,
-  const FiltrationPairs& pairs, const ProgressCallback& progress = {});
+std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
+  const SurfaceInComplex& surface, const CellFiltration& f, const FiltrationPairs& pairs,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -47,7 +47,7 @@ class SurfaceAdjacency
 {
 public:
   /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SurfaceAdjacency(const SurfaceView& mesh);
+  explicit SurfaceAdjacency(const SurfaceView& mesh);
   explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
   const SurfaceView& Mesh() const { return this->Surface; }
@@ -166,11 +166,10 @@ class SurfacePaths
 {
 public:
   /// Paths of at most `reach`. @pre `surface` outlives this object.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfacePaths(
-    const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to = -1);
+  SurfacePaths(const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to = -1);
 
   /// Extends the search to paths of at most `reach`, as if started with it.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Grow(double reach);
+  void Grow(double reach);
 
   /// Points by the length of their paths (with `to`, as they were met), `from` first.
   const std::vector<SimplexId>& Points() const { return this->Settled; }
@@ -238,34 +237,29 @@ struct SurfaceCurvePoint
 };
 
 /// Where a point of a curve lies.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 PositionOf(
-  const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+Point3 PositionOf(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
 
 /// The edges that a closed curve crosses, each as half edge of the triangle that the curve enters
 /// there: seen along the curve, From is on the left and To on the right.
 using EdgeStrip = std::vector<SurfaceCurvePoint>;
 
 /// Takes out crossings that go back at once over the same edge.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void RemoveBacktracking(
-  const SurfaceAdjacency& surface, EdgeStrip& strip);
+void RemoveBacktracking(const SurfaceAdjacency& surface, EdgeStrip& strip);
 
 /// The same of an open strip.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip WithoutBacktracking(
-  const SurfaceAdjacency& surface, const EdgeStrip& strip);
+EdgeStrip WithoutBacktracking(const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
 /// point, the edges between the ways in and out. Throws std::invalid_argument where no edge joins
 /// two of them.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripLeftOf(
-  const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
+EdgeStrip StripLeftOf(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
 /// The same for an open path of points, from the first to the last: neither end is passed.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripLeftOfPath(
-  const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
+EdgeStrip StripLeftOfPath(const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
 
 /// Takes out crossings that go back at once over the same edge, and those of edges that the ends
 /// `from` and `to` of an open path lie on.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void RemoveBacktracking(
+void RemoveBacktracking(
   const SurfaceAdjacency& surface, EdgeStrip& strip, SimplexId from, SimplexId to);
 
 using Point2 = std::array<double, 2>;
@@ -294,17 +288,14 @@ struct UnfoldedStrip
 };
 
 /// Triangles keep their lengths, neighbours their common edge. One edge more than the strip has.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip Unfold(
-  const SurfaceAdjacency& surface, const EdgeStrip& strip, std::size_t start);
+UnfoldedStrip Unfold(const SurfaceAdjacency& surface, const EdgeStrip& strip, std::size_t start);
 
 /// The strip of an open path between two points, its ends as edges without length: two edges more
 /// than the strip has. @pre the strip is not empty and has no edge that ends at `from` or `to`.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip UnfoldPath(
-  const SurfaceAdjacency& surface, const EdgeStrip& strip);
+UnfoldedStrip UnfoldPath(const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// A strip laid into the plane from its first edge to its last.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip UnfoldOpen(
-  const SurfaceAdjacency& surface, const EdgeStrip& strip);
+UnfoldedStrip UnfoldOpen(const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// At a fraction of edge i of an unfolded strip.
 inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction)
@@ -325,39 +316,35 @@ inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction
  * between: where it crosses each of these, as fractions from From to To; 0 or 1 where it bends
  * round an end. Entry 0 belongs to the first edge and is 0. O(number of edges) for most strips.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> FunnelCrossings(
-  const UnfoldedStrip& plane, const Point2& p, const Point2& q);
+std::vector<double> FunnelCrossings(const UnfoldedStrip& plane, const Point2& p, const Point2& q);
 
 /// The same into `fraction`, whose memory is used again.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void FunnelCrossings(
+void FunnelCrossings(
   const UnfoldedStrip& plane, const Point2& p, const Point2& q, std::vector<double>& fraction);
 
 // ------------------------------------------------------------------------------------------
 // A strip of triangles rerouted around the other side of a point.
 
 /// Angle at From(h) of the triangle left of h.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double CornerAngle(
-  const SurfaceAdjacency& surface, HalfEdgeId h);
+double CornerAngle(const SurfaceAdjacency& surface, HalfEdgeId h);
 
 /**
  * The edges at point p on its other side, for a curve that enters over half edge `enter`, passes
  * edges that all end at p, and leaves through triangle `last`: with p on its right it turns
  * clockwise there, and the other way is counter-clockwise. Fractions lie at p.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripOnOtherSide(
+EdgeStrip StripOnOtherSide(
   const SurfaceAdjacency& surface, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p);
 
 /// Angle at p between the incoming and the outgoing path, on the side of the edges `other`.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double AngleOnOtherSide(const SurfaceAdjacency& surface,
-  const EdgeStrip& other, SimplexId p, const Point3& before, const Point3& after);
+double AngleOnOtherSide(const SurfaceAdjacency& surface, const EdgeStrip& other, SimplexId p,
+  const Point3& before, const Point3& after);
 
 /// True for a curve that runs through the end p of its edge.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Touches(
-  const SurfaceAdjacency& surface, const SurfaceCurvePoint& c, SimplexId p);
+bool Touches(const SurfaceAdjacency& surface, const SurfaceCurvePoint& c, SimplexId p);
 
 /// The end of its edge that a curve runs through, or -1.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SimplexId TouchedBy(
-  const SurfaceAdjacency& surface, const SurfaceCurvePoint& c);
+SimplexId TouchedBy(const SurfaceAdjacency& surface, const SurfaceCurvePoint& c);
 
 }
 

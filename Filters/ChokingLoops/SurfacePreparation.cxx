@@ -28,7 +28,7 @@ namespace
 {
 
 /// How far copies of a point are moved towards the mean of their neighbours.
-constexpr double DrawnBy = 0.01;
+constexpr double MovedBy = 0.01;
 
 /// Thin triangles may hide others, and repair may create some.
 constexpr int MostRounds = 3;
@@ -58,7 +58,7 @@ void DrawApart(TriangleMesh& mesh)
   for (const auto& [id, neighbours] : around)
   {
     const Point3 middle = (1.0 / neighbours.second) * neighbours.first;
-    moved.emplace_back(id, (1.0 - DrawnBy) * mesh.Points[At(id)] + DrawnBy * middle);
+    moved.emplace_back(id, (1.0 - MovedBy) * mesh.Points[At(id)] + MovedBy * middle);
   }
   for (const auto& [id, place] : moved)
   {

@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>
 #include <string>
@@ -38,9 +37,8 @@ constexpr double RepairableShare = 0.01;
  * Throws std::invalid_argument if the repair fails or changes the volume by more than
  * RepairableShare. `what` describes the defect and is the beginning of that message.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const SurfaceView& surface,
-  const std::string& what, bool allowCrossings, RepairReport& report,
-  const ProgressCallback& progress = {});
+TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& what,
+  bool allowCrossings, RepairReport& report, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
 // Checks of the requirements on a surface; messages name the triangles that violate them.
@@ -54,8 +52,8 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const Surf
  * With `report`, a closed and oriented surface that has crossings, touching parts, double triangles
  * or thin triangles is repaired by RepairedForAnalysis(), and `report` describes the repairs.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface,
-  bool allowCrossings, const ProgressCallback& progress = {}, RepairReport* report = nullptr);
+TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
+  const ProgressCallback& progress = {}, RepairReport* report = nullptr);
 
 // ------------------------------------------------------------------------------------------
 // Splits a surface so finely that its points represent it.
@@ -68,10 +66,10 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh CheckedSurface(TriangleMesh su
  * of S with death^2 - birth^2 > e^2 is a feature of M, and a radius d of S corresponds to a radius
  * of M between sqrt(d^2 - e^2) and d. O(n).
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> SamplingErrors(const SurfaceView& mesh);
+std::vector<double> SamplingErrors(const SurfaceView& mesh);
 
 /// Edge length that spreads about `points` samples evenly over the area of `mesh`.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double EdgeLengthFor(const SurfaceView& mesh, double points);
+double EdgeLengthFor(const SurfaceView& mesh, double points);
 
 /**
  * Splits edges longer than `limit(point, point)`, called with the two ends, at their midpoints
@@ -79,7 +77,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double EdgeLengthFor(const SurfaceView& mes
  *
  * Returns an empty mesh if this would need more than `maximumPoints` points.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh SplitLongEdges(TriangleMesh mesh,
+TriangleMesh SplitLongEdges(TriangleMesh mesh,
   const std::function<double(const Point3&, const Point3&)>& limit, std::size_t maximumPoints,
   const ProgressCallback& progress = {});
 
@@ -104,16 +102,15 @@ constexpr std::size_t ManyPlaces = 64;
  * @throws std::invalid_argument for an invalid spacing, or one that needs more than 20 million
  * points along the edges alone; std::runtime_error if more are needed in total; Cancelled.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh FirstSamples(
+TriangleMesh FirstSamples(
   const SurfaceView& surface, double& spacing, const ProgressCallback& progress = {});
 
 /// `mesh` split further near the places given, or everywhere to 0.6 of `spacing` if there are more
 /// than ManyPlaces. Returns an empty mesh if this would need too many points, or if even the
 /// spacing `finest`, the limit of such rounds, would resolve less than half of many places (e.g. on
 /// a flat surface or a needle).
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
-  const std::vector<Refinement>& wanted, double spacing, double finest,
-  const ProgressCallback& progress = {});
+TriangleMesh Refined(const SurfaceView& mesh, const std::vector<Refinement>& wanted, double spacing,
+  double finest, const ProgressCallback& progress = {});
 
 }
 

@@ -4,11 +4,12 @@
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/Cached.h"
 #include "Core/GatherRanks.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/RangeChecks.h"
 #include "Persistence/SurfaceDistance.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/ShellNesting.h"
@@ -22,7 +23,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkLogger.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -54,44 +54,36 @@ std::string SecondsText(double seconds)
 constexpr const char* Unsettled = ", including handles or tunnels on the surface's own triangles, "
                                   "which the samples do not resolve.";
 
-void TellDrawing(const isthmus::DrawingCost& cost)
+// Estimated costs are for developers: VTK shows the level TRACE only if asked to.
+void LogDrawingCost(const isthmus::DrawingCost& cost)
 {
-  vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Loops, " features still to be drawn, ",
-                 "about ", SecondsText(cost.Seconds), "."));
+  vtkLog(TRACE, << isthmus::TextOf("Choking loops: ", cost.Loops, " features still to be drawn, ",
+                  "about ", SecondsText(cost.Seconds), "."));
 }
 
 /// Logs the minimum memory of an analysis; its time depends on the shape.
-void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
+void LogMinimumCost(const isthmus::SurfaceView& surface, double spacing)
 {
   // Halved edges are three quarters of the spacing long, on average.
   const double asked =
     spacing > 0.0 ? 2.0 * std::pow(isthmus::EdgeLengthFor(surface, 1.0) / spacing, 2.0) : 20000.0;
   const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
   const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
-  vtkLog(INFO, << isthmus::TextOf("Choking loops of at least ", whole(samples),
-                 " samples: at least ", whole(50.0 + samples / 400.0), " MiB."));
+  vtkLog(TRACE, << isthmus::TextOf("Choking loops of at least ", whole(samples),
+                  " samples: at least ", whole(50.0 + samples / 400.0), " MiB."));
 }
 
-/// The analysis' parameters; `memoryLimit` in MiB. The cost of each round is logged.
-isthmus::ChokingLoopParameters ParametersOf(
-  double sampleSpacing, bool allowSelfIntersections, double memoryLimit)
+/// The cost of each round goes to the trace log.
+void LogAnalysisCost(const isthmus::AnalysisCost& cost)
 {
-  isthmus::ChokingLoopParameters parameters;
-  parameters.SampleSpacing = sampleSpacing;
-  parameters.AllowSelfIntersections = allowSelfIntersections;
-  parameters.MemoryLimit = memoryLimit * 1048576.0;
-  parameters.Estimated = [](const isthmus::AnalysisCost& cost)
+  if (cost.Seconds < 0.0)
   {
-    if (cost.Seconds < 0.0)
-    {
-      vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Samples, " samples, about ",
-                     isthmus::MemoryText(cost.Bytes), "."));
-      return;
-    }
-    vtkLog(INFO, << isthmus::TextOf("Choking loops: from sampling to features about ",
-                   SecondsText(cost.Seconds), " in all", (cost.Own > 0 ? Unsettled : ".")));
-  };
-  return parameters;
+    vtkLog(TRACE, << isthmus::TextOf("Choking loops: ", cost.Samples, " samples, about ",
+                    isthmus::MemoryText(cost.Bytes), "."));
+    return;
+  }
+  vtkLog(TRACE, << isthmus::TextOf("Choking loops: from sampling to features about ",
+                  SecondsText(cost.Seconds), " in all", (cost.Own > 0 ? Unsettled : ".")));
 }
 
 /// All points and cells of `grid`. Throws std::invalid_argument if there are none, or for a cell
@@ -152,18 +144,116 @@ isthmus::TriangleMesh SplitFor(
 
 }
 
-/// The analysis and its input.
-struct vtkChokingLoops::Cache
+class vtkChokingLoops::vtkInternals
 {
-  using Key = std::tuple<vtkDataObject*, vtkMTimeType, vtkDataObject*, vtkMTimeType, int, int,
-    std::string, double, bool, bool, int>;
-  Key MadeOf;
-  std::unique_ptr<isthmus::ChokingLoops> Loops;
-  isthmus::DrawnFeatures Geometry; ///< by Method
-  isthmus::MembraneMethod Method = isthmus::MembraneMethod::Automatic;
+public:
+  /// Surface, mesh and what the analysis depends on.
+  using Key = std::tuple<isthmus::ObjectState, isthmus::ObjectState, isthmus::LoopFiltration,
+    isthmus::MeshFunction, std::string, double, bool, bool, int>;
+  struct Analysis
+  {
+    std::unique_ptr<isthmus::ChokingLoops> Loops;
+    isthmus::DrawnFeatures Geometry; ///< by Method
+    isthmus::MembraneMethod Method = isthmus::MembraneMethod::Automatic;
+  };
+  isthmus::Cached<Key, Analysis> Cache;
+
+  /// The analysis of this execution.
+  Analysis& Current() { return *this->Cache.Last(); }
 };
 
+const std::vector<isthmus::OutputArray>& vtkChokingLoops::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "Kind", 1, "", ArrayChoice::None, "0 handle, 1 tunnel, 2 additional" },
+    { 0, ArrayPlace::Cells, "KindName", 1, "", ArrayChoice::None, "the same as text" },
+    { 0, ArrayPlace::Cells, "Side", 1, "", ArrayChoice::None, "0 inside, 1 outside" },
+    { 0, ArrayPlace::Cells, "Radius", 1, "length", ArrayChoice::None,
+      "of the ball that gets stuck" },
+    { 0, ArrayPlace::Cells, "Birth", 1, "length", ArrayChoice::None, "equal to Radius" },
+    { 0, ArrayPlace::Cells, "Death", 1, "length", ArrayChoice::None,
+      "radius at which the space behind the narrowing is filled" },
+    { 0, ArrayPlace::Cells, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
+    { 0, ArrayPlace::Cells, "Uncertainty", 1, "length", ArrayChoice::None,
+      "the true radius lies in [Radius - Uncertainty, Radius]; with TetrahedralMesh in [Radius - "
+      "Uncertainty, Radius + Uncertainty], since the distance is known only at the points of the "
+      "mesh. It is 0.61 times the longest edge of the tetrahedra on the same side that come that "
+      "close to the surface (with PointArray: the largest range of the array within one of them)" },
+    { 0, ArrayPlace::Cells, "Trusted", 1, "", ArrayChoice::None,
+      "1 for a feature of the surface, 0 if it may be caused by the sampling" },
+    { 0, ArrayPlace::Cells, "Length", 1, "length", ArrayChoice::None, "of the loop" },
+    { 0, ArrayPlace::Cells, "Reach", 1, "", ArrayChoice::None,
+      "of the feature, distance of its loops' farthest point from the choke point, in radii: 1 for "
+      "a round neck" },
+    { 0, ArrayPlace::Cells, "FeatureId", 1, "", ArrayChoice::None,
+      "number of the feature in all outputs" },
+    { 0, ArrayPlace::Cells, "Component", 1, "", ArrayChoice::None, "of the surface" },
+    { 0, ArrayPlace::Cells, "SharedWith", 1, "", ArrayChoice::None,
+      "if several narrowings have the same loop, such as the windows of a wall: the FeatureId of "
+      "the first of them, whose points the cells of the others use; otherwise -1" },
+    { 0, ArrayPlace::Field, "NumberOfSamples", 1, "", ArrayChoice::None, "of the surface" },
+    { 0, ArrayPlace::Field, "LargestSamplingError", 1, "length", ArrayChoice::None,
+      "of all samples" },
+    { 0, ArrayPlace::Field, "ReferenceLength", 1, "length", ArrayChoice::None, "inside, outside" },
+    { 0, ArrayPlace::Field, "NumberOfHandles", 1, "", ArrayChoice::None, "features" },
+    { 0, ArrayPlace::Field, "NumberOfTunnels", 1, "", ArrayChoice::None, "features" },
+    { 0, ArrayPlace::Field, "NumberOfAdditionalLoops", 1, "", ArrayChoice::None,
+      "inside, outside; features, each counted once, however many loops it has" },
+    { 0, ArrayPlace::Field, "NumberOfFeatures", 1, "", ArrayChoice::None,
+      "selected by Side and the thresholds" },
+    { 0, ArrayPlace::Field, "NumberOfUntrustedFeatures", 1, "", ArrayChoice::None,
+      "those of them that are not trusted" },
+    { 0, ArrayPlace::Field, "NumberOfShownFeatures", 1, "", ArrayChoice::None,
+      "those of them that remain after MaximumNumberOfLoops, TrustedOnly, MaximumLength and "
+      "MaximumReach" },
+    { 0, ArrayPlace::Field, "ProposedThreshold", 2, "length", ArrayChoice::None,
+      "inside, outside: the persistence at the middle of the side's largest gap, and the width of "
+      "the gap, 0 if there is none" },
+    { 0, ArrayPlace::Field, "Repaired", 1, "", ArrayChoice::None,
+      "number of triangles changed by a repair; missing without one" },
+    { 0, ArrayPlace::Field, "RepairedPlaces", 3, "length", ArrayChoice::None, "their centres" },
+    { 1, ArrayPlace::Cells, "FeatureId", 1, "", ArrayChoice::None, "of the loop" },
+    { 1, ArrayPlace::Cells, "Area", 1, "length^2", ArrayChoice::None, "of the membrane" },
+    { 1, ArrayPlace::Cells, "Radius", 1, "length", ArrayChoice::None,
+      "of the ball that gets stuck" },
+    { 1, ArrayPlace::Cells, "Birth", 1, "length", ArrayChoice::None, "equal to Radius" },
+    { 1, ArrayPlace::Cells, "Death", 1, "length", ArrayChoice::None,
+      "radius at which the space behind the narrowing is filled" },
+    { 1, ArrayPlace::Cells, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
+    { 1, ArrayPlace::Cells, "Kind", 1, "", ArrayChoice::None, "0 handle, 1 tunnel, 2 additional" },
+    { 1, ArrayPlace::Cells, "Method", 1, "", ArrayChoice::None,
+      "by which the membrane was computed: 0 if the chosen method found none; unless "
+      "MembraneMethod is Automatic" },
+    { 1, ArrayPlace::Cells, "GrowthCost", 1, "length", ArrayChoice::None,
+      "sum of the path costs of the growth, before shortening; 0 for another method; with Greedy" },
+    { 2, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None,
+      "of the ball that gets stuck" },
+    { 2, ArrayPlace::Points, "Birth", 1, "length", ArrayChoice::None, "equal to Radius" },
+    { 2, ArrayPlace::Points, "Death", 1, "length", ArrayChoice::None,
+      "radius at which the space behind the narrowing is filled" },
+    { 2, ArrayPlace::Points, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
+    { 2, ArrayPlace::Points, "Kind", 1, "", ArrayChoice::None, "0 handle, 1 tunnel, 2 additional" },
+    { 2, ArrayPlace::Points, "Side", 1, "", ArrayChoice::None, "0 inside, 1 outside" },
+    { 2, ArrayPlace::Points, "FeatureId", 1, "", ArrayChoice::None, "of the loops" },
+    { 3, ArrayPlace::Rows, "FeatureId", 1, "", ArrayChoice::None, "number of the feature" },
+    { 3, ArrayPlace::Rows, "Dimension", 1, "", ArrayChoice::None, "of the homology class" },
+    { 3, ArrayPlace::Rows, "Side", 1, "", ArrayChoice::None, "0 inside, 1 outside" },
+    { 3, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None,
+      "of the ball that gets stuck" },
+    { 3, ArrayPlace::Rows, "Birth", 1, "length", ArrayChoice::None, "equal to Radius" },
+    { 3, ArrayPlace::Rows, "Death", 1, "length", ArrayChoice::None,
+      "radius at which the space behind the narrowing is filled" },
+    { 3, ArrayPlace::Rows, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
+    { 3, ArrayPlace::Rows, "Kind", 1, "", ArrayChoice::None,
+      "0 handle, 1 tunnel, 2 additional, 3 noise, or the surface itself" },
+  };
+  return table;
+}
+
 vtkChokingLoops::vtkChokingLoops()
+  : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -187,19 +277,26 @@ int vtkChokingLoops::FillOutputPortInformation(int port, vtkInformation* informa
 
 void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
 {
-  const Cache::Key key{ surface, surface->GetMTime(), grid, grid ? grid->GetMTime() : 0,
-    this->Filtration, this->MorseFunction, this->MorseArrayName, this->SampleSpacing,
-    this->AllowSelfIntersections, this->CapHoles, this->MemoryLimit };
-  if (this->Kept && this->Kept->MadeOf == key)
-  {
-    return;
-  }
-  this->Kept.reset();
+  const isthmus::LoopSearchParameters& p = this->Parameters;
+  const vtkInternals::Key key{ isthmus::StateOf(surface), isthmus::StateOf(grid), p.Filtration,
+    p.MorseFunction, p.MorseArrayName, p.SampleSpacing, p.AllowSelfIntersections, p.CapHoles,
+    p.MemoryLimit };
+  this->Internals->Cache.Get(key,
+    [&]
+    {
+      vtkInternals::Analysis made;
+      made.Loops = this->AnalyseSurface(surface, grid);
+      this->Report(*made.Loops);
+      return made;
+    });
+}
+
+std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseSurface(
+  vtkPolyData* surface, vtkDataObject* grid)
+{
   isthmus::RequirePlaces(vtkPointSet::SafeDownCast(grid), "the mesh");
   std::fill_n(this->StageTimes, 5, 0.0);
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
-  auto made = std::make_unique<Cache>();
-  made->MadeOf = key;
   isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
   if (triangles.Triangles.empty())
   {
@@ -207,8 +304,9 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
       " points but no triangles: choking loops need a closed surface. Create one from the points "
       "(Alpha Shape, Contour).");
   }
-  TellEstimate(triangles, this->Filtration == Delaunay ? this->SampleSpacing : 0.0);
-  if (this->CapHoles)
+  const bool isDelaunay = this->Parameters.Filtration == isthmus::LoopFiltration::Delaunay;
+  LogMinimumCost(triangles, isDelaunay ? this->Parameters.SampleSpacing : 0.0);
+  if (this->Parameters.CapHoles)
   {
     isthmus::RepairedSurface repaired =
       isthmus::RepairSurface(triangles, isthmus::Between(progress, 0.0, 0.0));
@@ -218,18 +316,13 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
       vtkWarningMacro(<< repaired.Changes);
     }
   }
-  if (this->Filtration == Delaunay)
+  if (isDelaunay)
   {
-    const isthmus::ChokingLoopParameters parameters =
-      ParametersOf(this->SampleSpacing, this->AllowSelfIntersections, this->MemoryLimit);
-    made->Loops =
-      std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
+    isthmus::ChokingLoopParameters parameters = this->Parameters;
+    parameters.Estimated = LogAnalysisCost;
+    return std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
   }
-  else
-  {
-    made->Loops = this->AnalyseMesh(std::move(triangles), vtkUnstructuredGrid::SafeDownCast(grid));
-  }
-  this->Keep(std::move(made));
+  return this->AnalyseMesh(std::move(triangles), vtkUnstructuredGrid::SafeDownCast(grid));
 }
 
 std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseMesh(
@@ -249,11 +342,11 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseMesh(
         surface, MeshAround(cleaned.Mesh), isthmus::Between(progress, 0.0, 0.4));
   const std::vector<double> values = this->MorseValues(surface, mesh, given);
   std::optional<std::vector<double>> errors;
-  if (this->MorseFunction != PointArray)
+  if (this->Parameters.MorseFunction != isthmus::MeshFunction::PointArray)
   {
     errors.emplace();
   }
-  if (errors && this->MorseFunction != ClosestPoint)
+  if (errors && this->Parameters.MorseFunction != isthmus::MeshFunction::ClosestPoint)
   {
     *errors = isthmus::MorseValues(surface, mesh, isthmus::MorseFunction::ClosestPoint);
     std::transform(values.begin(), values.end(), errors->begin(), errors->begin(),
@@ -263,34 +356,34 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseMesh(
     surface, mesh, values, errors, isthmus::Between(progress, 0.5, 1.0));
 }
 
-void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)
+void vtkChokingLoops::Report(const isthmus::ChokingLoops& analysis)
 {
-  if (!made->Loops->Repairs().Message.empty())
+  if (!analysis.Repairs().Message.empty())
   {
-    vtkWarningMacro(<< made->Loops->Repairs().Message);
+    vtkWarningMacro(<< analysis.Repairs().Message);
   }
   // With TrustedOnly the remark would be about features that are not reported.
-  if (!made->Loops->Remark().empty() && !this->TrustedOnly)
+  if (!analysis.Remark().empty() && !this->Parameters.TrustedOnly)
   {
-    vtkWarningMacro(<< made->Loops->Remark());
+    vtkWarningMacro(<< analysis.Remark());
   }
-  const isthmus::ChokingLoopTimes& t = made->Loops->Times();
+  const isthmus::ChokingLoopTimes& t = analysis.Times();
   const double times[] = { t.Check, t.Sampling, t.Filtration, t.Pairing, t.Features };
   std::copy_n(times, 5, this->StageTimes);
-  this->Kept = std::move(made);
 }
 
 std::vector<double> vtkChokingLoops::MorseValues(const isthmus::SurfaceView& surface,
   const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given)
 {
-  if (this->MorseFunction == PointArray)
+  if (this->Parameters.MorseFunction == isthmus::MeshFunction::PointArray)
   {
     vtkDataArray* array =
-      given ? given->GetPointData()->GetArray(this->MorseArrayName.c_str()) : nullptr;
+      given ? given->GetPointData()->GetArray(this->Parameters.MorseArrayName.c_str()) : nullptr;
     if (!array || array->GetNumberOfComponents() != 1)
     {
       throw std::invalid_argument("The tetrahedral mesh on the second input has no point array '" +
-        this->MorseArrayName + "' of one component: choose one, or another Morse function.");
+        this->Parameters.MorseArrayName +
+        "' of one component: choose one, or another Morse function.");
     }
     std::vector<double> values(mesh.Points.size());
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -301,93 +394,75 @@ std::vector<double> vtkChokingLoops::MorseValues(const isthmus::SurfaceView& sur
   }
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
   return isthmus::MorseValues(surface, mesh,
-    static_cast<isthmus::MorseFunction>(this->MorseFunction), isthmus::Between(progress, 0.4, 0.5));
-}
-
-isthmus::FeatureSelection vtkChokingLoops::Selection() const
-{
-  isthmus::FeatureSelection selection;
-  selection.Inside = this->Side != Outside;
-  selection.Outside = this->Side != Inside;
-  selection.MaximumRadius = { this->MaximumRadius, this->MaximumRadiusUnit == Percent };
-  selection.MinimumPersistence = { this->MinimumPersistence,
-    this->MinimumPersistenceUnit == Percent };
-  selection.Threshold = this->ThresholdMode == LargestGap ? isthmus::ThresholdMode::LargestGap
-                                                          : isthmus::ThresholdMode::Given;
-  selection.AlwaysReportHandles = this->AlwaysReportHandles;
-  selection.TrustedOnly = this->TrustedOnly;
-  selection.MaximumNumber = static_cast<std::size_t>(this->MaximumNumberOfLoops);
-  return selection;
+    static_cast<isthmus::MorseFunction>(this->Parameters.MorseFunction),
+    isthmus::Between(progress, 0.4, 0.5));
 }
 
 int vtkChokingLoops::RoundsOfShortening() const
 {
-  return this->Shortening == None ? 0
-    : this->Shortening == Rounds  ? this->ShorteningRounds
-                                  : ManyRounds;
+  const isthmus::LoopSearchParameters& p = this->Parameters;
+  return p.Shortening == isthmus::ShorteningMode::None ? 0
+    : p.Shortening == isthmus::ShorteningMode::Rounds  ? p.ShorteningRounds
+                                                       : ManyRounds;
 }
 
 std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
 {
-  isthmus::ChokingLoops& analysis = *this->Kept->Loops;
+  isthmus::ChokingLoops& analysis = *this->Internals->Current().Loops;
   const int rounds = this->RoundsOfShortening();
-  const std::vector<std::size_t> chosen = analysis.Select(this->Selection());
-  const auto method = static_cast<isthmus::MembraneMethod>(this->MembraneMethod);
-  if (this->Kept->Method != method)
+  const std::vector<std::size_t> chosen = analysis.Select(this->Parameters);
+  const isthmus::MembraneMethod method = this->Parameters.MembraneMethod;
+  if (this->Internals->Current().Method != method)
   {
-    this->Kept->Geometry.clear();
-    this->Kept->Method = method;
+    this->Internals->Current().Geometry.clear();
+    this->Internals->Current().Method = method;
   }
-  if (method == isthmus::MembraneMethod::Greedy && this->Filtration == Delaunay)
+  if (method == isthmus::MembraneMethod::Greedy &&
+    this->Parameters.Filtration == isthmus::LoopFiltration::Delaunay)
   {
     vtkWarningMacro(
       << "Greedy membranes need the filtration Tetrahedral mesh: all points of the Delaunay "
          "filtration lie on the surface. The automatic membranes are used instead.");
   }
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
-  isthmus::DrawFeatures(
-    analysis, chosen, rounds, this->Kept->Geometry, TellDrawing, progress, method);
+  isthmus::DrawFeatures(analysis, chosen, rounds, this->Internals->Current().Geometry,
+    LogDrawingCost, progress, method);
   std::vector<isthmus::ShownFeature> shown;
   for (const std::size_t feature : chosen)
   {
-    const isthmus::LoopFeature& geometry = this->Kept->Geometry.at({ feature, rounds });
+    const isthmus::LoopFeature& geometry =
+      this->Internals->Current().Geometry.at({ feature, rounds });
     if (!geometry.Loops.empty()) // features without a loop are neither drawn nor counted
     {
       shown.push_back({ feature, &geometry });
     }
   }
   isthmus::FindShared(analysis, shown);
-  isthmus::ApplyLimits(
-    analysis, { this->MaximumLength, this->MaximumReach, this->LoopOrder == ByLength }, shown);
+  isthmus::ApplyLimits(analysis, this->Parameters, shown);
   return shown;
 }
 
 void vtkChokingLoops::AddCounts(std::size_t shown, vtkPolyData* output)
 {
-  const isthmus::ChokingLoops& analysis = *this->Kept->Loops;
-  isthmus::FeatureSelection selection = this->Selection();
+  const isthmus::ChokingLoops& analysis = *this->Internals->Current().Loops;
+  isthmus::FeatureSelection selection = this->Parameters;
   selection.TrustedOnly = false;
-  selection.MaximumNumber = 0;
+  selection.MaximumNumberOfLoops = 0;
   std::size_t all = 0, untrusted = 0;
   for (const std::size_t feature : analysis.Select(selection))
   {
-    const auto drawn = this->Kept->Geometry.find({ feature, this->RoundsOfShortening() });
-    if (drawn == this->Kept->Geometry.end() || !drawn->second.Loops.empty())
+    const auto drawn =
+      this->Internals->Current().Geometry.find({ feature, this->RoundsOfShortening() });
+    if (drawn == this->Internals->Current().Geometry.end() || !drawn->second.Loops.empty())
     {
       ++all;
       untrusted += analysis.Diagram().Features[feature].Trusted ? 0 : 1;
     }
   }
-  const auto add = [output](const char* name, std::size_t count)
-  {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(name);
-    array->InsertNextValue(static_cast<vtkIdType>(count));
-    output->GetFieldData()->AddArray(array);
-  };
-  add("NumberOfFeatures", all);
-  add("NumberOfUntrustedFeatures", untrusted);
-  add("NumberOfShownFeatures", shown);
+  vtkFieldData* const data = output->GetFieldData();
+  isthmus::AddColumn<vtkIdTypeArray>(data, "NumberOfFeatures", { all });
+  isthmus::AddColumn<vtkIdTypeArray>(data, "NumberOfUntrustedFeatures", { untrusted });
+  isthmus::AddColumn<vtkIdTypeArray>(data, "NumberOfShownFeatures", { shown });
 }
 
 int vtkChokingLoops::RequestData(
@@ -416,25 +491,18 @@ bool vtkChokingLoops::FindLoops(
   return isthmus::Succeeds(this, output,
     [&]
     {
-      isthmus::RequireThat(!std::isnan(this->MaximumRadius), "MaximumRadius", this->MaximumRadius,
-        "it must be a number");
-      isthmus::RequireThat(!std::isnan(this->MinimumPersistence), "MinimumPersistence",
-        this->MinimumPersistence, "it must be a number");
-      isthmus::RequireThat(!std::isnan(this->MaximumLength), "MaximumLength", this->MaximumLength,
-        "it must be a number");
-      isthmus::RequireThat(
-        !std::isnan(this->MaximumReach), "MaximumReach", this->MaximumReach, "it must be a number");
+      isthmus::Check(this->Parameters);
       this->Analyse(surface, mesh);
-      if (this->AllowSelfIntersections)
+      if (this->Parameters.AllowSelfIntersections)
       {
         vtkWarningMacro(
           << "The surface was not checked for self-intersections: where it crosses itself, inside "
              "and outside are not defined and the counts are not guaranteed.");
       }
       const std::vector<isthmus::ShownFeature> shown = this->DrawLoops();
-      const isthmus::ChokingLoops& analysis = *this->Kept->Loops;
+      const isthmus::ChokingLoops& analysis = *this->Internals->Current().Loops;
       isthmus::FillLoops(analysis, shown, loops);
-      isthmus::FillMembranes(analysis, shown, this->Kept->Method, membranes);
+      isthmus::FillMembranes(analysis, shown, this->Internals->Current().Method, membranes);
       isthmus::FillChokePoints(analysis, shown, points);
       isthmus::FillDiagram(analysis, diagram);
       isthmus::AddAnalysisFieldData(analysis, shown, loops);
@@ -445,26 +513,26 @@ bool vtkChokingLoops::FindLoops(
 void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Side: " << this->Side << "\n";
-  os << indent << "MaximumRadius: " << this->MaximumRadius << "\n";
-  os << indent << "MaximumRadiusUnit: " << this->MaximumRadiusUnit << "\n";
-  os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
-  os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
-  os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";
-  os << indent << "MaximumNumberOfLoops: " << this->MaximumNumberOfLoops << "\n";
-  os << indent << "TrustedOnly: " << this->TrustedOnly << "\n";
-  os << indent << "MaximumLength: " << this->MaximumLength << "\n";
-  os << indent << "MaximumReach: " << this->MaximumReach << "\n";
-  os << indent << "LoopOrder: " << this->LoopOrder << "\n";
-  os << indent << "AlwaysReportHandles: " << this->AlwaysReportHandles << "\n";
-  os << indent << "Filtration: " << this->Filtration << "\n";
-  os << indent << "MorseFunction: " << this->MorseFunction << "\n";
-  os << indent << "MorseArrayName: " << this->MorseArrayName << "\n";
-  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
-  os << indent << "Shortening: " << this->Shortening << "\n";
-  os << indent << "ShorteningRounds: " << this->ShorteningRounds << "\n";
-  os << indent << "MembraneMethod: " << this->MembraneMethod << "\n";
-  os << indent << "AllowSelfIntersections: " << this->AllowSelfIntersections << "\n";
-  os << indent << "CapHoles: " << this->CapHoles << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Side: " << this->GetSide() << "\n";
+  os << indent << "MaximumRadius: " << this->GetMaximumRadius() << "\n";
+  os << indent << "MaximumRadiusUnit: " << this->GetMaximumRadiusUnit() << "\n";
+  os << indent << "MinimumPersistence: " << this->GetMinimumPersistence() << "\n";
+  os << indent << "MinimumPersistenceUnit: " << this->GetMinimumPersistenceUnit() << "\n";
+  os << indent << "ThresholdMode: " << this->GetThresholdMode() << "\n";
+  os << indent << "MaximumNumberOfLoops: " << this->GetMaximumNumberOfLoops() << "\n";
+  os << indent << "TrustedOnly: " << this->GetTrustedOnly() << "\n";
+  os << indent << "MaximumLength: " << this->GetMaximumLength() << "\n";
+  os << indent << "MaximumReach: " << this->GetMaximumReach() << "\n";
+  os << indent << "LoopOrder: " << this->GetLoopOrder() << "\n";
+  os << indent << "AlwaysIncludeHandles: " << this->GetAlwaysIncludeHandles() << "\n";
+  os << indent << "Filtration: " << this->GetFiltration() << "\n";
+  os << indent << "MorseFunction: " << this->GetMorseFunction() << "\n";
+  os << indent << "MorseArrayName: " << this->GetMorseArrayName() << "\n";
+  os << indent << "SampleSpacing: " << this->GetSampleSpacing() << "\n";
+  os << indent << "Shortening: " << this->GetShortening() << "\n";
+  os << indent << "ShorteningRounds: " << this->GetShorteningRounds() << "\n";
+  os << indent << "MembraneMethod: " << this->GetMembraneMethod() << "\n";
+  os << indent << "AllowSelfIntersections: " << this->GetAllowSelfIntersections() << "\n";
+  os << indent << "CapHoles: " << this->GetCapHoles() << "\n";
+  os << indent << "MemoryLimit: " << this->GetMemoryLimit() << "\n";
 }

@@ -18,65 +18,26 @@
  * (vtkUnstructuredGrid) of one side or both that has the surface's triangles among its faces, for
  * TetrahedralMesh.
  *
- * Outputs:
- *  0. loops: closed polylines on the surface. Cell arrays:
- *     - `Kind` (0 handle, 1 tunnel, 2 additional), `KindName`, `Side` (0 inside, 1 outside)
- *     - `Radius`: of the ball that gets stuck
- *     - `Birth`: equal to `Radius`
- *     - `Death`: radius at which the space behind the narrowing is filled
- *     - `Persistence`: Death - Birth
- *     - `Uncertainty`: the true radius lies in [Radius - Uncertainty, Radius]; with TetrahedralMesh
- *       in [Radius - Uncertainty, Radius + Uncertainty], since the distance is known only at the
- *       points of the mesh. It is 0.61 times the longest edge of the tetrahedra on the same side
- *       that come that close to the surface (with PointArray: the largest range of the array within
- *       one of them)
- *     - `Trusted`: 1 for a feature of the surface, 0 if it may be caused by the sampling
- *     - `Length`
- *     - `Reach`: of the feature, distance of its loops' farthest point from the choke point, in
- *       radii: 1 for a round neck
- *     - `FeatureId`, `Component`
- *     - `SharedWith`: if several narrowings have the same loop, such as the windows of a wall: the
- *       `FeatureId` of the first of them, whose points the cells of the others use; otherwise -1
- *
- *     A feature may have several loops, for example if its membrane is an annulus.
- *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
- *     `Radius`, `Birth`, `Death`, `Persistence`, `Kind`; if MembraneMethod is not Automatic also
- *     `Method` (the method by which the membrane was computed: 0 if the chosen method found none),
- *     and with Greedy `GrowthCost` (sum of the path costs of the growth, in the unit of the points,
- *     before shortening; 0 for another method).
- *  2. choke points: one vertex for a feature, point arrays `Radius`, `Birth`, `Death`,
- *     `Persistence`, `Kind`, `Side`, `FeatureId`.
- *  3. persistence diagram: a vtkTable with `FeatureId`, `Dimension`, `Side`, `Birth`, `Death`,
- *     `Persistence`, `Radius`, `Kind` (3: noise, or the surface itself). A bar and its loops have
- *     the same `FeatureId`, so selecting one shows the other. Rows of dimension 2 (additional
- *     loops) have the same birth and death as their loops. Rows of dimension 1 (handles and
- *     tunnels) are the class of the loop on the surface: birth 0, death `Radius`.
+ * Outputs, whose arrays OutputArrayTable() lists:
+ *  0. loops: closed polylines on the surface. A feature may have several, for example if its
+ *     membrane is an annulus.
+ *  1. membranes: triangles spanning each loop.
+ *  2. choke points: one vertex for a feature.
+ *  3. persistence diagram, a vtkTable: a bar and its loops have the same `FeatureId`, so selecting
+ *     one shows the other. Rows of dimension 2 (additional loops) have the same birth and death as
+ *     their loops. Rows of dimension 1 (handles and tunnels) are the class of the loop on the
+ *     surface: birth 0, death `Radius`.
  *
  * Birth, death and persistence are defined once, in FeatureDiagram.h (ShapeFeature).
  *
- * **Deprecated, removed in 1.1.0:** the arrays `Fill` (now `Death`) and `Widening` (`Persistence`)
- * of the loops, and `Distance` (`Radius`) of loops and membranes. They are still there, with the
- * same values; an array cannot issue a warning when it is read. Deprecated methods:
- * SetMaximumDistance() and SetMaximumDistanceUnit(), now SetMaximumRadius() and
- * SetMaximumRadiusUnit().
- *
- * Lengths are in the unit of the points, areas in its square. Field data of output 0:
- * `NumberOfSamples`, `LargestSamplingError`, `ReferenceLength` (inside, outside),
- * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside; features, each
- * counted once, however many loops it has), `NumberOfFeatures` (selected by Side and the
- * thresholds), `NumberOfUntrustedFeatures` (those of them that are not trusted),
- * `NumberOfShownFeatures` (those of them that remain after MaximumNumberOfLoops, TrustedOnly,
- * MaximumLength and MaximumReach), `ProposedThreshold` (inside, outside: the persistence at the
- * middle of the side's largest gap, and the width of the gap, 0 if there is none; in the unit of
- * the points).
+ * Lengths are in the unit of the points, areas in its square.
  *
  * Needles, double triangles, and parts that touch or cross are repaired if this changes the volume
- * by at most 1 %. The repair is reported by a warning and by the field data `Repaired` (number of
- * triangles changed) and `RepairedPlaces` (their centres) of output 0. A surface that is not
- * closed, consistently oriented and finite, or that cannot be repaired, causes an error that names
- * triangles, and the outputs are empty. Handles and tunnels narrower than the sampling error are
- * found on a TetGen mesh of both sides; a warning then says that their `Radius` is an upper bound,
- * or, if TetGen fails, that their number and side are not guaranteed.
+ * by at most 1 %, with a warning and the field data `Repaired` and `RepairedPlaces`. A surface that
+ * is not closed, consistently oriented and finite, or that cannot be repaired, causes an error that
+ * names triangles, and the outputs are empty. Handles and tunnels narrower than the sampling error
+ * are found on a TetGen mesh of both sides; a warning then says that their `Radius` is an upper
+ * bound, or, if TetGen fails, that their number and side are not guaranteed.
  *
  * The analysis is cached: changes of thresholds, side and shortening do not repeat it. Time is
  * nearly linear, about 30 s and 2.5 GB for a million points on two threads; loops and membranes
@@ -85,7 +46,9 @@
 #ifndef vtkChokingLoops_h
 #define vtkChokingLoops_h
 
-#include "Core/Deprecation.h"
+#include "ChokingLoops/ChokingLoopParameters.h"
+#include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -98,7 +61,6 @@ class vtkUnstructuredGrid;
 namespace isthmus
 {
 class ChokingLoops;
-struct FeatureSelection;
 struct ShownFeature;
 struct SurfaceView;
 struct TetrahedralMesh;
@@ -156,34 +118,21 @@ public:
 
   ///@{
   /// Which side of the surface to search: Inside, Outside or Both (default).
-  vtkSetClampMacro(Side, int, Inside, Both);
-  vtkGetMacro(Side, int);
+  ISTHMUS_PARAMETER(Side, int);
   ///@}
 
   ///@{
   /// Report narrowings up to this radius: in percent of the side's reference length, the largest
   /// radius at which anything on that side is filled, or in the unit of the points. Default 100 %.
-  vtkSetMacro(MaximumRadius, double);
-  vtkGetMacro(MaximumRadius, double);
-  vtkSetClampMacro(MaximumRadiusUnit, int, Percent, Absolute);
-  vtkGetMacro(MaximumRadiusUnit, int);
-  ISTHMUS_DEPRECATED("1.0.0", "use SetMaximumRadius")
-  void SetMaximumDistance(double radius) { this->SetMaximumRadius(radius); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetMaximumRadius")
-  double GetMaximumDistance() { return this->GetMaximumRadius(); }
-  ISTHMUS_DEPRECATED("1.0.0", "use SetMaximumRadiusUnit")
-  void SetMaximumDistanceUnit(int unit) { this->SetMaximumRadiusUnit(unit); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetMaximumRadiusUnit")
-  int GetMaximumDistanceUnit() { return this->GetMaximumRadiusUnit(); }
+  ISTHMUS_PARAMETER(MaximumRadius, double);
+  ISTHMUS_PARAMETER(MaximumRadiusUnit, int);
   ///@}
 
   ///@{
   /// Report additional loops of at least this persistence: in percent of the side's reference
   /// length or in the unit of the points. Default 5 %.
-  vtkSetMacro(MinimumPersistence, double);
-  vtkGetMacro(MinimumPersistence, double);
-  vtkSetClampMacro(MinimumPersistenceUnit, int, Percent, Absolute);
-  vtkGetMacro(MinimumPersistenceUnit, int);
+  ISTHMUS_PARAMETER(MinimumPersistence, double);
+  ISTHMUS_PARAMETER(MinimumPersistenceUnit, int);
   ///@}
 
   ///@{
@@ -191,35 +140,29 @@ public:
   /// largest gap of each side's diagram separates them (field data `ProposedThreshold`). Gaps
   /// narrower than 1 % of the reference length are ignored; if no gap is wider, the threshold is
   /// that 1 %.
-  vtkSetClampMacro(ThresholdMode, int, Given, LargestGap);
-  vtkGetMacro(ThresholdMode, int);
+  ISTHMUS_PARAMETER(ThresholdMode, int);
   ///@}
 
   ///@{
   /// Report at most this many features, those of the largest persistence. 0 (default): all.
-  vtkSetClampMacro(MaximumNumberOfLoops, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MaximumNumberOfLoops, int);
+  ISTHMUS_PARAMETER(MaximumNumberOfLoops, int);
   ///@}
 
   ///@{
   /// Drop features of any kind with a loop longer than this, in the unit of the points. 0
   /// (default): no limit.
-  vtkSetMacro(MaximumLength, double);
-  vtkGetMacro(MaximumLength, double);
+  ISTHMUS_PARAMETER(MaximumLength, double);
   ///@}
 
   ///@{
   /// Drop features of any kind whose loops extend farther than this from the choke point, in radii
   /// (the cell array `Reach`: 1 for a round neck, large for a slot). 0 (default): no limit.
-  vtkSetMacro(MaximumReach, double);
-  vtkGetMacro(MaximumReach, double);
+  ISTHMUS_PARAMETER(MaximumReach, double);
   ///@}
 
   ///@{
   /// Drop features that may be caused by the sampling (cell array `Trusted` is 0). Default off.
-  vtkSetMacro(TrustedOnly, bool);
-  vtkGetMacro(TrustedOnly, bool);
-  vtkBooleanMacro(TrustedOnly, bool);
+  ISTHMUS_PARAMETER_SWITCH(TrustedOnly);
   ///@}
 
   enum LoopOrderType
@@ -230,15 +173,12 @@ public:
 
   ///@{
   /// Sort order of the features in the outputs, ascending. Default ByRadius.
-  vtkSetClampMacro(LoopOrder, int, ByRadius, ByLength);
-  vtkGetMacro(LoopOrder, int);
+  ISTHMUS_PARAMETER(LoopOrder, int);
   ///@}
 
   ///@{
   /// Report handles and tunnels whatever MaximumRadius says. Default on.
-  vtkSetMacro(AlwaysReportHandles, bool);
-  vtkGetMacro(AlwaysReportHandles, bool);
-  vtkBooleanMacro(AlwaysReportHandles, bool);
+  ISTHMUS_PARAMETER_SWITCH(AlwaysIncludeHandles);
   ///@}
 
   ///@{
@@ -246,8 +186,7 @@ public:
   /// lower-star filtration (thesis, 6.3.1) of MorseFunction on the mesh of input 1, or on one of
   /// about 200,000 tetrahedra that TetGen creates inside the filter, with the surface's triangles
   /// split to their size. Narrowings within the error of the mesh are not reported, with a warning.
-  vtkSetClampMacro(Filtration, int, Delaunay, TetrahedralMesh);
-  vtkGetMacro(Filtration, int);
+  ISTHMUS_PARAMETER(Filtration, int);
   ///@}
 
   ///@{
@@ -256,31 +195,27 @@ public:
   /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1;
   /// FastMarching, the distance computed on that grid by fast marching from the surface, sampled
   /// trilinearly.
-  vtkSetClampMacro(MorseFunction, int, ClosestPoint, FastMarching);
-  vtkGetMacro(MorseFunction, int);
+  ISTHMUS_PARAMETER(MorseFunction, int);
   ///@}
 
   ///@{
   /// Point array of input 1 for MorseFunction PointArray: not negative, 0 on the surface. Default:
   /// none.
-  vtkSetMacro(MorseArrayName, std::string);
-  vtkGetMacro(MorseArrayName, std::string);
+  ISTHMUS_PARAMETER(MorseArrayName, const std::string&);
   ///@}
 
   ///@{
   /// Edges of the surface are split until none is longer than this, in the unit of the points. 0
   /// (default): automatic, about 20,000 samples, and more if a feature is too small for them.
-  vtkSetMacro(SampleSpacing, double);
-  vtkGetMacro(SampleSpacing, double);
+  ISTHMUS_PARAMETER(SampleSpacing, double);
   ///@}
 
   ///@{
-  /// None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface.
+  /// None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface,
+  /// from 1 to 1000 (default 5).
   /// Geodesic (default): until no loop gets shorter.
-  vtkSetClampMacro(Shortening, int, None, Geodesic);
-  vtkGetMacro(Shortening, int);
-  vtkSetClampMacro(ShorteningRounds, int, 1, 1000);
-  vtkGetMacro(ShorteningRounds, int);
+  ISTHMUS_PARAMETER(Shortening, int);
+  ISTHMUS_PARAMETER(ShorteningRounds, int);
   ///@}
 
   ///@{
@@ -290,35 +225,32 @@ public:
   /// TetrahedralMesh only: grown from the choke triangle down to the surface in steps of least cost
   /// (thesis, 6.3.2; MinimumCutMembrane.h). If a method finds no membrane, the automatic one is
   /// used, and the cell array `Method` of the membranes is 0.
-  vtkSetClampMacro(MembraneMethod, int, Automatic, Greedy);
-  vtkGetMacro(MembraneMethod, int);
+  ISTHMUS_PARAMETER(MembraneMethod, int);
   ///@}
 
   ///@{
   /// Analyse a surface even if it intersects itself, with a warning. Default off.
-  vtkSetMacro(AllowSelfIntersections, bool);
-  vtkGetMacro(AllowSelfIntersections, bool);
-  vtkBooleanMacro(AllowSelfIntersections, bool);
+  ISTHMUS_PARAMETER_SWITCH(AllowSelfIntersections);
   ///@}
 
   ///@{
   /// Close holes of the surface, planar or not, before the search. Default off.
-  vtkSetMacro(CapHoles, bool);
-  vtkGetMacro(CapHoles, bool);
-  vtkBooleanMacro(CapHoles, bool);
+  ISTHMUS_PARAMETER_SWITCH(CapHoles);
   ///@}
 
   ///@{
-  /// Memory limit of the analysis, in MiB; 0 (default): the available memory. If the samples do not
-  /// fit, an error is reported.
-  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MemoryLimit, int);
+  /// Memory limit in MiB; 0 (default): what is available. A larger analysis ends in an error before
+  /// it begins.
+  ISTHMUS_PARAMETER(MemoryLimit, int);
   ///@}
 
   /// Time in seconds of the stages of the analysis from which the outputs were computed: check,
   /// sampling, filtration, pairing, features; 0 if there is none. Times are not part of the
   /// outputs, which are the same on every machine.
   vtkGetVectorMacro(StageTimes, double, 5);
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkChokingLoops();
@@ -336,10 +268,10 @@ private:
   vtkChokingLoops(const vtkChokingLoops&) = delete;
   void operator=(const vtkChokingLoops&) = delete;
 
-  struct Cache;
-  void Analyse(vtkPolyData* surface, vtkDataObject* mesh);
-  void Keep(std::unique_ptr<Cache> made);
-  isthmus::FeatureSelection Selection() const;
+  class vtkInternals;
+  void Analyse(vtkPolyData* surface, vtkDataObject* mesh); ///< or takes the cached analysis
+  std::unique_ptr<isthmus::ChokingLoops> AnalyseSurface(vtkPolyData* surface, vtkDataObject* mesh);
+  void Report(const isthmus::ChokingLoops& analysis); ///< warnings and StageTimes
   int RoundsOfShortening() const;
   std::vector<isthmus::ShownFeature> DrawLoops();
   /// Field data: the numbers of all features and of those shown.
@@ -349,30 +281,9 @@ private:
   std::vector<double> MorseValues(const isthmus::SurfaceView& surface,
     const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given);
 
-  int Side = Both;
-  double MaximumRadius = 100.0;
-  int MaximumRadiusUnit = Percent;
-  double MinimumPersistence = 5.0;
-  int MinimumPersistenceUnit = Percent;
-  int ThresholdMode = Given;
-  int MaximumNumberOfLoops = 0;
-  bool TrustedOnly = false;
-  double MaximumLength = 0.0;
-  double MaximumReach = 0.0;
-  int LoopOrder = ByRadius;
-  bool AlwaysReportHandles = true;
-  int Filtration = Delaunay;
-  int MorseFunction = ClosestPoint;
-  std::string MorseArrayName;
-  double SampleSpacing = 0.0;
-  int Shortening = Geodesic;
-  int ShorteningRounds = 5;
-  int MembraneMethod = Automatic;
-  bool AllowSelfIntersections = false;
-  bool CapHoles = false;
-  int MemoryLimit = 0;
+  isthmus::LoopSearchParameters Parameters;
   double StageTimes[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-  std::unique_ptr<Cache> Kept;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

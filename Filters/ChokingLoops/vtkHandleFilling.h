@@ -24,6 +24,8 @@
 #ifndef vtkHandleFilling_h
 #define vtkHandleFilling_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -37,8 +39,7 @@ public:
   ///@{
   /// Handles and tunnels with a smaller radius than this are removed. In the unit of the points,
   /// above 0. Default 1.
-  vtkSetMacro(FillHandlesBelow, double);
-  vtkGetMacro(FillHandlesBelow, double);
+  ISTHMUS_PARAMETER(FillHandlesBelow, double);
   ///@}
 
   enum SideType
@@ -51,22 +52,19 @@ public:
   ///@{
   /// Inside: handles are cut; Outside: tunnels are filled; Both (default): the narrower of the two
   /// is removed.
-  vtkSetClampMacro(Side, int, Inside, Both);
-  vtkGetMacro(Side, int);
+  ISTHMUS_PARAMETER(Side, int);
   ///@}
 
   ///@{
   /// Thickness of the plate that fills a tunnel, and width of the gap that cuts a handle, in radii
   /// of the tunnel or handle: above 0, at most 1; reduced where the wall beside it is thin. Default
   /// 0.25.
-  vtkSetMacro(Thickness, double);
-  vtkGetMacro(Thickness, double);
+  ISTHMUS_PARAMETER(Thickness, double);
   ///@}
 
   ///@{
   /// As in vtkChokingLoops: longest edge of the samples; 0 (default): automatic.
-  vtkSetMacro(SampleSpacing, double);
-  vtkGetMacro(SampleSpacing, double);
+  ISTHMUS_PARAMETER(SampleSpacing, double);
   ///@}
 
 protected:
@@ -81,10 +79,7 @@ private:
   vtkHandleFilling(const vtkHandleFilling&) = delete;
   void operator=(const vtkHandleFilling&) = delete;
 
-  double FillHandlesBelow = 1.0;
-  int Side = Both;
-  double Thickness = 0.25;
-  double SampleSpacing = 0.0;
+  isthmus::HandleFillingParameters Parameters;
 };
 
 #endif

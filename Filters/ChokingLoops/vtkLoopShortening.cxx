@@ -5,8 +5,8 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/InputOverlap.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/RangeChecks.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -19,7 +19,6 @@
 #include <vtkPolyData.h>
 #include <vtkStaticPointLocator.h>
 
-#include <cmath>
 #include <map>
 #include <queue>
 #include <stdexcept>
@@ -158,9 +157,6 @@ struct ShortenedLoops
     : Output(output)
   {
     this->Points->SetDataTypeToDouble();
-    this->Lengths->SetName("Length");
-    this->Converged->SetName("Converged");
-    this->Contractible->SetName("Contractible");
   }
 
   void Add(const SurfaceAdjacency& surface, const isthmus::SurfaceCurve& curve)
@@ -190,9 +186,9 @@ struct ShortenedLoops
   vtkPolyData* Output;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;
-  vtkNew<vtkDoubleArray> Lengths;
-  vtkNew<vtkIntArray> Converged;
-  vtkNew<vtkIntArray> Contractible;
+  vtkNew<vtkDoubleArray> Lengths = isthmus::NamedArray<vtkDoubleArray>("Length");
+  vtkNew<vtkIntArray> Converged = isthmus::NamedArray<vtkIntArray>("Converged");
+  vtkNew<vtkIntArray> Contractible = isthmus::NamedArray<vtkIntArray>("Contractible");
 };
 
 }
@@ -206,8 +202,7 @@ int vtkLoopShortening::RequestData(
     [&]
     {
       isthmus::RequirePlaces(loops, "the loops");
-      isthmus::RequireThat(
-        !std::isnan(this->Tolerance), "Tolerance", this->Tolerance, "it must be a number");
+      isthmus::Check(this->Parameters);
       const auto whole =
         isthmus::GatherSurface(this, vtkPolyData::GetData(input[1]), isthmus::GatherOn::EachRank);
       const vtkIdType count = loops->GetNumberOfLines();
@@ -216,9 +211,6 @@ int vtkLoopShortening::RequestData(
         return;
       }
       const Surface surface(whole);
-      isthmus::LoopShorteningParameters parameters;
-      parameters.MaximumRounds = this->MaximumRounds;
-      parameters.Tolerance = this->Tolerance;
       const vtkIdType first = loops->GetNumberOfVerts();
       result->GetCellData()->CopyAllocate(loops->GetCellData());
       ShortenedLoops shortened(result);
@@ -230,7 +222,7 @@ int vtkLoopShortening::RequestData(
         isthmus::Report(progress, 0.0);
         shortened.Add(surface.Adjacency,
           isthmus::ShortenLoop(
-            surface.Adjacency, surface.Walk(loops, first + c), parameters, progress));
+            surface.Adjacency, surface.Walk(loops, first + c), this->Parameters, progress));
         result->GetCellData()->CopyData(loops->GetCellData(), first + c, c);
       }
       shortened.Finish();
@@ -240,6 +232,6 @@ int vtkLoopShortening::RequestData(
 void vtkLoopShortening::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumRounds: " << this->MaximumRounds << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumRounds: " << this->GetMaximumRounds() << "\n";
+  os << indent << "Tolerance: " << this->GetTolerance() << "\n";
 }

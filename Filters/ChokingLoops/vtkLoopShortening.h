@@ -22,6 +22,8 @@
 #ifndef vtkLoopShortening_h
 #define vtkLoopShortening_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -34,15 +36,14 @@ public:
 
   ///@{
   /// Maximum number of rounds; each finds the shortest path in a strip of triangles and reroutes
-  /// the strip. Default 1000, which in practice means until the loop is a geodesic.
-  vtkSetClampMacro(MaximumRounds, int, 1, 100000);
-  vtkGetMacro(MaximumRounds, int);
+  /// the strip. From 1 to 100000; default 1000, which in practice means until the loop is a
+  /// geodesic.
+  ISTHMUS_PARAMETER(MaximumRounds, int);
   ///@}
 
   ///@{
-  /// Relative accuracy of the length. Default 1e-6.
-  vtkSetClampMacro(Tolerance, double, 1e-12, 1.0);
-  vtkGetMacro(Tolerance, double);
+  /// Relative accuracy of the length, from 1e-12 to 1. Default 1e-6.
+  ISTHMUS_PARAMETER(Tolerance, double);
   ///@}
 
   /// The surface: the second input.
@@ -60,8 +61,7 @@ private:
   vtkLoopShortening(const vtkLoopShortening&) = delete;
   void operator=(const vtkLoopShortening&) = delete;
 
-  int MaximumRounds = 1000;
-  double Tolerance = 1e-6;
+  isthmus::LoopShorteningParameters Parameters;
 };
 
 #endif

@@ -2,9 +2,9 @@
 
 #include "ChokingLoops/HandleSupport.h"
 #include "ChokingLoops/MapHandles.h"
+#include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
@@ -21,7 +21,6 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -176,11 +175,9 @@ vtkSmartPointer<vtkImageData> MeanOf(
   vtkImageData* one, vtkDataArray* scalars, vtkDataArray* others, std::vector<float>& noise)
 {
   const vtkIdType count = scalars->GetNumberOfTuples();
-  vtkSmartPointer<vtkDataArray> mean;
-  mean.TakeReference(vtkDataArray::CreateDataArray(
-    isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others) ? VTK_FLOAT : VTK_DOUBLE));
-  mean->SetName(scalars->GetName());
-  isthmus::SizeArray(mean, count);
+  const auto mean = isthmus::ArrayOfType(
+    isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others) ? VTK_FLOAT : VTK_DOUBLE,
+    scalars->GetName(), count);
   noise.resize(static_cast<std::size_t>(count));
   bool differs = false;
   for (vtkIdType i = 0; i < count; ++i)
@@ -271,30 +268,27 @@ double CorrelationOf(vtkImageData* image, vtkDataArray* one, vtkDataArray* other
 /// nodes has 0.00 +- 0.04.
 constexpr double LeastCorrelation = 0.1;
 
-void AddFact(vtkDataObject* output, const char* name, double value)
-{
-  isthmus::AddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
-}
-
 }
 
 /// Data of one run.
-struct vtkMapHandles::Work
+class vtkMapHandles::vtkInternals
 {
+public:
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr;
   isthmus::VolumeView Volume;
   isthmus::FeatureParameters Parameters;
   isthmus::FeatureList Features;
   std::vector<isthmus::StableInterval> Intervals;
-  double Level = 0.0;
-  vtkSmartPointer<vtkImageData> Mean; ///< of the half maps
-  std::vector<float> Noise;           ///< empty: only one map is given
-  double Correlation = NotANumber;    ///< of the half maps
+  isthmus::ChosenLevel Level;
+  double RecommendedLevel = NotANumber; ///< of the map's depositors
+  vtkSmartPointer<vtkImageData> Mean;   ///< of the half maps
+  std::vector<float> Noise;             ///< empty: only one map is given
+  double Correlation = NotANumber;      ///< of the half maps
 };
 
 vtkMapHandles::vtkMapHandles()
-  : Last(new isthmus::PersistenceCache)
+  : Cache(std::make_unique<isthmus::PersistenceCache>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(PortCount);
@@ -338,7 +332,7 @@ int vtkMapHandles::RequestUpdateExtent(
   return 1;
 }
 
-void vtkMapHandles::TakeMaps(Work& work, vtkImageData* other)
+void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
 {
   work.Scalars = isthmus::ChosenScalars(this, work.Image);
   if (other)
@@ -371,25 +365,13 @@ void vtkMapHandles::TakeMaps(Work& work, vtkImageData* other)
 
 void vtkMapHandles::CheckParameters() const
 {
-  isthmus::RequireRange("NumberOfResamples", this->NumberOfResamples, 1, 10000);
-  isthmus::RequireRange("Seed", this->Seed, 0, VTK_INT_MAX);
+  isthmus::Check(this->Parameters);
   isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
-  if (!this->UseStableLevel && !std::isfinite(this->Level))
-  {
-    throw std::invalid_argument("Level is " + isthmus::FormatNumber(this->Level) +
-      ": give a value of the map, or switch UseStableLevel on.");
-  }
-  if (this->UseRecommendedLevel && !std::isfinite(this->RecommendedLevel))
-  {
-    throw std::invalid_argument("RecommendedLevel is " +
-      isthmus::FormatNumber(this->RecommendedLevel) +
-      ": give a value of the map, or switch UseRecommendedLevel off.");
-  }
 }
 
-void vtkMapHandles::FindFeatures(Work& work)
+void vtkMapHandles::FindFeatures(vtkInternals& work)
 {
-  const auto& statistics = this->Last->Statistics(work.Scalars, work.Volume);
+  const auto& statistics = this->Cache->Statistics(work.Scalars, work.Volume);
   isthmus::FeatureParameters& wanted = work.Parameters;
   wanted.Superlevel = this->InsideIsHigher;
   wanted.MinimumPersistence = this->MinimumPersistence;
@@ -404,52 +386,53 @@ void vtkMapHandles::FindFeatures(Work& work)
   }
   isthmus::CubicalParameters parameters;
   parameters.Superlevel = this->InsideIsHigher;
-  const auto& pairs = this->Last->Pairs(
+  const auto& pairs = this->Cache->Pairs(
     work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.3));
   work.Features = isthmus::ScalarFeatures(work.Volume, statistics, pairs, wanted);
   work.Intervals =
     isthmus::StableIntervals(work.Features, this->InsideIsHigher, work.Parameters.Range);
 }
 
-double vtkMapHandles::ChooseLevel(const Work& work)
+void vtkMapHandles::ChooseLevel(vtkInternals& work)
 {
   this->StableLevel = work.Intervals.empty() ? NotANumber : work.Intervals.front().Middle();
-  if (this->UseStableLevel && work.Intervals.empty())
+  if (work.Intervals.empty())
   {
-    throw std::invalid_argument(
-      "No feature of the map persists in the range of levels, so there is no stable level: lower "
-      "MinimumPersistence, widen Range, or set a Level.");
+    vtkWarningMacro("No feature of the map persists in the range of levels, so there is no stable "
+                    "level: lower MinimumPersistence, or widen Range.");
   }
-  return this->UseStableLevel ? this->StableLevel : this->Level;
+  work.Level = isthmus::ChooseLevel(
+    this->AutomaticLevel, this->Level, work.Image, work.Scalars, this->InsideIsHigher);
 }
 
-void vtkMapHandles::FillTables(const Work& work, vtkInformationVector* outputVector)
+void vtkMapHandles::FillTables(const vtkInternals& work, vtkInformationVector* outputVector)
 {
   const auto handles = isthmus::MapHandles(work.Volume, work.Features, work.Parameters);
   isthmus::HandleSupport support;
   if (!work.Noise.empty())
   {
-    support = isthmus::SupportOf(handles, work.Volume, work.Parameters, work.Features.Threshold,
-      work.Noise, { this->NumberOfResamples, static_cast<std::uint64_t>(this->Seed), work.Level },
-      isthmus::Between(isthmus::ProgressOf(this), 0.3, this->Loops ? 0.6 : 0.95));
+    isthmus::SupportParameters bootstrap = this->Parameters;
+    bootstrap.Level = work.Level.Level;
+    support =
+      isthmus::SupportOf(handles, work.Volume, work.Parameters, work.Features.Threshold, work.Noise,
+        bootstrap, isthmus::Between(isthmus::ProgressOf(this), 0.3, this->Loops ? 0.6 : 0.95));
   }
   for (const int port : { BridgesPort, WindowsPort })
   {
-    isthmus::WriteHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
+    isthmus::WriteHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level.Level,
       work.Noise.empty() ? nullptr : &support, vtkPolyData::GetData(outputVector, port));
   }
   const auto curves = isthmus::CountBetti(work.Features, this->InsideIsHigher,
     isthmus::EvenLevels(work.Parameters.Range[0], work.Parameters.Range[1], this->NumberOfLevels));
-  isthmus::FillLevels(curves, this->StableLevel,
-    this->UseRecommendedLevel ? this->RecommendedLevel : NotANumber,
-    vtkTable::GetData(outputVector, LevelsPort));
+  isthmus::FillLevels(
+    curves, this->StableLevel, work.RecommendedLevel, vtkTable::GetData(outputVector, LevelsPort));
   isthmus::FillIntervals(work.Intervals, vtkTable::GetData(outputVector, IntervalsPort));
 }
 
-void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputVector)
+void vtkMapHandles::FillSurfaces(const vtkInternals& work, vtkInformationVector* outputVector)
 {
   isthmus::ClosedLevelSet level =
-    isthmus::CloseLevelSet(work.Image, work.Scalars, work.Level, this->InsideIsHigher);
+    isthmus::CloseLevelSet(work.Image, work.Scalars, work.Level.Level, this->InsideIsHigher);
   isthmus::ToWorld(work.Image, level.Guide);
   vtkPolyData* contour = vtkPolyData::GetData(outputVector, ContourPort);
   isthmus::SetMesh(level.Guide, contour);
@@ -497,7 +480,7 @@ int vtkMapHandles::RequestData(
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
-      Work work;
+      vtkInternals work;
       work.Image = vtkImageData::GetData(inputVector[0], 0);
       if (!work.Image || work.Image->GetNumberOfPoints() == 0 ||
         !isthmus::IsFirstPiece(outputVector->GetInformationObject(BridgesPort)))
@@ -511,23 +494,25 @@ int vtkMapHandles::RequestData(
       {
         isthmus::RequireWholeExtent(other);
       }
+      work.RecommendedLevel = isthmus::RecommendedLevel(work.Image).value_or(NotANumber);
       this->TakeMaps(work, other ? vtkImageData::GetData(other) : nullptr);
       this->FindFeatures(work);
-      work.Level = this->ChooseLevel(work);
+      this->ChooseLevel(work);
       this->FillTables(work, outputVector);
       this->FillSurfaces(work, outputVector);
       for (int port = 0; port < PortCount; ++port)
       {
         vtkDataObject* output = vtkDataObject::GetData(outputVector, port);
-        AddFact(output, "StableLevel", this->StableLevel);
-        AddFact(output, "ChosenLevel", work.Level);
+        vtkFieldData* const data = output->GetFieldData();
+        isthmus::AddColumn<vtkDoubleArray>(data, "StableLevel", { this->StableLevel });
+        isthmus::AddLevel(work.Level, output);
         if (work.Mean)
         {
-          AddFact(output, "HalfMapCorrelation", work.Correlation);
+          isthmus::AddColumn<vtkDoubleArray>(data, "HalfMapCorrelation", { work.Correlation });
         }
-        if (this->UseRecommendedLevel)
+        if (!std::isnan(work.RecommendedLevel))
         {
-          AddFact(output, "RecommendedLevel", this->RecommendedLevel);
+          isthmus::AddColumn<vtkDoubleArray>(data, "RecommendedLevel", { work.RecommendedLevel });
         }
       }
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
@@ -541,13 +526,11 @@ void vtkMapHandles::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
   os << indent << "UseRange: " << this->UseRange << "\n";
   os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";
-  os << indent << "UseStableLevel: " << this->UseStableLevel << "\n";
   os << indent << "Level: " << this->Level << "\n";
-  os << indent << "UseRecommendedLevel: " << this->UseRecommendedLevel << "\n";
-  os << indent << "RecommendedLevel: " << this->RecommendedLevel << "\n";
+  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "Loops: " << this->Loops << "\n";
-  os << indent << "NumberOfResamples: " << this->NumberOfResamples << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfResamples: " << this->GetNumberOfResamples() << "\n";
+  os << indent << "Seed: " << this->GetSeed() << "\n";
   os << indent << "StableLevel: " << this->StableLevel << "\n";
 }

@@ -25,7 +25,8 @@
  *  - 5, *Loops* and 6, *Choke Points* of it (with Loops on), by vtkChokingLoops with its default
  *    settings.
  *
- * Field data of all outputs: `StableLevel`, `ChosenLevel`, and `RecommendedLevel` if one is given.
+ * Field data of all outputs: `Level` (the chosen one), `LevelSource`, `StableLevel`, and
+ * `RecommendedLevel` if the map has one.
  *
  * **Range.** Density within the noise should not count as persistence, so bars are clipped to
  * Range; by default this extends from the mean of the map (the surroundings of the molecule) to its
@@ -65,7 +66,8 @@
 #ifndef vtkMapHandles_h
 #define vtkMapHandles_h
 
-#include "Core/Deprecation.h"
+#include "ChokingLoops/ChokingLoopParameters.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -92,14 +94,6 @@ public:
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
   vtkBooleanMacro(InsideIsHigher, bool);
-  ISTHMUS_DEPRECATED("1.0.0", "use SetInsideIsHigher")
-  void SetSuperlevel(bool higher) { this->SetInsideIsHigher(higher); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetInsideIsHigher")
-  bool GetSuperlevel() { return this->GetInsideIsHigher(); }
-  ISTHMUS_DEPRECATED("1.0.0", "use InsideIsHigherOn")
-  void SuperlevelOn() { this->InsideIsHigherOn(); }
-  ISTHMUS_DEPRECATED("1.0.0", "use InsideIsHigherOff")
-  void SuperlevelOff() { this->InsideIsHigherOff(); }
   ///@}
 
   ///@{
@@ -120,27 +114,6 @@ public:
   ///@}
 
   ///@{
-  /// Use the stable level (default) or Level for contour and loops. The stable level is derived
-  /// from the topology of the map over all levels; it differs from the automatic level of
-  /// vtkMapSurface and vtkMapChokingLoops, which is recommended by the depositors or separates the
-  /// values of molecule and surroundings. Setting Level does not switch UseStableLevel off.
-  vtkSetMacro(UseStableLevel, bool);
-  vtkGetMacro(UseStableLevel, bool);
-  vtkBooleanMacro(UseStableLevel, bool);
-  vtkSetMacro(Level, double);
-  vtkGetMacro(Level, double);
-  ///@}
-
-  ///@{
-  /// The level that the map's authors recommend (EMDB), for comparison. Default: none.
-  vtkSetMacro(UseRecommendedLevel, bool);
-  vtkGetMacro(UseRecommendedLevel, bool);
-  vtkBooleanMacro(UseRecommendedLevel, bool);
-  vtkSetMacro(RecommendedLevel, double);
-  vtkGetMacro(RecommendedLevel, double);
-  ///@}
-
-  ///@{
   /// Rows of the table of levels, from 2 to a million. Default 256.
   vtkSetMacro(NumberOfLevels, int);
   vtkGetMacro(NumberOfLevels, int);
@@ -155,14 +128,12 @@ public:
   ///@{
   /// Resamples of the bootstrap of two half maps, from 1 to 10000; without the other half it is not
   /// used. Default 100: the smallest p-value is 0.0099.
-  vtkSetMacro(NumberOfResamples, int);
-  vtkGetMacro(NumberOfResamples, int);
+  ISTHMUS_PARAMETER(NumberOfResamples, int);
   ///@}
 
   ///@{
   /// Seed of the bootstrap, at least 0. Default 1.
-  vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  ISTHMUS_PARAMETER(Seed, int);
   ///@}
 
   ///@{
@@ -174,6 +145,11 @@ public:
 
   /// The stable level of the last run; NaN before.
   vtkGetMacro(StableLevel, double);
+
+  /// Level of the contour and its loops, in the unit of the scalars; unless it is given, the policy
+  /// is that of AutomaticLevel.h. The stable level, which is derived from the topology of the map
+  /// over all levels, is reported beside it.
+  ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Level);
 
 protected:
   vtkMapHandles();
@@ -190,28 +166,23 @@ private:
   vtkMapHandles(const vtkMapHandles&) = delete;
   void operator=(const vtkMapHandles&) = delete;
 
-  struct Work;
+  class vtkInternals; ///< data of one execution
   void CheckParameters() const;
-  void TakeMaps(Work& work, vtkImageData* other);
-  void FindFeatures(Work& work);
-  double ChooseLevel(const Work& work);
-  void FillTables(const Work& work, vtkInformationVector* outputVector);
-  void FillSurfaces(const Work& work, vtkInformationVector* outputVector);
+  void TakeMaps(vtkInternals& work, vtkImageData* other);
+  void FindFeatures(vtkInternals& work);
+  void ChooseLevel(vtkInternals& work);
+  void FillTables(const vtkInternals& work, vtkInformationVector* outputVector);
+  void FillSurfaces(const vtkInternals& work, vtkInformationVector* outputVector);
 
   bool InsideIsHigher = true;
   double MinimumPersistence = 0.5;
   bool UseRange = false;
   double Range[2] = { 0.0, 1.0 };
-  bool UseStableLevel = true;
-  double Level = 0.0;
-  bool UseRecommendedLevel = false;
-  double RecommendedLevel = 0.0;
   int NumberOfLevels = 256;
   bool Loops = false;
-  int NumberOfResamples = 100;
-  int Seed = 1;
+  isthmus::SupportParameters Parameters; ///< of the bootstrap
   double StableLevel = std::numeric_limits<double>::quiet_NaN();
-  std::unique_ptr<isthmus::PersistenceCache> Last; ///< kept for the same input
+  std::unique_ptr<isthmus::PersistenceCache> Cache;
 };
 
 #endif

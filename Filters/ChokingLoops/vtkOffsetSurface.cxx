@@ -5,6 +5,7 @@
 #include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/InnerAlgorithm.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
 
 #include <vtkDoubleArray.h>
@@ -61,14 +62,12 @@ int vtkOffsetSurface::RequestData(
         return;
       }
       const isthmus::PolyDataTriangles triangles(surface);
-      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(triangles.View(), this->Distance,
-        static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
-        isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
-      vtkNew<vtkDoubleArray> values;
-      values->SetName("DistanceToSurface");
-      isthmus::SizeArray(values, static_cast<vtkIdType>(grid.Values.size()));
+      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(
+        triangles.View(), this->Parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+      const auto values =
+        isthmus::NamedArray<vtkDoubleArray>("DistanceToSurface", grid.Values.size());
       // vtkFlyingEdges3D orients triangles towards lower values, and these are to be outside.
-      const double sign = this->Side == Inside ? 1.0 : -1.0;
+      const double sign = this->Parameters.Side == isthmus::SideSelection::Inside ? 1.0 : -1.0;
       std::transform(grid.Values.begin(), grid.Values.end(), values->GetPointer(0),
         [sign](double value) { return sign * value; });
       vtkNew<vtkImageData> image;
@@ -77,24 +76,21 @@ int vtkOffsetSurface::RequestData(
       image->GetPointData()->SetScalars(values);
       vtkNew<vtkFlyingEdges3D> contour;
       contour->SetInputData(image);
-      contour->SetValue(0, sign * this->Distance);
+      contour->SetValue(0, sign * this->Parameters.Distance);
       contour->ComputeNormalsOn();
       contour->ComputeScalarsOff(); // the distance everywhere, which would be the colour
       isthmus::UpdateInner(contour);
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
       result->ShallowCopy(contour->GetOutput());
       result->SetPoints(InWorld(contour->GetOutput()->GetPoints(), grid));
-      vtkNew<vtkDoubleArray> spacing;
-      spacing->SetName("GridSpacing");
-      spacing->InsertNextValue(grid.Spacing);
-      result->GetFieldData()->AddArray(spacing);
+      isthmus::AddColumn<vtkDoubleArray>(result->GetFieldData(), "GridSpacing", { grid.Spacing });
     });
 }
 
 void vtkOffsetSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Distance: " << this->Distance << "\n";
-  os << indent << "Side: " << this->Side << "\n";
-  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Distance: " << this->GetDistance() << "\n";
+  os << indent << "Side: " << this->GetSide() << "\n";
+  os << indent << "Resolution: " << this->GetResolution() << "\n";
 }

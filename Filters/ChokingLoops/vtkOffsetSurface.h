@@ -16,6 +16,8 @@
 #ifndef vtkOffsetSurface_h
 #define vtkOffsetSurface_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -28,8 +30,7 @@ public:
 
   ///@{
   /// Distance from the surface, in the unit of the points, above 0. Default 1.
-  vtkSetMacro(Distance, double);
-  vtkGetMacro(Distance, double);
+  ISTHMUS_PARAMETER(Distance, double);
   ///@}
 
   enum SideType
@@ -41,14 +42,12 @@ public:
 
   ///@{
   /// Inside, Outside (of a closed surface, whichever way it is oriented) or Both (default).
-  vtkSetClampMacro(Side, int, Inside, Both);
-  vtkGetMacro(Side, int);
+  ISTHMUS_PARAMETER(Side, int);
   ///@}
 
   ///@{
-  /// Grid cells along the longest side of the offset's bounding box. Default 128.
-  vtkSetClampMacro(Resolution, int, 8, 1024);
-  vtkGetMacro(Resolution, int);
+  /// Grid cells along the longest side of the offset's bounding box, from 8 to 1024. Default 128.
+  ISTHMUS_PARAMETER(Resolution, int);
   ///@}
 
 protected:
@@ -62,9 +61,7 @@ private:
   vtkOffsetSurface(const vtkOffsetSurface&) = delete;
   void operator=(const vtkOffsetSurface&) = delete;
 
-  double Distance = 1.0;
-  int Side = Both;
-  int Resolution = 128;
+  isthmus::OffsetSurfaceParameters Parameters;
 };
 
 #endif

@@ -2,38 +2,97 @@
 
 #include "Contouring/LevelEstimate.h"
 #include "Core/ImageScalars.h"
+#include "Core/NamedColumns.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace isthmus
 {
-
-double AutomaticLevel::Of(vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher)
+namespace
 {
-  vtkDataArray* recommended = image->GetFieldData()->GetArray("RecommendedLevel");
-  if (recommended && recommended->GetNumberOfValues() == 1)
+
+std::optional<double> NaturalLevel(vtkDataArray* scalars)
+{
+  static const std::map<std::string, double> levels{ { "SignedDistance", 0.0 }, { "S", 0.5 },
+    { "Inside", 0.5 }, { "Side", 0.5 } };
+  const auto found = levels.find(scalars->GetName() ? scalars->GetName() : "");
+  return found == levels.end() ? std::nullopt : std::optional<double>(found->second);
+}
+
+const char* SourceText(LevelSource source)
+{
+  switch (source)
   {
-    return recommended->GetComponent(0, 0);
+    case LevelSource::Given:
+      return "given";
+    case LevelSource::Natural:
+      return "natural level of the quantity";
+    case LevelSource::Recommended:
+      return "recommended by the depositors";
+    default:
+      return "estimated from the values";
   }
-  const vtkMTimeType time = std::max(scalars->GetMTime(), image->GetMTime());
-  if (this->Scalars != scalars || this->Time != time || this->InsideIsHigher != insideIsHigher)
+}
+
+double Estimate(vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher)
+{
+  std::vector<double> values;
+  UseScalars(image, scalars, [&](const auto& grid) { values = SampleValues(grid); });
+  const double sign = insideIsHigher ? 1.0 : -1.0;
+  std::transform(
+    values.begin(), values.end(), values.begin(), [sign](double value) { return sign * value; });
+  return sign * EstimateLevel(values);
+}
+
+}
+
+std::optional<double> RecommendedLevel(vtkImageData* image)
+{
+  vtkDataArray* level = image->GetFieldData()->GetArray("RecommendedLevel");
+  return level && level->GetNumberOfValues() == 1 ? std::optional<double>(level->GetComponent(0, 0))
+                                                  : std::nullopt;
+}
+
+ChosenLevel ChooseLevel(
+  bool isAutomatic, double level, vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher)
+{
+  ChosenLevel chosen{ level, LevelSource::Given };
+  if (isAutomatic)
   {
-    std::vector<double> values;
-    UseScalars(image, scalars, [&](const auto& grid) { values = SampleValues(grid); });
-    const double sign = insideIsHigher ? 1.0 : -1.0;
-    std::transform(
-      values.begin(), values.end(), values.begin(), [sign](double value) { return sign * value; });
-    this->Cached = sign * EstimateLevel(values);
-    this->Scalars = scalars;
-    this->Time = time;
-    this->InsideIsHigher = insideIsHigher;
+    if (const auto natural = NaturalLevel(scalars))
+    {
+      chosen = { *natural, LevelSource::Natural };
+    }
+    else if (const auto recommended = RecommendedLevel(image))
+    {
+      chosen = { *recommended, LevelSource::Recommended };
+    }
+    else
+    {
+      chosen = { Estimate(image, scalars, insideIsHigher), LevelSource::Estimated };
+    }
   }
-  return this->Cached;
+  RequireThat(std::isfinite(chosen.Level), "Level", chosen.Level, "it must be a finite number");
+  return chosen;
+}
+
+void AddLevel(const ChosenLevel& level, vtkDataObject* output)
+{
+  vtkFieldData* fields = output->GetFieldData();
+  AddColumn<vtkDoubleArray>(fields, "Level", { level.Level });
+  AddColumn<vtkStringArray>(fields, "LevelSource", { SourceText(level.Source) });
 }
 
 }

@@ -1,40 +1,54 @@
 /**
  * @file AutomaticLevel.h
- * @brief The level of a map for filters whose AutomaticLevel is on.
+ * @brief The level at which filters contour a volume: automatic unless given.
  */
 #ifndef isthmus_AutomaticLevel_h
 #define isthmus_AutomaticLevel_h
 
 #include "vtkIsthmusFiltersContouringModule.h"
-#include "vtkType.h"
+
+#include <optional>
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkImageData;
 
 namespace isthmus
 {
 
-/**
- * The level that the map's depositors recommend, if the reader found it (field data
- * RecommendedLevel), otherwise EstimateLevel() of its values. The same policy applies to all
- * filters whose input is a map: automatic unless a level is given.
- *
- * A recommended level is returned unchanged, even if it is not finite. The estimate is cached until
- * the image or its scalars are modified or replaced. Cost: one sample of at most 2^20 values.
- * @throws std::invalid_argument if no value is finite.
- */
-class AutomaticLevel
+/// Where a level comes from.
+enum class LevelSource
 {
-public:
-  VTKISTHMUSFILTERSCONTOURING_EXPORT double Of(
-    vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher);
-
-private:
-  double Cached = 0.0;
-  vtkDataArray* Scalars = nullptr; // only compared, never dereferenced
-  vtkMTimeType Time = 0;
-  bool InsideIsHigher = true;
+  Given,
+  Natural,     ///< of a quantity whose surface has a fixed value: 0 of a signed distance
+  Recommended, ///< by the depositors of the map: field data RecommendedLevel, set by the reader
+  Estimated    ///< EstimateLevel() of the values
 };
+
+struct ChosenLevel
+{
+  double Level = 0.0;
+  LevelSource Source = LevelSource::Given;
+};
+
+/**
+ * The level of a volume by the one policy of all filters that contour one: `level` unless
+ * `isAutomatic`, or else the natural level of the quantity, or else the recommended one of the map,
+ * or else an estimate.
+ *
+ * Quantities with a natural level are known by the names under which the filters of Isthmus write
+ * them: 0 for `SignedDistance`, 1/2 for `S`, `Inside` and `Side`. The estimate costs one sample of
+ * at most 2^20 values.
+ * @throws std::invalid_argument if the level is not finite, or no value of the volume is.
+ */
+VTKISTHMUSFILTERSCONTOURING_EXPORT ChosenLevel ChooseLevel(
+  bool isAutomatic, double level, vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher);
+
+/// The level that the depositors of the map recommend: field data `RecommendedLevel`.
+VTKISTHMUSFILTERSCONTOURING_EXPORT std::optional<double> RecommendedLevel(vtkImageData* image);
+
+/// Writes the level into the field data of an output: `Level`, and `LevelSource` as text.
+VTKISTHMUSFILTERSCONTOURING_EXPORT void AddLevel(const ChosenLevel& level, vtkDataObject* output);
 
 }
 

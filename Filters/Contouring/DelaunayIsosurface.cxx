@@ -4,7 +4,7 @@
 #include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Remeshing/CGALSurface.h"
-#include "Remeshing/SuppressCGALDumps.h"
+#include "Remeshing/MeshRefinement.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
@@ -12,7 +12,6 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <unordered_map>
 
@@ -27,24 +26,6 @@ using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Vertex = Triangulation::Vertex_handle;
-
-void CheckParameters(const DelaunayIsosurfaceParameters& p)
-{
-  if (!(p.Angle >= 0.0 && p.Angle <= 30.0))
-  {
-    throw std::invalid_argument("The angle is " + FormatNumber(p.Angle) +
-      " degrees, but it must be from 0 to 30: above, refinement need not end.");
-  }
-  RequireAbove("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
-  RequireAbove("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
-  if (!std::isfinite(p.Level))
-  {
-    throw std::invalid_argument(
-      "The level is " + FormatNumber(p.Level) + ": it must be a finite number.");
-  }
-  RequireRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumPoints), 4, 1e9,
-    "It limits the number of points of the result.");
-}
 
 /// Sizes that the search for points does not resolve, or that take more points than allowed, are
 /// refused before refinement begins.
@@ -61,11 +42,11 @@ void RequireBudget(
   const double area = SurfaceArea(guide);
   // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
   const double least = area / (2.6 * p.Radius * p.Radius);
-  if (least > static_cast<double>(p.MaximumPoints))
+  if (least > static_cast<double>(p.MaximumNumberOfPoints))
   {
     throw std::runtime_error("A Radius of " + FormatNumber(p.Radius) + " takes at least " +
       FormatNumber(least) + " points, and the most is " +
-      FormatNumber(static_cast<double>(p.MaximumPoints)) +
+      FormatNumber(static_cast<double>(p.MaximumNumberOfPoints)) +
       ": ask for a larger one, or make the spacings of the volume more alike (Resample To Image).");
   }
 }
@@ -137,16 +118,11 @@ public:
     const Criteria criteria(params::facet_angle = this->Parameters.Angle,
       params::facet_size = this->Parameters.Radius,
       params::facet_distance = this->Parameters.Distance);
-    CGAL::Mesh_error_code error{};
-    CGAL::refine_mesh_3(this->Result, this->TheDomain, criteria, params::no_reset_c3t3(),
-      params::no_perturb(), params::no_exude(), params::manifold(),
-      params::mesh_3_options(params::maximal_number_of_vertices =
-                               static_cast<std::size_t>(this->Parameters.MaximumPoints),
-        params::pointer_to_error_code = &error));
-    if (error == CGAL::CGAL_MESH_3_MAXIMAL_NUMBER_OF_VERTICES_REACHED)
+    if (!cgal::RefineMesh(this->Result, this->TheDomain, criteria,
+          static_cast<std::size_t>(this->Parameters.MaximumNumberOfPoints), CGAL::MANIFOLD))
     {
       throw std::runtime_error("Refinement passed " +
-        std::to_string(this->Parameters.MaximumPoints) +
+        std::to_string(this->Parameters.MaximumNumberOfPoints) +
         " points: ask for a larger radius or distance; or move the level a little, since at a "
         "level where two parts just touch it has no end.");
     }
@@ -279,11 +255,35 @@ std::string Differences(
 
 }
 
+void Check(const DelaunayIsosurfaceParameters& p)
+{
+  RequireRange("Angle", p.Angle, 0.0, 30.0, "It is in degrees; above, refinement need not end.");
+  RequireRange("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
+  RequireRange("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
+  RequireRange("Level", p.Level, -Unlimited, Unlimited);
+  RequireRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumNumberOfPoints), 4, 1e9,
+    "It limits the number of points of the result.");
+}
+
+void SetAutomaticSizes(double spacing, DelaunayIsosurfaceParameters& parameters)
+{
+  if (parameters.Radius == 0.0)
+  {
+    parameters.Radius = 1.5 * spacing;
+  }
+  if (parameters.Distance == 0.0)
+  {
+    parameters.Distance = 0.25 * spacing;
+  }
+}
+
 DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Bounds3& bounds,
   const SurfaceView& guide, const DelaunayIsosurfaceParameters& parameters,
   const ProgressCallback& progress)
 {
-  CheckParameters(parameters);
+  Check(parameters);
+  RequireAbove("Radius", parameters.Radius, 0.0, LargestLength, "It is a length.");
+  RequireAbove("Distance", parameters.Distance, 0.0, LargestLength, "It is a length.");
   if (guide.Triangles.empty())
   {
     return {};

@@ -27,11 +27,21 @@ struct DelaunayIsosurfaceParameters
 {
   double Level = 0.0;
   bool InsideIsHigher = true;
-  double Angle = 30.0;                    ///< smallest angle of a triangle, degrees, at most 30
-  double Radius = 1.0;                    ///< radius of a triangle's surface Delaunay ball at most
-  double Distance = 0.2;                  ///< its centre to the triangle's circumcentre at most
-  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
+  double Angle = 30.0; ///< smallest angle of a triangle, degrees, at most 30
+  /// radius of a triangle's surface Delaunay ball at most; 0: see SetAutomaticSizes
+  double Radius = 0.0;
+  /// its centre to the triangle's circumcentre at most; 0: see SetAutomaticSizes
+  double Distance = 0.0;
+  std::int64_t MaximumNumberOfPoints = 5'000'000; ///< refinement that passes it ends in an error
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSCONTOURING_EXPORT void Check(const DelaunayIsosurfaceParameters& parameters);
+
+/// Replaces a Radius of 0 by 1.5 times the (smallest) grid spacing, and a Distance of 0 by a
+/// quarter of it.
+VTKISTHMUSFILTERSCONTOURING_EXPORT void SetAutomaticSizes(
+  double spacing, DelaunayIsosurfaceParameters& parameters);
 
 struct DelaunayIsosurfaceResult
 {
@@ -49,9 +59,10 @@ struct DelaunayIsosurfaceResult
  * which this fails, too, is listed in Warning with its position and size. Points of the result lie
  * on the level set to 1e-7 of the diagonal of the bounds.
  *
- * @throws std::invalid_argument on parameters that can't be met; std::runtime_error when refinement
- * does not end below MaximumPoints (as at a level where the level set is not a manifold);
- * Cancelled. Cost: about 110 microseconds for each point of the result.
+ * @throws std::invalid_argument on parameters that can't be met, e.g. sizes of 0;
+ * std::runtime_error when refinement does not end below MaximumNumberOfPoints (as at a level where
+ * the level set is not a manifold); Cancelled. Cost: about 110 microseconds for each point of the
+ * result.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT DelaunayIsosurfaceResult DelaunayIsosurface(
   const ScalarField& field, const Bounds3& bounds, const SurfaceView& guide,

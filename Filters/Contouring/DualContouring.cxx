@@ -4,6 +4,7 @@
 #include "Contouring/HermiteGrid.h"
 #include "Core/Geometry.h"
 #include "Core/Index.h"
+#include "Core/RangeChecks.h"
 #include "Remeshing/SelfIntersections.h"
 #include "Surfaces/HausdorffDistance.h"
 
@@ -80,7 +81,7 @@ public:
 private:
   void Extract()
   {
-    this->Polygons = PolygonsOf(this->Contour, this->Clusters, this->Parameters.Triangles,
+    this->Polygons = PolygonsOf(this->Contour, this->Clusters, !this->Parameters.Quadrilaterals,
       this->Cuts ? &*this->Cuts : nullptr);
     this->IsOpen.assign(At(this->Clusters.Size()), 0);
     for (std::size_t p = 0; p < this->IsAtBorder.size(); ++p)
@@ -96,7 +97,7 @@ private:
     noClusters.Tolerance = 0.0;
     const ContourClusters points(this->Contour, noClusters, {});
     const ContourPolygons polygons =
-      PolygonsOf(this->Contour, points, this->Parameters.Triangles, nullptr);
+      PolygonsOf(this->Contour, points, !this->Parameters.Quadrilaterals, nullptr);
     this->Fine = Triangulated(polygons, points, this->EdgeOfFine);
   }
 
@@ -349,39 +350,32 @@ private:
   std::int64_t StillCrossing = 0;
 };
 
-void Check(const HermiteGrid& grid, const DualContouringParameters& parameters)
-{
-  if (!(parameters.FeatureThreshold >= 0.0 && parameters.FeatureThreshold <= 1.0))
-  {
-    throw std::invalid_argument("The feature threshold must be from 0 to 1.");
-  }
-  if (!(parameters.Reach >= 0.0 && parameters.Reach <= 1.0))
-  {
-    throw std::invalid_argument("The reach of a vertex must be from 0 to 1 spacings.");
-  }
-  if (!(parameters.Tolerance >= 0.0) || std::isinf(parameters.Tolerance))
-  {
-    throw std::invalid_argument(
-      "The tolerance must be a positive length, or 0 for the surface of all cells.");
-  }
-  if (parameters.FreeOfCrossings && (parameters.Reach > 0.0 || !parameters.Triangles))
-  {
-    throw std::invalid_argument("Crossings can be prevented only for triangles whose points stay "
-                                "in their cells: set Reach to 0 and switch Quadrilaterals off.");
-  }
-  const auto& n = grid.Shape.Dimensions;
-  if (n[0] < 2 || n[1] < 2 || n[2] < 2)
-  {
-    throw std::invalid_argument("The grid has fewer than two nodes along an axis.");
-  }
 }
 
+void Check(const DualContouringParameters& parameters)
+{
+  RequireRange("FeatureThreshold", parameters.FeatureThreshold, 0.0, 1.0);
+  RequireRange("Reach", parameters.Reach, 0.0, 1.0, "It is in grid spacings.");
+  RequireRange("Tolerance", parameters.Tolerance, 0.0, Unlimited,
+    "It is a length; 0 stands for the surface of all cells.");
+  if (parameters.FreeOfCrossings)
+  {
+    RequireThat(parameters.Reach == 0.0, "Reach", parameters.Reach,
+      "FreeOfCrossings needs points that stay in their cells: set it to 0");
+    RequireThat(!parameters.Quadrilaterals, "Quadrilaterals", 1.0,
+      "FreeOfCrossings needs triangles: switch it off");
+  }
 }
 
 DualContour DualContouring(const HermiteGrid& grid, const DualContouringParameters& parameters,
   const ProgressCallback& progress)
 {
-  Check(grid, parameters);
+  Check(parameters);
+  const auto& n = grid.Shape.Dimensions;
+  if (n[0] < 2 || n[1] < 2 || n[2] < 2)
+  {
+    throw std::invalid_argument("The grid has fewer than two nodes along an axis.");
+  }
   const UniformContour uniform = MakeUniformContour(grid, parameters, Between(progress, 0.0, 0.5));
   Report(progress, 0.5);
   const ProgressCallback rest = Between(progress, 0.5, 1.0);

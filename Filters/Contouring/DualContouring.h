@@ -19,7 +19,6 @@
 
 #include "Contouring/UniformContour.h"
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersContouringModule.h"
 
 namespace isthmus
 {
@@ -43,8 +42,8 @@ struct DualContour
  * @throws std::invalid_argument for parameters out of range, std::runtime_error if inside and
  * crossings contradict each other, and Cancelled.
  */
-VTKISTHMUSFILTERSCONTOURING_EXPORT DualContour DualContouring(const HermiteGrid& grid,
-  const DualContouringParameters& parameters, const ProgressCallback& progress = {});
+DualContour DualContouring(const HermiteGrid& grid, const DualContouringParameters& parameters,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -29,7 +29,6 @@
 #define isthmus_ENOCrossings_h
 
 #include "Surfaces/LevelCrossings.h"
-#include "vtkIsthmusFiltersContouringModule.h"
 
 namespace isthmus
 {
@@ -37,7 +36,7 @@ namespace isthmus
 /// Like AppendLevelCrossings (LevelCrossings.h), but from more nodes: O(layer), and about 1 us for
 /// each crossing. T is float or double.
 template <typename T>
-VTKISTHMUSFILTERSCONTOURING_EXPORT void AppendENOCrossings(
+void AppendENOCrossings(
   const LevelView<T>& level, std::int64_t k, std::vector<GridCrossing>& crossings);
 
 }

@@ -6,7 +6,6 @@
 #define isthmus_LevelEstimate_h
 
 #include "Core/GridView.h"
-#include "vtkIsthmusFiltersContouringModule.h"
 
 #include <vector>
 
@@ -27,11 +26,11 @@ namespace isthmus
  * If all values are equal, the result is that value. O(n log n), with one copy of n prefix sums.
  * @throws std::invalid_argument if there are no values.
  */
-VTKISTHMUSFILTERSCONTOURING_EXPORT double EstimateLevel(std::vector<double>& values);
+double EstimateLevel(std::vector<double>& values);
 
 /// A representative sample of at most 2^20 of the finite values of the grid, for EstimateLevel.
 template <typename T>
-VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<double> SampleValues(const GridView<const T>& grid);
+std::vector<double> SampleValues(const GridView<const T>& grid);
 
 /// Statistics of the finite values of a map by which its contrast is judged.
 struct MapContrast
@@ -55,7 +54,7 @@ struct MapContrast
 /// The contrast computed from SampleValues() and the nodes on the six faces: O(nodes^(2/3)) in
 /// addition to the sample.
 template <typename T>
-VTKISTHMUSFILTERSCONTOURING_EXPORT MapContrast ContrastOf(const GridView<const T>& grid);
+MapContrast ContrastOf(const GridView<const T>& grid);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "Core/DisjointSets.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 
 #include <cmath>
 #include <numeric>
@@ -18,22 +19,6 @@ Point3 DoubleArea(const SurfaceView& mesh, const Triangle& t)
   const Point3& a = mesh.Points[static_cast<std::size_t>(t[0])];
   return Cross(mesh.Points[static_cast<std::size_t>(t[1])] - a,
     mesh.Points[static_cast<std::size_t>(t[2])] - a);
-}
-
-void Check(const DustParameters& parameters)
-{
-  if (!(parameters.MinimumArea >= 0.0) || std::isinf(parameters.MinimumArea))
-  {
-    throw std::invalid_argument("MinimumComponentArea must be a finite number, 0 or more.");
-  }
-  if (!(parameters.MinimumShare >= 0.0) || !(parameters.MinimumShare <= 1.0))
-  {
-    throw std::invalid_argument("MinimumComponentShare must be from 0 to 1.");
-  }
-  if (parameters.Largest < 0)
-  {
-    throw std::invalid_argument("LargestComponents must be 0 (all of them) or more.");
-  }
 }
 
 struct Component
@@ -79,12 +64,14 @@ std::vector<std::int64_t> RankOf(const std::vector<Component>& components,
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return components[a].Area > components[b].Area; });
   std::vector<std::int64_t> rank(components.size(), -1);
-  const auto most =
-    parameters.Largest == 0 ? order.size() : static_cast<std::size_t>(parameters.Largest);
+  const auto most = parameters.LargestComponents == 0
+    ? order.size()
+    : static_cast<std::size_t>(parameters.LargestComponents);
   for (std::size_t r = 0; r < std::min(most, order.size()); ++r)
   {
     const double area = components[order[r]].Area;
-    if (area < parameters.MinimumArea || area < parameters.MinimumShare * components[order[0]].Area)
+    if (area < parameters.MinimumComponentArea ||
+      area < parameters.MinimumComponentShare * components[order[0]].Area)
     {
       break;
     }
@@ -132,6 +119,14 @@ void Compact(TriangleMesh& mesh, std::vector<std::int64_t>& ranks)
   }
 }
 
+}
+
+void Check(const DustParameters& parameters)
+{
+  RequireRange("MinimumComponentArea", parameters.MinimumComponentArea, 0.0, Unlimited);
+  RequireRange("MinimumComponentShare", parameters.MinimumComponentShare, 0.0, 1.0);
+  RequireRange(
+    "LargestComponents", parameters.LargestComponents, 0, Unlimited, "0 stands for all of them.");
 }
 
 DustResult HideDust(TriangleMesh mesh, const DustParameters& parameters)

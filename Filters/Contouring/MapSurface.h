@@ -16,10 +16,13 @@ namespace isthmus
 /// Criteria for the components of a surface: one that fails any of the three is removed.
 struct DustParameters
 {
-  double MinimumArea = 0.0;  ///< length^2
-  double MinimumShare = 0.0; ///< of the area of the largest component, from 0 to 1
-  int Largest = 0;           ///< number of components to keep; 0: all
+  double MinimumComponentArea = 0.0;  ///< length^2
+  double MinimumComponentShare = 0.0; ///< of the area of the largest component, from 0 to 1
+  int LargestComponents = 0;          ///< number of components to keep; 0: all
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSCONTOURING_EXPORT void Check(const DustParameters& parameters);
 
 struct DustResult
 {

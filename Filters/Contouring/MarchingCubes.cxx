@@ -1,6 +1,7 @@
 #include "Contouring/MarchingCubes.h"
 
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Core/VTKVersions.h"
 
 #include <algorithm>
@@ -362,10 +363,7 @@ template <typename T>
 TriangleMesh MarchingCubes(const GridView<const T>& grid, const MarchingCubesParameters& parameters,
   const ProgressCallback& progress)
 {
-  if (!std::isfinite(parameters.Level))
-  {
-    throw std::invalid_argument("Level must be a finite number.");
-  }
+  RequireRange("Level", parameters.Level, -Unlimited, Unlimited);
   return CubeMarch<T>(grid, parameters).Run(progress);
 }
 

@@ -7,7 +7,6 @@
 
 #include "Core/Geometry.h"
 #include "Core/TriangleMesh.h"
-#include "vtkIsthmusFiltersContouringModule.h"
 
 namespace isthmus
 {
@@ -25,8 +24,7 @@ struct SeededComponent
  * `spacing` apart, and at least four of them (or all, if there are fewer), chosen greedily to be
  * far apart. O(n), and O(4 n) for components with few seeds.
  */
-VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<SeededComponent> SpreadSeeds(
-  const SurfaceView& surface, double spacing);
+std::vector<SeededComponent> SpreadSeeds(const SurfaceView& surface, double spacing);
 
 }
 

@@ -1,7 +1,7 @@
 #include "vtkDelaunayIsosurface.h"
 
+#include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
-#include "Contouring/DelaunayIsosurface.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
@@ -86,21 +86,22 @@ int vtkDelaunayIsosurface::RequestData(
       scaled->SetSpacing(factor * own[0], factor * own[1], factor * own[2]);
       const double* h = scaled->GetSpacing();
       const double spacing = std::min({ h[0], h[1], h[2] });
-      isthmus::DelaunayIsosurfaceParameters parameters;
-      parameters.Level = this->Level;
-      parameters.InsideIsHigher = this->InsideIsHigher;
-      parameters.Angle = this->Angle;
-      parameters.Radius = this->Radius == 0.0 ? 1.5 * spacing : factor * this->Radius;
-      parameters.Distance = this->Distance == 0.0 ? 0.25 * spacing : factor * this->Distance;
-      parameters.MaximumPoints = this->MaximumNumberOfPoints;
+      isthmus::DelaunayIsosurfaceParameters parameters = this->Parameters;
+      const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(
+        this->AutomaticLevel, this->Level, image, scalars, parameters.InsideIsHigher);
+      parameters.Level = chosen.Level;
+      isthmus::Check(parameters);
+      parameters.Radius *= factor;
+      parameters.Distance *= factor;
+      isthmus::SetAutomaticSizes(spacing, parameters);
 
       const auto progress = isthmus::ProgressOf(this);
       const isthmus::ClosedLevelSet level =
-        isthmus::CloseLevelSet(scaled, scalars, this->Level, this->InsideIsHigher);
+        isthmus::CloseLevelSet(scaled, scalars, chosen.Level, parameters.InsideIsHigher);
       isthmus::Report(progress, 0.05);
       if (level.Guide.Triangles.empty())
       {
-        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", this->Level,
+        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", chosen.Level,
                           ": the volume has values from ", level.Range[0], " to ", level.Range[1],
                           "."));
       }
@@ -113,6 +114,7 @@ int vtkDelaunayIsosurface::RequestData(
       isthmus::ToWorld(image, result.Surface);
       isthmus::SetMesh(result.Surface, surface);
       surface->GetFieldData()->PassData(image->GetFieldData());
+      isthmus::AddLevel(chosen, surface);
       if (!result.Warning.empty())
       {
         vtkWarningMacro(<< result.Warning);
@@ -124,9 +126,10 @@ void vtkDelaunayIsosurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
-  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
-  os << indent << "Angle: " << this->Angle << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Distance: " << this->Distance << "\n";
-  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
+  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
+  os << indent << "InsideIsHigher: " << this->Parameters.InsideIsHigher << "\n";
+  os << indent << "Angle: " << this->Parameters.Angle << "\n";
+  os << indent << "Radius: " << this->Parameters.Radius << "\n";
+  os << indent << "Distance: " << this->Parameters.Distance << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->Parameters.MaximumNumberOfPoints << "\n";
 }

@@ -19,6 +19,8 @@
 #ifndef vtkDelaunayIsosurface_h
 #define vtkDelaunayIsosurface_h
 
+#include "Contouring/DelaunayIsosurface.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -30,44 +32,35 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Value of the level set, in the unit of the scalars. Default 0.
-  vtkSetMacro(Level, double);
-  vtkGetMacro(Level, double);
+  /// The inside is where the value is above the level (densities).
+  ISTHMUS_PARAMETER_SWITCH(InsideIsHigher);
   ///@}
 
   ///@{
-  /// The inside is where the value is above the level (densities). Default on.
-  vtkSetMacro(InsideIsHigher, bool);
-  vtkGetMacro(InsideIsHigher, bool);
-  vtkBooleanMacro(InsideIsHigher, bool);
-  ///@}
-
-  ///@{
-  /// Lower bound of the angles of triangles, in degrees, 0 to 30. Default 30.
-  vtkSetMacro(Angle, double);
-  vtkGetMacro(Angle, double);
+  /// Lower bound of the angles of triangles, in degrees, 0 to 30.
+  ISTHMUS_PARAMETER(Angle, double);
   ///@}
 
   ///@{
   /// Upper bound of the radius of the surface Delaunay ball of a triangle, in the unit of the
-  /// spacing; 0: 1.5 times the smallest spacing. Default 0.
-  vtkSetMacro(Radius, double);
-  vtkGetMacro(Radius, double);
+  /// spacing; 0: 1.5 times the smallest spacing.
+  ISTHMUS_PARAMETER(Radius, double);
   ///@}
 
   ///@{
   /// Upper bound of the distance from the circumcentre of a triangle to the level set, in the unit
-  /// of the spacing; 0: a quarter of the smallest spacing. Default 0.
-  vtkSetMacro(Distance, double);
-  vtkGetMacro(Distance, double);
+  /// of the spacing; 0: a quarter of the smallest spacing.
+  ISTHMUS_PARAMETER(Distance, double);
   ///@}
 
   ///@{
-  /// Number of points of the surface at which refinement is stopped with an error. Default 5
-  /// million.
-  vtkSetMacro(MaximumNumberOfPoints, vtkIdType);
-  vtkGetMacro(MaximumNumberOfPoints, vtkIdType);
+  /// Number of points of the surface at which refinement is stopped with an error.
+  ISTHMUS_PARAMETER(MaximumNumberOfPoints, vtkIdType);
   ///@}
+
+  /// Value of the level set, in the unit of the scalars; unless it is given, the policy is that
+  /// of AutomaticLevel.h.
+  ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Level);
 
 protected:
   vtkDelaunayIsosurface();
@@ -81,12 +74,7 @@ private:
   vtkDelaunayIsosurface(const vtkDelaunayIsosurface&) = delete;
   void operator=(const vtkDelaunayIsosurface&) = delete;
 
-  double Level = 0.0;
-  bool InsideIsHigher = true;
-  double Angle = 30.0;
-  double Radius = 0.0;
-  double Distance = 0.0;
-  vtkIdType MaximumNumberOfPoints = 5000000;
+  isthmus::DelaunayIsosurfaceParameters Parameters; ///< but its Level
 };
 
 #endif

@@ -1,5 +1,6 @@
 #include "vtkDualContouring.h"
 
+#include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DualContouring.h"
 #include "Contouring/ENOCrossings.h"
@@ -13,6 +14,7 @@
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataSetAttributes.h>
@@ -92,11 +94,8 @@ struct MovedSurface
 
 MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
 {
-  if (!(spacing >= 0.0) || std::isinf(spacing))
-  {
-    throw std::invalid_argument("Spacing is " + isthmus::FormatNumber(spacing) +
-      ", but it is a length: give a positive one, or 0 for 1/64 of the longest side.");
-  }
+  isthmus::RequireRange("Spacing", spacing, 0.0, isthmus::Unlimited,
+    "It is a length; 0 stands for 1/64 of the longest side.");
   const isthmus::Point3& first = surface.Point(surface.Corners(0)[0]);
   isthmus::Bounds3 box{ first, first };
   for (const isthmus::Triangle& corners : surface.Triangles)
@@ -248,26 +247,20 @@ int vtkDualContouring::RequestData(
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, piece);
-      isthmus::DualContouringParameters parameters;
-      parameters.FeatureThreshold = this->FeatureThreshold;
-      parameters.Reach = this->Reach;
-      parameters.Triangles = !this->Quadrilaterals;
-      parameters.Tolerance = this->Tolerance;
-      parameters.FreeOfCrossings = this->FreeOfCrossings;
       isthmus::DualContour contour;
       bool isMirrored = false;
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image && image->GetNumberOfPoints() > 0 &&
         isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
-        if (!std::isfinite(this->Level))
-        {
-          throw std::invalid_argument("Level is not a number.");
-        }
-        contour = ContourOf(image, isthmus::ChosenScalars(this, image), this->Level,
-          this->InsideIsHigher, parameters, isthmus::ProgressOf(this));
+        vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+        const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(
+          this->AutomaticLevel, this->Level, image, scalars, this->InsideIsHigher);
+        contour = ContourOf(image, scalars, chosen.Level, this->InsideIsHigher, this->Parameters,
+          isthmus::ProgressOf(this));
         isMirrored = image->GetDirectionMatrix()->Determinant() < 0.0;
         result->GetFieldData()->PassData(image->GetFieldData());
+        isthmus::AddLevel(chosen, result);
       }
       if (surface && surface->GetNumberOfCells() > 0)
       {
@@ -275,7 +268,7 @@ int vtkDualContouring::RequestData(
         if (triangles.View().NumberOfTriangles() > 0)
         {
           contour =
-            ContourOf(triangles.View(), this->Spacing, parameters, isthmus::ProgressOf(this));
+            ContourOf(triangles.View(), this->Spacing, this->Parameters, isthmus::ProgressOf(this));
           result->GetFieldData()->PassData(surface->GetFieldData());
         }
       }
@@ -292,11 +285,12 @@ void vtkDualContouring::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
+  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
-  os << indent << "Reach: " << this->Reach << "\n";
-  os << indent << "Quadrilaterals: " << this->Quadrilaterals << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "FreeOfCrossings: " << this->FreeOfCrossings << "\n";
+  os << indent << "FeatureThreshold: " << this->Parameters.FeatureThreshold << "\n";
+  os << indent << "Reach: " << this->Parameters.Reach << "\n";
+  os << indent << "Quadrilaterals: " << this->Parameters.Quadrilaterals << "\n";
+  os << indent << "Tolerance: " << this->Parameters.Tolerance << "\n";
+  os << indent << "FreeOfCrossings: " << this->Parameters.FreeOfCrossings << "\n";
 }

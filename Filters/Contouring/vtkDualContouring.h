@@ -18,6 +18,8 @@
 #ifndef vtkDualContouring_h
 #define vtkDualContouring_h
 
+#include "Contouring/DualContouringParameters.h"
+#include "Core/FilterProperties.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -29,13 +31,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Value of the level set, in the unit of the scalars; volumes only. Default 0.
-  vtkSetMacro(Level, double);
-  vtkGetMacro(Level, double);
-  ///@}
-
-  ///@{
-  /// The inside is where the value is above the level; volumes only. Default on.
+  /// The inside is where the value is above the level; volumes only.
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
   vtkBooleanMacro(InsideIsHigher, bool);
@@ -43,7 +39,6 @@ public:
 
   ///@{
   /// Spacing of the grid for a surface, in its unit; 0: 1/64 of the longest side of its bounds.
-  /// Default 0.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
@@ -52,41 +47,39 @@ public:
   /// How much normals must vary within a cell to count as an edge or a corner, as a fraction of the
   /// largest eigenvalue, 0 to 1; a smaller value keeps blunter edges and more noise. For surfaces,
   /// edges of at least this angle, and at least 30 degrees, are kept exactly, but the tip of a
-  /// corner that no line of the grid crosses may be cut off. Default 0.07: 30 degrees.
-  vtkSetMacro(FeatureThreshold, double);
-  vtkGetMacro(FeatureThreshold, double);
+  /// corner that no line of the grid crosses may be cut off. 0.07 corresponds to
+  /// 30 degrees.
+  ISTHMUS_PARAMETER(FeatureThreshold, double);
   ///@}
 
   ///@{
   /// How far, in spacings from 0 to 1, a vertex may move into other cells that have a vertex. A
   /// vertex may always move into empty cells and to edges. Polygons cross more easily above
-  /// 0. Default 0.
-  vtkSetMacro(Reach, double);
-  vtkGetMacro(Reach, double);
+  /// 0.
+  ISTHMUS_PARAMETER(Reach, double);
   ///@}
 
   ///@{
-  /// Output the quadrilaterals of the method instead of triangles. Default off.
-  vtkSetMacro(Quadrilaterals, bool);
-  vtkGetMacro(Quadrilaterals, bool);
-  vtkBooleanMacro(Quadrilaterals, bool);
+  /// Output the quadrilaterals of the method instead of triangles.
+  ISTHMUS_PARAMETER_SWITCH(Quadrilaterals);
   ///@}
 
   ///@{
   /// Allowed distance from the surface of all cells, in the unit of length of the input. Above 0,
-  /// cells are merged where the surface is flat enough (octree), and it stays manifold. Default 0:
+  /// cells are merged where the surface is flat enough (octree), and it stays manifold. 0:
   /// no cells are merged.
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
+  ISTHMUS_PARAMETER(Tolerance, double);
   ///@}
 
   ///@{
   /// Prevent triangles from crossing: those that cross are cut into smaller ones that each stay in
-  /// a cell, which rounds edges there. Needs triangles and Reach 0. Default off.
-  vtkSetMacro(FreeOfCrossings, bool);
-  vtkGetMacro(FreeOfCrossings, bool);
-  vtkBooleanMacro(FreeOfCrossings, bool);
+  /// a cell, which rounds edges there. Needs triangles and Reach 0.
+  ISTHMUS_PARAMETER_SWITCH(FreeOfCrossings);
   ///@}
+
+  /// Value of the level set, in the unit of the scalars; volumes only; unless it is given, the
+  /// policy is that of AutomaticLevel.h.
+  ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Level);
 
 protected:
   vtkDualContouring();
@@ -100,14 +93,9 @@ private:
   vtkDualContouring(const vtkDualContouring&) = delete;
   void operator=(const vtkDualContouring&) = delete;
 
-  double Level = 0.0;
+  isthmus::DualContouringParameters Parameters;
   bool InsideIsHigher = true;
   double Spacing = 0.0;
-  double FeatureThreshold = 0.07;
-  double Reach = 0.0;
-  bool Quadrilaterals = false;
-  double Tolerance = 0.0;
-  bool FreeOfCrossings = false;
 };
 
 #endif

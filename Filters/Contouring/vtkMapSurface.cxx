@@ -4,14 +4,13 @@
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
 #include "Contouring/LevelEstimate.h"
-#include "Contouring/MapSurface.h"
-#include "Contouring/MarchingCubes.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -27,8 +26,6 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkMapSurface);
 
@@ -45,8 +42,7 @@ isthmus::TriangleMesh DelaunaySurface(vtkMapSurface* self, vtkImageData* image,
   isthmus::DelaunayIsosurfaceParameters parameters;
   parameters.Level = level;
   parameters.InsideIsHigher = self->GetInsideIsHigher();
-  parameters.Radius = 1.5 * spacing;
-  parameters.Distance = 0.25 * spacing;
+  isthmus::SetAutomaticSizes(spacing, parameters);
   isthmus::DelaunayIsosurfaceResult result =
     isthmus::DelaunayIsosurface(set.Field, set.Bounds, set.Guide, parameters, progress);
   if (!result.Warning.empty())
@@ -56,13 +52,10 @@ isthmus::TriangleMesh DelaunaySurface(vtkMapSurface* self, vtkImageData* image,
   return std::move(result.Surface);
 }
 
-isthmus::TriangleMesh CubesSurface(vtkMapSurface* self, vtkImageData* image, vtkDataArray* scalars,
-  double level, const isthmus::ProgressCallback& progress)
+isthmus::TriangleMesh CubesSurface(vtkImageData* image, vtkDataArray* scalars, double level,
+  isthmus::MarchingCubesParameters parameters, const isthmus::ProgressCallback& progress)
 {
-  isthmus::MarchingCubesParameters parameters;
   parameters.Level = level;
-  parameters.InsideIsHigher = self->GetInsideIsHigher();
-  parameters.CloseAtBorder = self->GetCloseAtBorder();
   isthmus::TriangleMesh mesh;
   isthmus::UseScalars(image, scalars,
     [&](const auto& grid) { mesh = isthmus::MarchingCubes(grid, parameters, progress); });
@@ -71,10 +64,7 @@ isthmus::TriangleMesh CubesSurface(vtkMapSurface* self, vtkImageData* image, vtk
 
 void AddNormals(const isthmus::SurfaceView& mesh, vtkPolyData* surface)
 {
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  isthmus::SizeArray(normals, static_cast<vtkIdType>(mesh.Points.size()));
+  const auto normals = isthmus::NamedArray<vtkFloatArray>("Normals", mesh.Points.size(), 3);
   float* out = normals->GetPointer(0);
   for (const isthmus::Point3& normal : isthmus::PointNormals(mesh))
   {
@@ -84,52 +74,44 @@ void AddNormals(const isthmus::SurfaceView& mesh, vtkPolyData* surface)
   surface->GetPointData()->SetNormals(normals);
 }
 
-void AddFieldData(const char* name, const std::vector<double>& values, vtkPolyData* surface)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  surface->GetFieldData()->AddArray(array);
-}
-
 void AddComponents(const isthmus::DustResult& result, vtkPolyData* surface)
 {
-  vtkNew<vtkIdTypeArray> components;
-  components->SetName("Component");
-  isthmus::SizeArray(components, static_cast<vtkIdType>(result.Components.size()));
-  std::copy(result.Components.begin(), result.Components.end(), components->GetPointer(0));
-  surface->GetCellData()->AddArray(components);
-  AddFieldData("ComponentsFound", { static_cast<double>(result.Found) }, surface);
-  AddFieldData("ComponentArea", result.Areas, surface);
+  vtkFieldData* const data = surface->GetFieldData();
+  isthmus::AddColumn<vtkIdTypeArray>(surface->GetCellData(), "Component", result.Components);
+  isthmus::AddColumn<vtkDoubleArray>(data, "ComponentsFound", { result.Found });
+  isthmus::AddColumn<vtkDoubleArray>(data, "ComponentArea", result.Areas);
 }
 
+}
+
+const std::vector<isthmus::OutputArray>& vtkMapSurface::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::On,
+      "unit normals, for smooth shading" },
+    { 0, ArrayPlace::Cells, "Component", 1, "", ArrayChoice::None,
+      "0 for the component with the largest area" },
+    { 0, ArrayPlace::Field, "Level", 1, "of the scalars", ArrayChoice::None, "the level used" },
+    { 0, ArrayPlace::Field, "LevelSource", 1, "", ArrayChoice::None,
+      "where the level is from, as text" },
+    { 0, ArrayPlace::Field, "ComponentsFound", 1, "", ArrayChoice::None,
+      "components before dust was hidden" },
+    { 0, ArrayPlace::Field, "ComponentArea", 1, "length^2", ArrayChoice::None,
+      "of each remaining component, largest first" },
+    { 0, ArrayPlace::Field, "InvertedContrast", 1, "", ArrayChoice::None,
+      "1 if an automatic level was used but density seems to be darker than the background; "
+      "otherwise missing" },
+  };
+  return table;
 }
 
 vtkMapSurface::vtkMapSurface()
-  : LevelOfMap(new isthmus::AutomaticLevel)
+  : OutputArrays(this, OutputArrayTable())
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-}
-
-vtkMapSurface::~vtkMapSurface() = default;
-
-void vtkMapSurface::SetLevel(double level)
-{
-  this->SetLevelOnly(level);
-  this->SetAutomaticLevel(false);
-}
-
-void vtkMapSurface::SetLevelOnly(double level)
-{
-  if (this->Level != level) // true for what is not a number, too
-  {
-    this->Level = level;
-    this->Modified();
-  }
 }
 
 int vtkMapSurface::FillInputPortInformation(int, vtkInformation* information)
@@ -146,15 +128,9 @@ int vtkMapSurface::RequestUpdateExtent(
   return 1;
 }
 
-/// Warns where an automatic level looks for high values and the density is darker than the
-/// background.
-bool vtkMapSurface::IsSuspectedOfInversion(vtkImageData* image, vtkDataArray* scalars)
+/// Whether density is darker than the background; warns if so.
+bool vtkMapSurface::IsInverted(vtkImageData* image, vtkDataArray* scalars)
 {
-  if (!this->AutomaticLevel || !this->InsideIsHigher ||
-    image->GetFieldData()->GetArray("RecommendedLevel"))
-  {
-    return false;
-  }
   isthmus::MapContrast contrast;
   isthmus::UseScalars(
     image, scalars, [&](const auto& grid) { contrast = isthmus::ContrastOf(grid); });
@@ -172,46 +148,36 @@ bool vtkMapSurface::IsSuspectedOfInversion(vtkImageData* image, vtkDataArray* sc
 
 void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
 {
-  if (this->Quality != Cubes && this->Quality != Delaunay)
-  {
-    throw std::invalid_argument("Quality must be 0 (cubes) or 1 (Delaunay).");
-  }
-  if (this->Quality == Delaunay && !this->CloseAtBorder)
-  {
-    throw std::invalid_argument(
-      "A Delaunay surface is always closed: switch CloseAtBorder on, or choose the quality Cubes.");
-  }
+  isthmus::RequireChoice<int>("Quality", this->Quality, Delaunay);
+  isthmus::Check(this->Parameters);
+  isthmus::RequireThat(this->Quality == Cubes || this->Contour.CloseAtBorder, "CloseAtBorder", 0.0,
+    "a Delaunay surface is always closed: switch it on, or choose the quality Cubes");
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-  const double level =
-    this->AutomaticLevel ? this->LevelOfMap->Of(image, scalars, this->InsideIsHigher) : this->Level;
-  if (!std::isfinite(level))
-  {
-    throw std::invalid_argument("Level must be a finite number.");
-  }
-  this->UsedLevel = level;
-  const bool isInverted = this->IsSuspectedOfInversion(image, scalars);
+  const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(
+    this->AutomaticLevel, this->Level, image, scalars, this->Contour.InsideIsHigher);
+  const double level = chosen.Level;
+  const bool isInverted = chosen.Source == isthmus::LevelSource::Estimated &&
+    this->Contour.InsideIsHigher && this->IsInverted(image, scalars);
 
   const auto progress = isthmus::ProgressOf(this);
   const auto extracting = isthmus::Between(progress, 0.0, 0.7);
   isthmus::TriangleMesh mesh = this->Quality == Delaunay
     ? DelaunaySurface(this, image, scalars, level, extracting)
-    : CubesSurface(this, image, scalars, level, extracting);
-  const isthmus::DustParameters parameters{ this->MinimumComponentArea, this->MinimumComponentShare,
-    this->LargestComponents };
-  isthmus::DustResult result = isthmus::HideDust(std::move(mesh), parameters);
+    : CubesSurface(image, scalars, level, this->Contour, extracting);
+  isthmus::DustResult result = isthmus::HideDust(std::move(mesh), this->Parameters);
   isthmus::Report(progress, 0.8);
   isthmus::ToWorld(image, result.Surface);
   isthmus::SetMesh(result.Surface, surface);
-  if (this->GenerateNormals)
+  if (this->OutputArrays.Has("Normals"))
   {
     AddNormals(result.Surface, surface);
   }
   surface->GetFieldData()->PassData(image->GetFieldData());
-  AddFieldData("Level", { level }, surface);
+  isthmus::AddLevel(chosen, surface);
   AddComponents(result, surface);
   if (isInverted)
   {
-    AddFieldData("InvertedContrast", { 1.0 }, surface);
+    isthmus::AddColumn<vtkDoubleArray>(surface->GetFieldData(), "InvertedContrast", { 1.0 });
   }
   if (result.Surface.Triangles.empty())
   {
@@ -234,6 +200,7 @@ int vtkMapSurface::RequestData(
   return isthmus::Guarded(this, output,
     [&]
     {
+      this->OutputArrays.Check();
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image->GetNumberOfPoints() > 0 && isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
@@ -247,12 +214,11 @@ void vtkMapSurface::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
-  os << indent << "UsedLevel: " << this->UsedLevel << "\n";
-  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
-  os << indent << "MinimumComponentArea: " << this->MinimumComponentArea << "\n";
-  os << indent << "MinimumComponentShare: " << this->MinimumComponentShare << "\n";
-  os << indent << "LargestComponents: " << this->LargestComponents << "\n";
-  os << indent << "CloseAtBorder: " << this->CloseAtBorder << "\n";
+  os << indent << "InsideIsHigher: " << this->Contour.InsideIsHigher << "\n";
+  os << indent << "MinimumComponentArea: " << this->Parameters.MinimumComponentArea << "\n";
+  os << indent << "MinimumComponentShare: " << this->Parameters.MinimumComponentShare << "\n";
+  os << indent << "LargestComponents: " << this->Parameters.LargestComponents << "\n";
+  os << indent << "CloseAtBorder: " << this->Contour.CloseAtBorder << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
-  os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
+  this->OutputArrays.Print(os, indent);
 }

@@ -156,7 +156,7 @@ std::vector<std::string> UnderLimits(
 {
   // The processor time is a second fence: it holds even if this process dies meanwhile.
   std::string script = "ulimit -c 0; ulimit -t " +
-    std::to_string(static_cast<std::int64_t>(limits.Seconds) + 2) + "; ";
+    std::to_string(static_cast<std::int64_t>(limits.TimeLimit) + 2) + "; ";
   if (limits.Bytes > 0)
   {
     script += "ulimit -v " + std::to_string(limits.Bytes / 1024) + "; ";
@@ -217,11 +217,11 @@ ChildResult RunChild(const std::vector<std::string>& command, const ChildLimits&
   while (!child.Ended())
   {
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (seconds > limits.Seconds)
+    if (seconds > limits.TimeLimit)
     {
       return { ChildEnd::TimedOut, 0, LastCharacters(log) };
     }
-    Report(progress, seconds / limits.Seconds);
+    Report(progress, seconds / limits.TimeLimit);
     std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, std::chrono::milliseconds(50));
   }
@@ -230,7 +230,7 @@ ChildResult RunChild(const std::vector<std::string>& command, const ChildLimits&
   {
     // The limit of processor time lies beyond that of wall time, so an early one is someone else's.
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    const bool outOfTime = WTERMSIG(status) == SIGXCPU && seconds > 0.9 * limits.Seconds;
+    const bool outOfTime = WTERMSIG(status) == SIGXCPU && seconds > 0.9 * limits.TimeLimit;
     return { outOfTime ? ChildEnd::TimedOut : ChildEnd::Crashed, WTERMSIG(status),
       LastCharacters(log) };
   }

@@ -35,15 +35,15 @@ private:
 
 struct ChildLimits
 {
-  double Seconds = 600.0;  ///< of wall time
-  std::uint64_t Bytes = 0; ///< of address space; 0: no limit
+  double TimeLimit = 600.0; ///< of wall time, seconds
+  std::uint64_t Bytes = 0;  ///< of address space; 0: no limit
 };
 
 enum class ChildEnd
 {
   Exited,   ///< by itself; Code is its exit status
   Crashed,  ///< by a signal; Code is its number
-  TimedOut, ///< killed after ChildLimits::Seconds
+  TimedOut, ///< killed after ChildLimits::TimeLimit
   NotFound, ///< there is no such program
   NotRun    ///< it exists, but is a folder or not executable
 };

@@ -34,10 +34,10 @@ VTKISTHMUSFILTERSCORE_EXPORT bool OnFirstRank();
 
 /// Number of ranks on which `data` has points. With several ranks all of them must call it, each
 /// with its piece or null.
-VTKISTHMUSFILTERSCORE_EXPORT int RanksWithPoints(vtkDataObject* data);
+int RanksWithPoints(vtkDataObject* data);
 
 /// @throws std::runtime_error if `ranks` is more than 1; `what` names the data in the plural.
-VTKISTHMUSFILTERSCORE_EXPORT void RefuseSeveralRanks(int ranks, const std::string& what);
+void RefuseSeveralRanks(int ranks, const std::string& what);
 
 /// @throws std::runtime_error on several ranks if an input of `filter` is composite: blocks are
 /// processed one by one, and the others would wait forever for a rank that lacks a block. Detected

@@ -2,6 +2,7 @@
 
 #include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
+#include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 
 #include <vtkAlgorithm.h>
@@ -111,10 +112,8 @@ vtkSmartPointer<vtkDataArray> WideIntegersAsDouble(vtkDataArray* array)
   {
     return array;
   }
-  auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
-  doubles->SetName(array->GetName());
-  doubles->SetNumberOfComponents(array->GetNumberOfComponents());
-  SizeArray(doubles, array->GetNumberOfTuples());
+  auto doubles = ArrayOfType(
+    VTK_DOUBLE, array->GetName(), array->GetNumberOfTuples(), array->GetNumberOfComponents());
   doubles->DeepCopy(array);
   return doubles;
 }

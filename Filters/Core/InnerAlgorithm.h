@@ -19,11 +19,11 @@ namespace isthmus
 /// The message that the last execution of `self` ended with, whether or not it was shown; empty
 /// after one that succeeded or was aborted, and for algorithms that are not Guarded
 /// (AlgorithmGuard.h, which sets it).
-VTKISTHMUSFILTERSCORE_EXPORT std::string FailureOf(vtkAlgorithm* self);
+std::string FailureOf(vtkAlgorithm* self);
 VTKISTHMUSFILTERSCORE_EXPORT void SetFailure(vtkAlgorithm* self, const std::string& message);
 
 /// A message of vtkErrorMacro or vtkWarningMacro without file, line, class and address.
-VTKISTHMUSFILTERSCORE_EXPORT std::string PlainMessage(const std::string& message);
+std::string PlainMessage(const std::string& message);
 
 /**
  * Updates `inner` and observes its errors. Otherwise a failure inside a filter would cause an empty

@@ -43,12 +43,11 @@ struct InputOverlap
   double Ratio = 1.0;    ///< diagonal of the second over that of the first; 0 where it has no size
 
   /// Whether the ratio is within 5 % of 10 or 1/10.
-  VTKISTHMUSFILTERSCORE_EXPORT bool IsOfOtherUnit() const;
+  bool IsOfOtherUnit() const;
 };
 
 /// Empty if one of the two has no position. O(points).
-VTKISTHMUSFILTERSCORE_EXPORT std::optional<InputOverlap> OverlapOf(
-  vtkDataObject* first, vtkDataObject* second);
+std::optional<InputOverlap> OverlapOf(vtkDataObject* first, vtkDataObject* second);
 
 /// Sets the rule for the inputs of `port`, which is 1 or higher. Call it in a constructor.
 VTKISTHMUSFILTERSCORE_EXPORT void SetOverlapRule(
@@ -60,7 +59,7 @@ VTKISTHMUSFILTERSCORE_EXPORT void SetOverlapRule(
  * or in streaming, because each piece has only a part of the inputs.
  * @throws std::invalid_argument naming the inputs and their boxes if the rule refuses them.
  */
-VTKISTHMUSFILTERSCORE_EXPORT void CheckOverlap(vtkAlgorithm* self);
+void CheckOverlap(vtkAlgorithm* self);
 
 }
 

@@ -1,5 +1,6 @@
 #include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 
 #include <algorithm>
 #include <fstream>
@@ -85,6 +86,8 @@ MemoryBudget::MemoryBudget(double limit)
   : Allowed(limit > 0.0 ? limit * 1048576.0 : AvailableMemory())
   , HasLimit(limit > 0.0)
 {
+  RequireThat(
+    limit >= 0.0, "MemoryLimit", limit, "it must be 0 (the memory of the machine) or more");
 }
 
 MemoryBudget MemoryBudget::OfMachine(double limit)
@@ -142,6 +145,15 @@ void MemoryBudget::Require(double bytes, const std::string& what, const std::str
   {
     throw std::runtime_error(this->Message(bytes, what, remedy));
   }
+}
+
+void MemoryBudget::RequireGrid(const std::array<std::int64_t, 3>& dimensions, double bytesPerNode,
+  const std::string& remedy) const
+{
+  const auto& [nx, ny, nz] = dimensions;
+  const double nodes = static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
+  this->Require(
+    bytesPerNode * nodes, TextOf("A grid of ", nx, " x ", ny, " x ", nz, " nodes"), remedy);
 }
 
 }

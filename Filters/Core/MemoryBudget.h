@@ -7,6 +7,7 @@
 
 #include "vtkIsthmusFiltersCoreModule.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -25,13 +26,14 @@ VTKISTHMUSFILTERSCORE_EXPORT std::string MemoryText(double bytes);
  * none. Each algorithm predicts its own bytes; this class checks whether they fit and composes the
  * error message:
  *
- *     MemoryBudget(filter->GetMemoryLimit()).Require(130.0 * nodes, "A grid of 9 x 9 x 9 nodes",
- *       "choose a larger Spacing");
+ *     MemoryBudget(this->MemoryLimit).Require(
+ *       450.0 * triangles, "A surface of 9 million triangles", "choose a larger EdgeLength");
  */
 class VTKISTHMUSFILTERSCORE_EXPORT MemoryBudget
 {
 public:
-  /// @param limit in MiB, like the property MemoryLimit of filters; 0 or less: the available memory
+  /// @param limit in MiB, the property MemoryLimit of filters; 0: the available memory
+  /// @throws std::invalid_argument unless it is 0 or more.
   explicit MemoryBudget(double limit = 0.0);
 
   /// A limit in MiB as well, but 0 means three quarters of the machine's memory, no matter how much
@@ -63,6 +65,10 @@ public:
   /// @param remedy  what to do, naming a property: "choose a larger Spacing"
   /// @throws std::runtime_error with Message() unless Allows(bytes).
   void Require(double bytes, const std::string& what, const std::string& remedy) const;
+
+  /// Require() for "A grid of 9 x 9 x 9 nodes" with this number of bytes for each node.
+  void RequireGrid(const std::array<std::int64_t, 3>& dimensions, double bytesPerNode,
+    const std::string& remedy) const;
 
 private:
   double Allowed;

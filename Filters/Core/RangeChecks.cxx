@@ -164,7 +164,10 @@ void RequireRange(const char* property, double value, double low, double high, c
 {
   if (!(value >= low && value <= high))
   {
-    Refuse(property, value, "from " + FormatNumber(low) + " to " + FormatNumber(high), meaning);
+    const std::string range = high < Unlimited
+      ? "from " + FormatNumber(low) + " to " + FormatNumber(high)
+      : "a finite number of at least " + FormatNumber(low);
+    Refuse(property, value, range, meaning);
   }
 }
 
@@ -172,8 +175,10 @@ void RequireAbove(const char* property, double value, double low, double high, c
 {
   if (!(value > low && value <= high))
   {
-    Refuse(property, value, "above " + FormatNumber(low) + " and at most " + FormatNumber(high),
-      meaning);
+    const std::string range = high < Unlimited
+      ? "above " + FormatNumber(low) + " and at most " + FormatNumber(high)
+      : "a finite number above " + FormatNumber(low);
+    Refuse(property, value, range, meaning);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "Curvature/CurvatureDescriptors.h"
 
+#include "Core/RangeChecks.h"
+
 #include <array>
 
 namespace isthmus
@@ -12,18 +14,27 @@ const char* SurfaceTypeName(SurfaceType type)
   return names[static_cast<unsigned char>(type)];
 }
 
+void Check(const CurvatureDescriptorOptions& options)
+{
+  RequireChoice(
+    "ShapeIndexConvention", options.ShapeIndexConvention, ShapeIndexConvention::Koenderink);
+  RequireRange("FlatTolerance", options.FlatTolerance, 0.0, Unlimited);
+  RequireRange("GaussianTolerance", options.GaussianTolerance, 0.0, Unlimited);
+  RequireRange("MeanTolerance", options.MeanTolerance, 0.0, Unlimited);
+}
+
 SurfaceType ClassifySurface(
   double mean, double halfDifference, double spacing, const SurfaceTypeTolerance& tolerance)
 {
   const double curvedness = Curvedness(mean, halfDifference);
-  if (curvedness * spacing <= tolerance.Flat)
+  if (curvedness * spacing <= tolerance.FlatTolerance)
   {
     return SurfaceType::Flat;
   }
   const double gaussian = (mean - halfDifference) * (mean + halfDifference);
-  const double gaussianZero = tolerance.Gaussian * curvedness * curvedness;
+  const double gaussianZero = tolerance.GaussianTolerance * curvedness * curvedness;
   const int gaussianSign = (gaussian > gaussianZero) - (gaussian < -gaussianZero);
-  const double meanZero = tolerance.Mean * curvedness;
+  const double meanZero = tolerance.MeanTolerance * curvedness;
   const int meanSign = (mean > meanZero) - (mean < -meanZero);
 
   // Rows: K < 0, K = 0, K > 0. Columns: H < 0, H = 0, H > 0.

@@ -126,10 +126,19 @@ VTKISTHMUSFILTERSCURVATURE_EXPORT const char* SurfaceTypeName(SurfaceType type);
  */
 struct SurfaceTypeTolerance
 {
-  double Flat = 1e-3;     ///< Flat if c x (grid spacing) is at most this.
-  double Gaussian = 1e-3; ///< K counts as 0 if |K| is at most this times c^2.
-  double Mean = 1e-3;     ///< H counts as 0 if |H| is at most this times c.
+  double FlatTolerance = 1e-3;     ///< Flat if c x (grid spacing) is at most this.
+  double GaussianTolerance = 1e-3; ///< K counts as 0 if |K| is at most this times c^2.
+  double MeanTolerance = 1e-3;     ///< H counts as 0 if |H| is at most this times c.
 };
+
+/// What determines the descriptors besides the principal curvatures.
+struct CurvatureDescriptorOptions : SurfaceTypeTolerance
+{
+  isthmus::ShapeIndexConvention ShapeIndexConvention = isthmus::ShapeIndexConvention::Thesis;
+};
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSCURVATURE_EXPORT void Check(const CurvatureDescriptorOptions& options);
 
 /// Type of the surface by Table 2.1; `spacing` is the (smallest) grid spacing.
 VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceType ClassifySurface(

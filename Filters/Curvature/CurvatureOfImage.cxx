@@ -1,7 +1,7 @@
 #include "Curvature/CurvatureOfImage.h"
 
-#include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 #include "Curvature/SurfaceTypeNames.h"
 
@@ -13,7 +13,6 @@
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
@@ -44,17 +43,13 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
 
 /// Memory of a new array in the point data, or null if it was not requested.
 template <typename T>
-T* NewArray(bool wanted, const char* name, int components, vtkIdType tuples, vtkDataSet* output)
+T* AddIf(bool wanted, const char* name, int components, vtkIdType tuples, vtkDataSet* output)
 {
   if (!wanted)
   {
     return nullptr;
   }
-  vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(vtkTypeTraits<T>::VTK_TYPE_ID));
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  SizeArray(array, tuples);
+  const auto array = ArrayOfType(vtkTypeTraits<T>::VTK_TYPE_ID, name, tuples, components);
   AdviseLargePages(array.Get());
   output->GetPointData()->AddArray(array);
   return static_cast<T*>(array->GetVoidPointer(0));
@@ -64,7 +59,7 @@ template <typename T>
 CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places, vtkDataSet* output)
 {
   const auto array = [&](bool on, const char* name, int components = 1)
-  { return NewArray<T>(on, name, components, places, output); };
+  { return AddIf<T>(on, name, components, places, output); };
   CurvatureArrays<T> arrays;
   arrays.Gaussian = array(wanted.Gaussian, "GaussianCurvature");
   arrays.Mean = array(wanted.Mean || wanted.Error, "MeanCurvature");
@@ -74,12 +69,11 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
   arrays.Curvedness = array(wanted.Curvedness, "Curvedness");
   arrays.Direction1 = array(wanted.Direction1, "PrincipalDirection1", 3);
   arrays.Direction2 = array(wanted.Direction2, "PrincipalDirection2", 3);
-  arrays.SurfaceType =
-    NewArray<unsigned char>(wanted.SurfaceType, "SurfaceType", 1, places, output);
+  arrays.SurfaceType = AddIf<unsigned char>(wanted.SurfaceType, "SurfaceType", 1, places, output);
   arrays.Normal = array(wanted.Normal, "GaussMap", 3);
   array(wanted.Error, "CurvatureScale");
   arrays.Gradient = array(wanted.Error, "CurvatureError"); // replaced by the errors later
-  arrays.Valid = NewArray<unsigned char>(true, "CurvatureValid", 1, places, output);
+  arrays.Valid = AddIf<unsigned char>(true, "CurvatureValid", 1, places, output);
   if (wanted.SurfaceType)
   {
     AddSurfaceTypeNames(output->GetFieldData());
@@ -309,7 +303,8 @@ void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Ext
   vtkPoints* points, const HessianCurvatureOptions& options, vtkDataSet* output,
   const ProgressCallback& progress)
 {
-  switch (scalars->GetDataType())
+  const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
+  switch (values->GetDataType())
   {
     vtkTemplateMacro({
       using Result = ResultType<VTK_TT>;
@@ -321,7 +316,7 @@ void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Ext
       }
       else
       {
-        WriteMean<VTK_TT>(image, scalars, box, points, options, mean, output->GetNumberOfPoints(),
+        WriteMean<VTK_TT>(image, values, box, points, options, mean, output->GetNumberOfPoints(),
           reference, progress);
       }
     });
@@ -332,10 +327,11 @@ void AddErrors(vtkImageData* image, vtkDataArray* next, const Extent& box, vtkPo
   const HessianCurvatureOptions& options, const CurvatureSelection& selection,
   const CurvatureScale& scale, vtkDataSet* output, const ProgressCallback& progress)
 {
-  switch (next->GetDataType())
+  const vtkSmartPointer<vtkDataArray> values = Contiguous(next);
+  switch (values->GetDataType())
   {
     vtkTemplateMacro(
-      WriteErrors<VTK_TT>(image, next, box, points, options, scale, output, progress));
+      WriteErrors<VTK_TT>(image, values, box, points, options, scale, output, progress));
   }
   if (!selection.Mean)
   {

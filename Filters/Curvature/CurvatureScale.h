@@ -54,7 +54,6 @@
 
 #include "Core/Progress.h"
 #include "Curvature/GaussianDerivative.h"
-#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
@@ -83,8 +82,7 @@ struct CurvatureScale
   /// Standard error of the mean curvature, bias included, at a point where the mean curvature at
   /// Scale is `mean`, its bias estimated from differences of scales and orders is `difference`, and
   /// the length of the gradient at Scale is `gradient`.
-  VTKISTHMUSFILTERSCURVATURE_EXPORT double Error(
-    double mean, double difference, double gradient) const;
+  double Error(double mean, double difference, double gradient) const;
 };
 
 /// Replaces each value by the maximum over the ranks. Empty if there is one rank.
@@ -109,8 +107,8 @@ double LargestScaleOfChoice(
  * @throws Cancelled when `progress` asks to stop
  */
 template <typename T>
-VTKISTHMUSFILTERSCURVATURE_EXPORT CurvatureScale ChooseCurvatureScale(const GridPart<T>& part,
-  int accuracy, const MaximumOverRanks& combine = {}, const ProgressCallback& progress = {});
+CurvatureScale ChooseCurvatureScale(const GridPart<T>& part, int accuracy,
+  const MaximumOverRanks& combine = {}, const ProgressCallback& progress = {});
 
 }
 

@@ -1,8 +1,9 @@
 #include "Curvature/DifferentialForms.h"
 
-#include "Core/ArrayMemory.h"
+#include "Core/NamedColumns.h"
 
 #include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
 #include <vtkDataSet.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -35,14 +36,15 @@ void TurnIntoTangentPlane(LocalShape& shape)
   }
 }
 
+/// Null unless it is wanted.
 vtkSmartPointer<vtkDataArray> NewLike(
-  vtkDataArray* like, const char* name, int components, vtkDataSet* output)
+  vtkDataArray* like, bool isWanted, const char* name, int components, vtkDataSet* output)
 {
-  vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(like->NewInstance());
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  SizeArray(array, output->GetNumberOfPoints());
+  if (!isWanted)
+  {
+    return nullptr;
+  }
+  auto array = ArrayOfType(like->GetDataType(), name, output->GetNumberOfPoints(), components);
   output->GetPointData()->AddArray(array);
   return array;
 }
@@ -88,6 +90,18 @@ double NormalCurvature(const LocalShape& shape, const Point3& direction)
                                                     : 0.0;
 }
 
+DifferentialFormsSelection::DifferentialFormsSelection(
+  vtkDataArraySelection* arrays, const double direction[3])
+  : GaussMap(arrays->ArrayIsEnabled("GaussMap"))
+  , ShapeOperator(arrays->ArrayIsEnabled("ShapeOperator"))
+  , First(arrays->ArrayIsEnabled("FirstFundamentalForm"))
+  , Second(arrays->ArrayIsEnabled("SecondFundamentalForm"))
+  , AreaElement(arrays->ArrayIsEnabled("AreaElement"))
+  , NormalCurvature(arrays->ArrayIsEnabled("NormalCurvature"))
+  , Direction{ direction[0], direction[1], direction[2] }
+{
+}
+
 void DifferentialFormsSelection::Check() const
 {
   const double square = Dot(this->Direction, this->Direction);
@@ -110,18 +124,20 @@ void AddDifferentialForms(const DifferentialFormsSelection& selection, vtkDataSe
   {
     return;
   }
-  vtkSmartPointer<vtkDataArray> shapeOperator, firstForm, secondForm, area, bending;
-  if (selection.Forms)
+  const auto made = [&](bool isWanted, const char* name, int components)
+  { return NewLike(maximum, isWanted, name, components, output); };
+  const auto shapeOperator = made(selection.ShapeOperator, "ShapeOperator", 6);
+  const auto firstForm = made(selection.First, "FirstFundamentalForm", 3);
+  const auto secondForm = made(selection.Second, "SecondFundamentalForm", 3);
+  const auto area = made(selection.AreaElement, "AreaElement", 1);
+  const auto bending = made(selection.NormalCurvature, "NormalCurvature", 1);
+  const auto put = [](vtkDataArray* array, vtkIdType point, const double* values)
   {
-    shapeOperator = NewLike(maximum, "ShapeOperator", 6, output);
-    firstForm = NewLike(maximum, "FirstFundamentalForm", 3, output);
-    secondForm = NewLike(maximum, "SecondFundamentalForm", 3, output);
-    area = NewLike(maximum, "AreaElement", 1, output);
-  }
-  if (selection.NormalCurvature)
-  {
-    bending = NewLike(maximum, "NormalCurvature", 1, output);
-  }
+    if (array)
+    {
+      array->SetTuple(point, values);
+    }
+  };
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     LocalShape shape;
@@ -131,20 +147,20 @@ void AddDifferentialForms(const DifferentialFormsSelection& selection, vtkDataSe
     shape.Maximum = maximum->GetTuple1(i);
     shape.Minimum = minimum->GetTuple1(i);
     TurnIntoTangentPlane(shape);
-    if (selection.Forms)
+    if (selection.AnyForm())
     {
       const DifferentialForms forms = FormsOf(shape);
-      shapeOperator->SetTuple(i, forms.ShapeOperator.data());
-      firstForm->SetTuple(i, forms.First.data());
-      secondForm->SetTuple(i, forms.Second.data());
-      area->SetTuple1(i, forms.AreaElement);
+      put(shapeOperator, i, forms.ShapeOperator.data());
+      put(firstForm, i, forms.First.data());
+      put(secondForm, i, forms.Second.data());
+      put(area, i, &forms.AreaElement);
     }
     if (selection.NormalCurvature)
     {
       bending->SetTuple1(i, NormalCurvature(shape, selection.Direction));
     }
   }
-  if (!selection.Forms)
+  if (!selection.GaussMap)
   {
     points->RemoveArray("GaussMap");
   }

@@ -30,6 +30,7 @@
 
 #include <array>
 
+class vtkDataArraySelection;
 class vtkDataSet;
 
 namespace isthmus
@@ -54,20 +55,32 @@ struct DifferentialForms
 };
 
 /// @pre The normal is a unit vector, or zero, in which case all results are zero.
-VTKISTHMUSFILTERSCURVATURE_EXPORT DifferentialForms FormsOf(const LocalShape& shape);
+DifferentialForms FormsOf(const LocalShape& shape);
 
 /// The normal curvature in the direction of the tangential component of `direction`; 0 if that is
 /// zero.
-VTKISTHMUSFILTERSCURVATURE_EXPORT double NormalCurvature(
-  const LocalShape& shape, const Point3& direction);
+double NormalCurvature(const LocalShape& shape, const Point3& direction);
 
+/// Which arrays to add.
 struct DifferentialFormsSelection
 {
-  bool Forms = false;
+  bool GaussMap = false;
+  bool ShapeOperator = false;
+  bool First = false;
+  bool Second = false;
+  bool AreaElement = false;
   bool NormalCurvature = false;
-  Point3 Direction{ 1.0, 0.0, 0.0 };
+  Point3 Direction{}; ///< of NormalCurvature
 
-  bool Any() const { return this->Forms || this->NormalCurvature; }
+  DifferentialFormsSelection() = default;
+  /// Those whose names `arrays` has.
+  DifferentialFormsSelection(vtkDataArraySelection* arrays, const double direction[3]);
+
+  bool AnyForm() const
+  {
+    return this->ShapeOperator || this->First || this->Second || this->AreaElement;
+  }
+  bool Any() const { return this->GaussMap || this->AnyForm() || this->NormalCurvature; }
 
   /// @throws std::invalid_argument if the direction is needed and is zero or not finite.
   VTKISTHMUSFILTERSCURVATURE_EXPORT void Check() const;
@@ -76,9 +89,8 @@ struct DifferentialFormsSelection
 /// Adds the arrays to the points of `output`, from its arrays `GaussMap`, `MaximumCurvature`,
 /// `MinimumCurvature`, `PrincipalDirection1` and `PrincipalDirection2`, in their type; directions
 /// are projected to the plane perpendicular to the normal. Does nothing if one of these is missing.
-/// `GaussMap` itself is removed if the forms are not requested.
-VTKISTHMUSFILTERSCURVATURE_EXPORT void AddDifferentialForms(
-  const DifferentialFormsSelection& selection, vtkDataSet* output);
+/// `GaussMap` itself is removed if it is not selected.
+void AddDifferentialForms(const DifferentialFormsSelection& selection, vtkDataSet* output);
 
 }
 

@@ -10,7 +10,6 @@
 
 #include "Core/TriangleMesh.h"
 #include "Surfaces/TriangleStars.h"
-#include "vtkIsthmusFiltersCurvatureModule.h"
 
 #include <Eigen/Dense>
 
@@ -39,7 +38,7 @@ struct PrincipalFrame
 
 /// The neighbour and the bending angle across each edge of each triangle; edge e of a triangle runs
 /// from its corner e to the next. Built in parallel; 64 bytes per triangle.
-class VTKISTHMUSFILTERSCURVATURE_EXPORT DihedralAngles
+class DihedralAngles
 {
 public:
   DihedralAngles(const SurfaceView& mesh, const TriangleStars& stars);
@@ -68,7 +67,7 @@ PrincipalFrame PrincipalFrameOf(const Eigen::Matrix3d& tensor, const Eigen::Vect
 /// Sums over balls and geodesic discs about points of one surface. It keeps scratch memory (4 bytes
 /// per triangle, and 16 per point for discs), so use one object for many points, and one per
 /// thread.
-class VTKISTHMUSFILTERSCURVATURE_EXPORT EdgeTensorIntegrator
+class EdgeTensorIntegrator
 {
 public:
   EdgeTensorIntegrator(const SurfaceView& mesh, const TriangleStars& stars,

@@ -1,5 +1,6 @@
 #include "Curvature/FiniteDifference.h"
 
+#include "Core/RangeChecks.h"
 #include "Core/VectorClones.h"
 
 #include <stdexcept>
@@ -108,11 +109,8 @@ ISTHMUS_VECTOR_CLONES void DifferentiateRow(const GridView<const T>& grid,
 
 int StencilRadius(int accuracy)
 {
-  if (accuracy != 2 && accuracy != 4)
-  {
-    throw std::invalid_argument("Accuracy is " + std::to_string(accuracy) +
-      ", but it must be 2 or 4, the order of the differences.");
-  }
+  RequireThat(accuracy == 2 || accuracy == 4, "Accuracy", accuracy,
+    "it must be 2 or 4, the order of the differences");
   return accuracy / 2;
 }
 

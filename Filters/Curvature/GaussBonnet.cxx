@@ -2,13 +2,13 @@
 
 #include "Core/Geometry.h"
 #include "Core/Index.h"
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 #include "Core/PolyDataTriangles.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -16,18 +16,6 @@
 
 namespace isthmus
 {
-namespace
-{
-
-void AddNumber(vtkFieldData* fields, const char* name, double number)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(number);
-  fields->AddArray(array);
-}
-
-}
 
 double IntegralOfGaussian(vtkPolyData* surface)
 {
@@ -62,8 +50,8 @@ double IntegralOfGaussian(vtkPolyData* surface)
 
 void AddGaussBonnet(double integral, vtkFieldData* fields)
 {
-  AddNumber(fields, "GaussianCurvatureIntegral", integral);
-  AddNumber(fields, "GaussBonnetEulerNumber", integral / (2.0 * Pi));
+  AddColumn<vtkDoubleArray>(fields, "GaussianCurvatureIntegral", { integral });
+  AddColumn<vtkDoubleArray>(fields, "GaussBonnetEulerNumber", { integral / (2.0 * Pi) });
 }
 
 }

@@ -12,7 +12,6 @@
 #define isthmus_GaussianDerivative_h
 
 #include "Core/GridView.h"
-#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
@@ -59,14 +58,13 @@ constexpr double GaussianCutOff = 4.0;
  * @pre the node has DifferenceReach nodes of the whole grid on each side
  */
 template <typename T>
-VTKISTHMUSFILTERSCURVATURE_EXPORT bool DifferentiateSmoothed(const GridPart<T>& part,
-  const std::array<std::int64_t, 3>& node, double scale, int accuracy, NodeDerivatives& filter,
-  NodeDerivatives& reference);
+bool DifferentiateSmoothed(const GridPart<T>& part, const std::array<std::int64_t, 3>& node,
+  double scale, int accuracy, NodeDerivatives& filter, NodeDerivatives& reference);
 
 /// Value and gradient only, by second-order differences; takes a third of the time.
 template <typename T>
-VTKISTHMUSFILTERSCURVATURE_EXPORT bool GradientSmoothed(const GridPart<T>& part,
-  const std::array<std::int64_t, 3>& node, double scale, NodeDerivatives& gradient);
+bool GradientSmoothed(const GridPart<T>& part, const std::array<std::int64_t, 3>& node,
+  double scale, NodeDerivatives& gradient);
 
 /// A smoothing scale and an order of differences, which together turn values into derivatives.
 struct DerivativeFilter
@@ -91,9 +89,8 @@ struct NoiseCovariance
   double Gradient = 0.0;  ///< of the derivative along an axis
 };
 
-VTKISTHMUSFILTERSCURVATURE_EXPORT NoiseCovariance CovarianceOfDerivatives(
-  const CorrelatedNoise& noise, const DerivativeFilter& one, const DerivativeFilter& other,
-  const std::array<double, 3>& spacing);
+NoiseCovariance CovarianceOfDerivatives(const CorrelatedNoise& noise, const DerivativeFilter& one,
+  const DerivativeFilter& other, const std::array<double, 3>& spacing);
 
 }
 

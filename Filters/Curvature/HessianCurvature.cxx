@@ -88,12 +88,18 @@ void CurvatureOfRow(const GridView<const T>& grid, const NodeBox& box, std::int6
 
 }
 
+void Check(const HessianCurvatureOptions& options)
+{
+  StencilRadius(options.Accuracy);
+  Check(static_cast<const CurvatureDescriptorOptions&>(options));
+}
+
 template <typename T>
 void HessianCurvatureAtNodes(const GridView<const T>& grid, const NodeBox& box,
   const HessianCurvatureOptions& options, const CurvatureArrays<ResultType<T>>& arrays,
   const ProgressCallback& progress)
 {
-  StencilRadius(options.Accuracy);
+  Check(options);
   CheckGrid(grid);
   CheckBox(grid, box);
   if (box.Size[0] == 0)
@@ -119,7 +125,7 @@ void HessianCurvatureAtPoints(const GridView<const T>& grid, std::int64_t count,
   const PointSource& points, const HessianCurvatureOptions& options,
   const CurvatureArrays<ResultType<T>>& arrays, const ProgressCallback& progress)
 {
-  StencilRadius(options.Accuracy);
+  Check(options);
   CheckGrid(grid);
   constexpr std::int64_t capacity = DerivativeRows::Capacity;
   const ShapeRule rule = RuleFor(grid, options);

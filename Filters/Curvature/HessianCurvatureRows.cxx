@@ -208,7 +208,7 @@ ISTHMUS_VECTOR_CLONES void WriteCurvature(const DerivativeRows& derivatives, std
   fill(arrays.Maximum, [&](std::int64_t i) { return s.Mean[i] + s.Half[i]; });
   fill(arrays.Minimum, [&](std::int64_t i) { return s.Mean[i] - s.Half[i]; });
   fill(arrays.ShapeIndex,
-    [&](std::int64_t i) { return ShapeIndex(s.Mean[i], s.Half[i], options.Convention); });
+    [&](std::int64_t i) { return ShapeIndex(s.Mean[i], s.Half[i], options.ShapeIndexConvention); });
   fill(arrays.Curvedness, [&](std::int64_t i) { return Curvedness(s.Mean[i], s.Half[i]); });
   fill(arrays.Valid, [&](std::int64_t i) { return s.Valid[i]; });
   fill(arrays.Gradient,
@@ -217,9 +217,8 @@ ISTHMUS_VECTOR_CLONES void WriteCurvature(const DerivativeRows& derivatives, std
   fill(arrays.SurfaceType,
     [&](std::int64_t i)
     {
-      return s.Valid[i] == 0.0
-        ? SurfaceType::None
-        : ClassifySurface(s.Mean[i], s.Half[i], rule.Spacing, options.Tolerance);
+      return s.Valid[i] == 0.0 ? SurfaceType::None
+                               : ClassifySurface(s.Mean[i], s.Half[i], rule.Spacing, options);
     });
   if (arrays.Normal)
   {

@@ -16,15 +16,16 @@
 namespace isthmus
 {
 
-struct HessianCurvatureOptions
+struct HessianCurvatureOptions : CurvatureDescriptorOptions
 {
   int Accuracy = 2;           ///< Order of the differences: 2 or 4.
   bool InsideIsHigher = true; ///< Whether the scalar grows inwards.
-  ShapeIndexConvention Convention = ShapeIndexConvention::Thesis;
-  SurfaceTypeTolerance Tolerance;
   /// Row-major 3 x 3 matrix, columns the grid's axes in the world; only directions depend on it.
   std::array<double, 9> Axes{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSCURVATURE_EXPORT void Check(const HessianCurvatureOptions& options);
 
 /// Destinations of the results, with one value (three for directions) per place; null if not
 /// requested.

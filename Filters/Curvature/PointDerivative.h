@@ -21,7 +21,6 @@
 #define isthmus_PointDerivative_h
 
 #include "Curvature/FiniteDifference.h"
-#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 namespace isthmus
 {
@@ -36,8 +35,8 @@ namespace isthmus
  * A NaN at any of the (4R)^3 nodes read makes the derivatives NaN. Cost: 64 or 512 values read.
  */
 template <typename T>
-VTKISTHMUSFILTERSCURVATURE_EXPORT bool DifferentiateAtPoint(const GridView<const T>& grid,
-  const std::array<double, 3>& index, int accuracy, std::int64_t place, DerivativeRows& rows);
+bool DifferentiateAtPoint(const GridView<const T>& grid, const std::array<double, 3>& index,
+  int accuracy, std::int64_t place, DerivativeRows& rows);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 
 #include <Eigen/Dense>
 
@@ -149,11 +150,9 @@ void CheckThresholds(const ThresholdedScalar& scalar)
   const auto& t = scalar.Thresholds;
   for (std::size_t i = 0; i < t.size(); ++i)
   {
-    if (!std::isfinite(t[i]) || (i > 0 && !(t[i - 1] < t[i])))
-    {
-      throw std::invalid_argument("Threshold " + std::to_string(i) + " is " + FormatNumber(t[i]) +
-        ", but thresholds must be finite and ascending: sort them and remove repeated ones.");
-    }
+    RequireThat(std::isfinite(t[i]) && (i == 0 || t[i - 1] < t[i]),
+      ("Threshold " + std::to_string(i)).c_str(), t[i],
+      "thresholds must be finite and ascending: sort them and remove repeated ones");
   }
 }
 
@@ -196,6 +195,7 @@ std::size_t MiddleRegion(std::size_t a, std::size_t b, std::size_t c)
 std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar& first,
   const ThresholdedScalar& second, AreaRule rule, const ProgressCallback& progress)
 {
+  RequireChoice("AreaRule", rule, AreaRule::WholeTriangles);
   for (const ThresholdedScalar* scalar : { &first, &second })
   {
     CheckThresholds(*scalar);

@@ -20,7 +20,6 @@
 
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
-#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <vector>
 
@@ -36,7 +35,7 @@ struct ThresholdedScalar
   std::size_t Regions() const { return this->Thresholds.size() + 1; }
 
   /// Region of a value, in [0, Regions()).
-  VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t RegionOf(double value) const;
+  std::size_t RegionOf(double value) const;
 };
 
 enum class AreaRule
@@ -46,8 +45,7 @@ enum class AreaRule
 };
 
 /// Region of a triangle by the quick rule: the middle one of the regions of its three corners.
-VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t MiddleRegion(
-  std::size_t a, std::size_t b, std::size_t c);
+std::size_t MiddleRegion(std::size_t a, std::size_t b, std::size_t c);
 
 /**
  * Area of each pair of regions: entry i x second.Regions() + j belongs to region i of `first` and
@@ -58,9 +56,8 @@ VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t MiddleRegion(
  * @throws std::invalid_argument for thresholds that do not ascend or are not numbers, and for a
  * value at a used point that is not finite; Cancelled.
  */
-VTKISTHMUSFILTERSCURVATURE_EXPORT std::vector<double> RegionAreas(const SurfaceView& mesh,
-  const ThresholdedScalar& first, const ThresholdedScalar& second, AreaRule rule,
-  const ProgressCallback& progress = {});
+std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar& first,
+  const ThresholdedScalar& second, AreaRule rule, const ProgressCallback& progress = {});
 
 }
 

@@ -225,7 +225,7 @@ void Estimator::Allocate()
     this->Result.Normal.resize(3 * points, 0.0);
     this->Result.MeanNormal.resize(3 * points, 0.0);
   }
-  if (this->Options.Estimate == CurvatureEstimate::EdgeTensor)
+  if (this->Options.Method == CurvatureEstimate::EdgeTensor)
   {
     this->Result.Direction1.resize(3 * points, 0.0);
     this->Result.Direction2.resize(3 * points, 0.0);
@@ -235,7 +235,7 @@ void Estimator::Allocate()
 SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
 {
   this->Allocate();
-  const bool tensor = this->Options.Estimate == CurvatureEstimate::EdgeTensor;
+  const bool tensor = this->Options.Method == CurvatureEstimate::EdgeTensor;
   std::int64_t grain = 4096;
   if (tensor)
   {
@@ -256,7 +256,7 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
 
 Verdict Estimator::Judge(std::size_t point, const StarSums& sums) const
 {
-  const bool tensor = this->Options.Estimate == CurvatureEstimate::EdgeTensor;
+  const bool tensor = this->Options.Method == CurvatureEstimate::EdgeTensor;
   const bool wide = tensor && this->Options.Neighbourhood != CurvatureNeighbourhood::OneRing;
   switch (this->Kinds[point])
   {
@@ -285,7 +285,7 @@ void Estimator::WithDefect(vtkIdType first, vtkIdType last)
   for (vtkIdType point = first; point < last; ++point)
   {
     const auto p = static_cast<std::size_t>(point);
-    const StarSums sums = SumStar(this->Mesh, this->Stars, point, this->Options.Area);
+    const StarSums sums = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
     this->Result.Area[p] = sums.Area;
     this->Verdicts[p] = this->Judge(p, sums);
     if (this->Verdicts[p] == Verdict::Valid)
@@ -335,7 +335,7 @@ void Estimator::WithTensor(vtkIdType first, vtkIdType last)
   for (vtkIdType point = first; point < last; ++point)
   {
     const auto p = static_cast<std::size_t>(point);
-    const StarSums star = SumStar(this->Mesh, this->Stars, point, this->Options.Area);
+    const StarSums star = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
     this->Result.Area[p] = star.Area;
     this->Verdicts[p] = this->Judge(p, star);
     if (this->Verdicts[p] != Verdict::Valid)
@@ -370,14 +370,20 @@ void Estimator::Count()
 
 }
 
+void Check(const SurfaceCurvatureOptions& options)
+{
+  RequireChoice("Method", options.Method, CurvatureEstimate::EdgeTensor);
+  RequireChoice("DualArea", options.DualArea, DualArea::Mixed);
+  RequireChoice("Neighbourhood", options.Neighbourhood, CurvatureNeighbourhood::GeodesicDisc);
+  RequireChoice("Orientation", options.Orientation, SurfaceOrientation::Reversed);
+  RequireRange("Radius", options.Radius, 0.0, Unlimited, "0 stands for three mean edge lengths.");
+  Check(static_cast<const CurvatureDescriptorOptions&>(options));
+}
+
 SurfaceCurvatureResult CurvatureOfSurface(
   const SurfaceView& mesh, const SurfaceCurvatureOptions& options, const ProgressCallback& progress)
 {
-  if (!(options.Radius >= 0.0) || std::isinf(options.Radius))
-  {
-    throw std::invalid_argument("Radius is " + FormatNumber(options.Radius) +
-      ", but it must be a positive length, or 0 for three mean edge lengths.");
-  }
+  Check(options);
   if (options.Orientation != SurfaceOrientation::Automatic || IsOnePiece(mesh))
   {
     return Estimator(mesh, options).Run(progress);

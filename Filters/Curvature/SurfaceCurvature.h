@@ -39,6 +39,7 @@
 
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
+#include "Curvature/CurvatureDescriptors.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <vtkType.h>
@@ -78,15 +79,18 @@ enum class SurfaceOrientation
   Reversed = 2   ///< the other
 };
 
-struct SurfaceCurvatureOptions
+struct SurfaceCurvatureOptions : CurvatureDescriptorOptions
 {
-  CurvatureEstimate Estimate = CurvatureEstimate::AngleDefect;
-  DualArea Area = DualArea::Voronoi;
+  CurvatureEstimate Method = CurvatureEstimate::AngleDefect;
+  isthmus::DualArea DualArea = isthmus::DualArea::Voronoi;
   CurvatureNeighbourhood Neighbourhood = CurvatureNeighbourhood::OneRing;
   SurfaceOrientation Orientation = SurfaceOrientation::Automatic;
   double Radius = 0.0;  ///< radius of ball and disc; 0: three times the mean edge length
   bool Normals = false; ///< whether to compute Normal and MeanNormal
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSCURVATURE_EXPORT void Check(const SurfaceCurvatureOptions& options);
 
 /// One value (directions: three) for each point. Where Valid is 0, curvatures and directions are 0.
 struct SurfaceCurvatureResult

@@ -16,6 +16,7 @@
 
 #include <vtkCommunicator.h>
 #include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
 #include <vtkDataObjectTypes.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
@@ -142,47 +143,25 @@ void CropToPiece(vtkImageData* image, vtkInformation* outInfo, bool allHere)
   }
 }
 
-void CheckNotNegative(double value, const char* name, const char* meaning)
-{
-  if (!(value >= 0.0) || std::isinf(value))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
-      ", but it must be " + meaning + ".");
-  }
-}
-
-isthmus::HessianCurvatureOptions OptionsOf(vtkHessianCurvature* filter)
-{
-  isthmus::HessianCurvatureOptions options;
-  options.Accuracy = filter->GetAccuracy();
-  options.InsideIsHigher = filter->GetInsideIsHigher() != 0;
-  options.Convention =
-    static_cast<isthmus::ShapeIndexConvention>(filter->GetShapeIndexConvention());
-  options.Tolerance.Flat = filter->GetFlatTolerance();
-  options.Tolerance.Gaussian = filter->GetGaussianTolerance();
-  options.Tolerance.Mean = filter->GetMeanTolerance();
-  return options;
-}
-
 isthmus::DifferentialFormsSelection FormsSelectionOf(vtkHessianCurvature* filter)
 {
-  const double* direction = filter->GetNormalCurvatureDirection();
-  return { filter->GetGenerateDifferentialForms(), filter->GetGenerateNormalCurvature(),
-    { direction[0], direction[1], direction[2] } };
+  return { filter->GetOutputArraySelection(), filter->GetNormalCurvatureDirection() };
 }
 
 isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
 {
+  const auto has = [arrays = filter->GetOutputArraySelection()](const char* name)
+  { return arrays->ArrayIsEnabled(name) != 0; };
   isthmus::CurvatureSelection selection;
-  selection.Gaussian = filter->GetGenerateGaussianCurvature() != 0;
-  selection.Mean = filter->GetGenerateMeanCurvature() != 0;
-  selection.Maximum = filter->GetGenerateMaximumCurvature() != 0;
-  selection.Minimum = filter->GetGenerateMinimumCurvature() != 0;
-  selection.ShapeIndex = filter->GetGenerateShapeIndex() != 0;
-  selection.Curvedness = filter->GetGenerateCurvedness() != 0;
-  selection.Direction1 = filter->GetGeneratePrincipalDirection1() != 0;
-  selection.Direction2 = filter->GetGeneratePrincipalDirection2() != 0;
-  selection.SurfaceType = filter->GetGenerateSurfaceType() != 0;
+  selection.Gaussian = has("GaussianCurvature");
+  selection.Mean = has("MeanCurvature");
+  selection.Maximum = has("MaximumCurvature");
+  selection.Minimum = has("MinimumCurvature");
+  selection.ShapeIndex = has("ShapeIndex");
+  selection.Curvedness = has("Curvedness");
+  selection.Direction1 = has("PrincipalDirection1");
+  selection.Direction2 = has("PrincipalDirection2");
+  selection.SurfaceType = has("SurfaceType");
   selection.Error = filter->GetAutomaticScale();
   if (FormsSelectionOf(filter).Any())
   {
@@ -193,57 +172,29 @@ isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
   return selection;
 }
 
-/// Adds what follows from principal curvatures and directions, and removes those of them that
-/// were made for it alone.
-void AddForms(vtkHessianCurvature* filter, vtkDataSet* output)
-{
-  const isthmus::DifferentialFormsSelection selection = FormsSelectionOf(filter);
-  if (!selection.Any())
-  {
-    return;
-  }
-  isthmus::AddDifferentialForms(selection, output);
-  const auto keep = [output](bool wanted, const char* name)
-  {
-    if (!wanted)
-    {
-      output->GetPointData()->RemoveArray(name);
-    }
-  };
-  keep(filter->GetGenerateMaximumCurvature(), "MaximumCurvature");
-  keep(filter->GetGenerateMinimumCurvature(), "MinimumCurvature");
-  keep(filter->GetGeneratePrincipalDirection1(), "PrincipalDirection1");
-  keep(filter->GetGeneratePrincipalDirection2(), "PrincipalDirection2");
 }
 
+const std::vector<isthmus::OutputArray>& vtkHessianCurvature::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_CURVATURE_ARRAY_ROWS,
+    { 0, ArrayPlace::Points, "CurvatureScale", 1, "length", ArrayChoice::None,
+      "standard deviation of the Gaussian that smoothed the scalars, the same everywhere; 0 for "
+      "none; with AutomaticScale" },
+    { 0, ArrayPlace::Points, "CurvatureError", 1, "1/length", ArrayChoice::None,
+      "standard error of the mean curvature, bias included; with AutomaticScale" },
+  };
+  return table;
 }
 
 vtkHessianCurvature::vtkHessianCurvature()
+  : OutputArrays(this, OutputArrayTable())
 {
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-}
-
-void vtkHessianCurvature::SetAutomaticScale(bool automatic)
-{
-  this->AutomaticScaleGiven = true;
-  if (this->AutomaticScale != automatic)
-  {
-    this->AutomaticScale = automatic;
-    this->Modified();
-  }
-}
-
-void vtkHessianCurvature::SetScale(double scale)
-{
-  const bool automatic = this->AutomaticScale && this->AutomaticScaleGiven;
-  if (this->Scale != scale || this->AutomaticScale != automatic)
-  {
-    this->Scale = scale;
-    this->AutomaticScale = automatic;
-    this->Modified();
-  }
 }
 
 int vtkHessianCurvature::FillInputPortInformation(int port, vtkInformation* info)
@@ -356,17 +307,10 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
 
 void vtkHessianCurvature::CheckParameters()
 {
-  isthmus::StencilRadius(this->Accuracy);
-  CheckNotNegative(this->Scale, "Scale", "a length, 0 or more");
-  CheckNotNegative(this->FlatTolerance, "FlatTolerance", "a bound, 0 or more");
-  CheckNotNegative(this->GaussianTolerance, "GaussianTolerance", "a bound, 0 or more");
-  CheckNotNegative(this->MeanTolerance, "MeanTolerance", "a bound, 0 or more");
+  this->OutputArrays.Check();
+  isthmus::Check(this->Parameters);
+  isthmus::RequireRange("Scale", this->Scale, 0.0, isthmus::Unlimited);
   FormsSelectionOf(this).Check();
-  if (this->ShapeIndexConvention != Thesis && this->ShapeIndexConvention != Koenderink)
-  {
-    throw std::invalid_argument("ShapeIndexConvention is " +
-      std::to_string(this->ShapeIndexConvention) + ": choose 0 (Thesis) or 1 (Koenderink).");
-  }
 }
 
 namespace
@@ -414,7 +358,7 @@ void CheckPointsInside(
 
 void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
 {
-  const int radius = isthmus::StencilRadius(this->Accuracy);
+  const int radius = isthmus::StencilRadius(this->Parameters.Accuracy);
   const int least = atPoints ? 4 * radius : 2 * radius + 1;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -422,7 +366,7 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
     if (nodes < least)
     {
       vtkWarningMacro(<< isthmus::TextOf("Along ", "xyz"[axis], " the image has ", nodes,
-                        " of the ", least, " nodes that Accuracy ", this->Accuracy,
+                        " of the ", least, " nodes that Accuracy ", this->Parameters.Accuracy,
                         " needs: no value is valid. Use a thicker image."));
     }
   }
@@ -446,7 +390,8 @@ isthmus::CurvatureScale vtkHessianCurvature::ChosenScale(
     ShareGeometry(whole, spacing);
   }
   // A rank that stopped would leave the others waiting.
-  return isthmus::ChooseScaleOfImage(image, scalars, whole, spacing.data(), this->Accuracy,
+  return isthmus::ChooseScaleOfImage(image, scalars, whole, spacing.data(),
+    this->Parameters.Accuracy,
     together ? isthmus::MaximumOverRanks(MaximumOfRanks) : isthmus::MaximumOverRanks{},
     together ? isthmus::ProgressCallback{}
              : isthmus::Between(isthmus::ProgressOf(this), 0.0, choiceShare));
@@ -481,31 +426,45 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
   if (points)
   {
     isthmus::AddCurvatureAtPoints(
-      image, values, points, OptionsOf(this), selection, output, step((1.0 - smoothing) * first));
+      image, values, points, this->Parameters, selection, output, step((1.0 - smoothing) * first));
   }
   else
   {
     isthmus::AddCurvatureAtNodes(
-      image, values, box, OptionsOf(this), selection, output, step((1.0 - smoothing) * first));
+      image, values, box, this->Parameters, selection, output, step((1.0 - smoothing) * first));
   }
   if (this->AutomaticScale)
   {
-    const isthmus::HessianCurvatureOptions options = OptionsOf(this);
-    isthmus::AddReferenceCurvature(image, values, box, points, options, output, step(0.1));
+    isthmus::AddReferenceCurvature(image, values, box, points, this->Parameters, output, step(0.1));
     values = nullptr; // its memory serves the next
     values = smoothed(scale.NextScale, 0.7 * (remaining - first));
-    isthmus::AddErrors(image, values, box, points, options, selection, scale, output, step(1.0));
+    isthmus::AddErrors(
+      image, values, box, points, this->Parameters, selection, scale, output, step(1.0));
   }
-  if (points && this->GenerateMeanCurvature)
+  if (points && this->OutputArrays.Has("MeanCurvature"))
   {
     // The default array for colours and for the next filter.
     output->GetPointData()->SetActiveScalars("MeanCurvature");
   }
   if (vtkPolyData* surface = vtkPolyData::SafeDownCast(output); surface &&
-      this->GenerateGaussianCurvature && isthmus::NumberOfRanks() == 1 &&
+      this->OutputArrays.Has("GaussianCurvature") && isthmus::NumberOfRanks() == 1 &&
       surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
   {
     isthmus::AddGaussBonnet(isthmus::IntegralOfGaussian(surface), surface->GetFieldData());
+  }
+}
+
+/// Adds what follows from principal curvatures and directions, and removes those of them that were
+/// made for it alone.
+void vtkHessianCurvature::AddForms(vtkDataSet* output)
+{
+  const isthmus::DifferentialFormsSelection selection = FormsSelectionOf(this);
+  if (selection.Any())
+  {
+    isthmus::AddDifferentialForms(selection, output);
+    this->OutputArrays.RemoveOthers(
+      { "MaximumCurvature", "MinimumCurvature", "PrincipalDirection1", "PrincipalDirection2" },
+      output->GetPointData());
   }
 }
 
@@ -585,21 +544,22 @@ int vtkHessianCurvature::RequestData(
       if (output->GetNumberOfPoints() == 0)
       {
         isthmus::AddNoCurvature(SelectionOf(this), output);
-        AddForms(this, output);
+        this->AddForms(output);
         return;
       }
       this->AddCurvature(image, scalars, points, scale, output);
-      AddForms(this, output);
+      this->AddForms(output);
     });
 }
 
 void vtkHessianCurvature::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Accuracy: " << this->Accuracy << "\n"
-     << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n"
+  os << indent << "Accuracy: " << this->Parameters.Accuracy << "\n"
+     << indent << "InsideIsHigher: " << this->Parameters.InsideIsHigher << "\n"
      << indent << "AutomaticScale: " << this->AutomaticScale << "\n"
      << indent << "Scale: " << this->Scale << "\n"
-     << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n";
-  this->PrintCurvatureArrays(os, indent);
+     << indent << "ShapeIndexConvention: " << this->GetShapeIndexConvention() << "\n";
+  this->PrintCurvatureProperties(os, indent);
+  this->OutputArrays.Print(os, indent);
 }

@@ -11,22 +11,13 @@
  * matter.
  *
  * **Arrays**, on points, float (double for scalars of type double or integers of more than 16
- * bits), each with a switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature`
- * (kappa_1), `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off
- * by default `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to
- * the level set; their sign is arbitrary), `SurfaceType` (unsigned char; names below and in the
- * field array `SurfaceTypeNames`), `NormalCurvature` in a given direction, and with
- * GenerateDifferentialForms `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
- * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h). With AutomaticScale also
- * `CurvatureScale`, the standard deviation of the Gaussian that smoothed the scalars (the same
- * everywhere; 0 for none), and `CurvatureError`, the standard error of the mean curvature
- * (1/length, bias included; 0 where CurvatureValid is 0), both estimated from the image alone
- * (CurvatureScale.h). Lengths are in the image's unit, angstrom for molecular maps. All other
- * arrays of the input are kept; on a surface, MeanCurvature becomes the active scalars.
- *
- * Field data, on a surface with triangles and one rank: `GaussianCurvatureIntegral` (no unit) and
- * `GaussBonnetEulerNumber`, the integral divided by 2 pi, which is close to the Euler number of a
- * closed surface if its curvature is accurate (GaussBonnet.h).
+ * bits): those of OutputArrayTable() that GetOutputArraySelection() has, by default
+ * `GaussianCurvature`, `MeanCurvature`, `MaximumCurvature`, `MinimumCurvature`, `ShapeIndex` and
+ * `Curvedness`. With AutomaticScale also `CurvatureScale` and `CurvatureError`, both estimated from
+ * the image alone (CurvatureScale.h). Lengths are in the image's unit, angstrom for molecular maps.
+ * All other arrays of the input are kept; on a surface, MeanCurvature becomes the active scalars.
+ * Field data, on a surface with triangles and one rank: `GaussianCurvatureIntegral` and
+ * `GaussBonnetEulerNumber` (GaussBonnet.h).
  *
  * **Validity.** `CurvatureValid` is 1 where the values are meaningful. It is 0, and all values are
  * 0, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4, and
@@ -63,7 +54,9 @@
 #ifndef vtkHessianCurvature_h
 #define vtkHessianCurvature_h
 
+#include "Core/FilterProperties.h"
 #include "Curvature/CurvatureArrays.h"
+#include "Curvature/HessianCurvature.h"
 #include "vtkDataSetAlgorithm.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
@@ -91,59 +84,45 @@ public:
 
   ///@{
   /**
-   * Order of the differences: 2 (the default) or 4, which is far more accurate on smooth data and
+   * Order of the differences: 2 or 4, which is far more accurate on smooth data and
    * more sensitive to noise.
    */
-  vtkSetMacro(Accuracy, int);
-  vtkGetMacro(Accuracy, int);
+  ISTHMUS_PARAMETER(Accuracy, int);
   ///@}
 
   ///@{
   /**
-   * Whether the scalar is higher inside (on, the default: densities) or lower (off: distances).
+   * Whether the scalar is higher inside (on: densities) or lower (off: distances).
    */
-  vtkSetMacro(InsideIsHigher, bool);
-  vtkGetMacro(InsideIsHigher, bool);
-  vtkBooleanMacro(InsideIsHigher, bool);
+  ISTHMUS_PARAMETER_SWITCH(InsideIsHigher);
   ///@}
 
   ///@{
   /**
-   * Whether to choose the scale of the smoothing by the estimated error of the curvature (the
-   * default) or to use Scale. SetScale() switches it off unless it was set explicitly before, so
-   * programs written for fixed scales keep their results.
+   * Sign of the shape index: Thesis (peak -1, pit +1) or Koenderink (peak +1, pit -1).
    */
-  virtual void SetAutomaticScale(bool automatic);
-  vtkGetMacro(AutomaticScale, bool);
-  vtkBooleanMacro(AutomaticScale, bool);
+  ISTHMUS_PARAMETER(ShapeIndexConvention, int);
   ///@}
 
-  ///@{
+  /// The arrays that the filter adds to its output, and which of them are optional.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
+
+  /// FlatTolerance, GaussianTolerance and MeanTolerance are the bounds below which `SurfaceType`
+  /// treats values as zero, without unit; a point is flat if
+  /// curvedness x the smallest spacing is at most FlatTolerance. NormalCurvatureDirection is that
+  /// of `NormalCurvature`. (CurvatureArrays.h)
+  ISTHMUS_CURVATURE_PROPERTIES();
+
+  /// Which arrays to compute.
+  ISTHMUS_OUTPUT_ARRAY_SELECTION();
+
   /**
    * Standard deviation of a Gaussian that smooths the scalars first, in the unit of the spacing
-   * (angstrom); the kernel is cut at 4 standard deviations. Default 0: no smoothing. Used if
-   * AutomaticScale is off. Choose a value of about the size of the smallest feature to be
-   * distinguished from noise.
+   * (angstrom); the kernel is cut at 4 standard deviations; 0: no smoothing. Unless it is given, it
+   * is chosen by the estimated error of the curvature. Choose a value of about the size of the
+   * smallest feature to be distinguished from noise.
    */
-  virtual void SetScale(double scale);
-  vtkGetMacro(Scale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Sign of the shape index: Thesis (the default; peak -1, pit +1) or Koenderink (peak +1, pit -1).
-   */
-  vtkSetMacro(ShapeIndexConvention, int);
-  vtkGetMacro(ShapeIndexConvention, int);
-  ///@}
-
-  /// GenerateGaussianCurvature etc. select the arrays to compute. They are on by default, except
-  /// for principal directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature
-  /// (along NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance are the
-  /// bounds below which `SurfaceType` treats values as zero, without unit, default 1e-3 each; a
-  /// point is flat if curvedness x the smallest spacing is at most FlatTolerance. The whole list is
-  /// in CurvatureArrays.h.
-  ISTHMUS_CURVATURE_ARRAYS();
+  ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Scale);
 
 protected:
   vtkHessianCurvature();
@@ -159,11 +138,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int Accuracy = 2;
-  bool InsideIsHigher = true;
-  double Scale = 0.0;
-  bool AutomaticScale = true;
-  int ShapeIndexConvention = Thesis;
+  isthmus::HessianCurvatureOptions Parameters;
 
 private:
   vtkHessianCurvature(const vtkHessianCurvature&) = delete;
@@ -173,6 +148,7 @@ private:
   void WarnIfThin(const int whole[6], bool atPoints);
   void AddCurvature(vtkImageData* image, vtkDataArray* scalars, vtkPoints* points,
     const isthmus::CurvatureScale& scale, vtkDataSet* output);
+  void AddForms(vtkDataSet* output);
   isthmus::CurvatureScale ChosenScale(
     vtkImageData* image, vtkDataArray* scalars, vtkInformation* imageInfo);
   bool NeedsLargerExtent(vtkInformation* request, vtkInformation* imageInfo,
@@ -180,7 +156,6 @@ private:
 
   // Ghost layers to request in a second pass if the first did not provide enough of the image.
   int MoreLayers = 0;
-  bool AutomaticScaleGiven = false;
 };
 
 #endif

@@ -1,11 +1,12 @@
 #include "vtkScalarRegions.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
+#include "Core/Index.h"
 #include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Curvature/ScalarRegions.h"
 
 #include <vtkCellData.h>
@@ -111,12 +112,9 @@ void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedS
 {
   const bool between = scalar.Thresholds.size() > 1 && scalar.Thresholds.front() < target &&
     target < scalar.Thresholds.back();
-  if (!between)
-  {
-    throw std::invalid_argument("SweepTarget is " + FormatNumber(target) +
-      ", but it must lie between the lowest and the highest threshold: choose thresholds on both "
-      "sides of it, or set SweepSteps to 0.");
-  }
+  isthmus::RequireThat(between, "SweepTarget", target,
+    "it must lie between the lowest and the highest threshold: choose thresholds on both sides of "
+    "it, or set SweepSteps to 0");
   const double low = scalar.Thresholds.front();
   const double high = scalar.Thresholds.back();
   std::vector<double> minima, maxima;
@@ -199,16 +197,14 @@ void FillHistogram(vtkTable* table, const SurfaceView& mesh, const ThresholdedSc
 struct Labels
 {
   Labels(const ThresholdedScalar& scalar, vtkPolyData* surface, const char* name)
+    : OnPoints(isthmus::NamedArray<vtkIntArray>(name, isthmus::At(surface->GetNumberOfPoints())))
+    , OnCells(isthmus::NamedArray<vtkIntArray>(name, isthmus::At(surface->GetNumberOfCells())))
   {
-    this->OnPoints->SetName(name);
-    isthmus::SizeArray(this->OnPoints, surface->GetNumberOfPoints());
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       const double value = scalar.Values[static_cast<std::size_t>(i)];
       this->OnPoints->SetValue(i, static_cast<int>(scalar.RegionOf(value)));
     }
-    this->OnCells->SetName(name);
-    isthmus::SizeArray(this->OnCells, surface->GetNumberOfCells());
     vtkNew<vtkIdList> corners;
     std::vector<int> regions;
     for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
@@ -238,14 +234,12 @@ struct Labels
 void AddJoint(
   vtkDataSetAttributes* attributes, vtkIntArray* first, vtkIntArray* second, std::size_t columns)
 {
-  vtkNew<vtkIntArray> joint;
-  joint->SetName("JointRegion");
-  isthmus::SizeArray(joint, first->GetNumberOfValues());
+  auto* joint = isthmus::AddArray<vtkIntArray>(
+    attributes, "JointRegion", isthmus::At(first->GetNumberOfValues()));
   for (vtkIdType i = 0; i < first->GetNumberOfValues(); ++i)
   {
     joint->SetValue(i, first->GetValue(i) * static_cast<int>(columns) + second->GetValue(i));
   }
-  attributes->AddArray(joint);
 }
 
 void AddToonColors(vtkPolyData* output, vtkIntArray* regions, std::size_t count)
@@ -253,17 +247,14 @@ void AddToonColors(vtkPolyData* output, vtkIntArray* regions, std::size_t count)
   static constexpr unsigned char red[3] = { 205, 40, 40 };
   static constexpr unsigned char grey[3] = { 190, 190, 190 };
   static constexpr unsigned char blue[3] = { 40, 70, 205 };
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("ToonColor");
-  colors->SetNumberOfComponents(3);
-  isthmus::SizeArray(colors, regions->GetNumberOfValues());
+  auto* colors = isthmus::AddArray<vtkUnsignedCharArray>(
+    output->GetPointData(), "ToonColor", isthmus::At(regions->GetNumberOfValues()), 3);
   for (vtkIdType i = 0; i < regions->GetNumberOfValues(); ++i)
   {
     const int region = regions->GetValue(i);
     const bool highest = count > 1 && region + 1 == static_cast<int>(count);
     colors->SetTypedTuple(i, region == 0 && count > 1 ? red : highest ? blue : grey);
   }
-  output->GetPointData()->AddArray(colors);
 }
 
 }
@@ -385,6 +376,8 @@ ThresholdedScalar vtkScalarRegions::Scalar(int index, vtkPolyData* input, std::s
 
 void vtkScalarRegions::Compute(vtkPolyData* input, vtkPolyData* output)
 {
+  isthmus::RequireRange("SweepSteps", this->SweepSteps, 0, 1000);
+  isthmus::RequireRange("HistogramBins", this->HistogramBins, 1, 10000);
   std::string name, secondName;
   const ThresholdedScalar first = this->Scalar(0, input, name);
   const ThresholdedScalar second = this->UseSecondScalar ? this->Scalar(1, input, secondName)

@@ -58,8 +58,8 @@ public:
   vtkTypeMacro(vtkScalarRegions, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{ Thresholds of the first scalar, ascending, in its unit. Default: -0.1 and 0.1 (1/angstrom,
-  /// for curvatures). Setting a threshold beyond the last one extends the list; getting one there
+  ///@{ Thresholds of the first scalar, ascending, in its unit. Setting a threshold beyond the last
+  /// one extends the list; getting one there
   /// returns 0.
   void SetNumberOfThresholds(int number);
   int GetNumberOfThresholds() const { return static_cast<int>(this->Thresholds.size()); }
@@ -68,8 +68,7 @@ public:
   ///@}
 
   ///@{
-  /// Thresholds of the second scalar, ascending, in its unit. Default: -1 and 2 (kT/e, for
-  /// potentials).
+  /// Thresholds of the second scalar, ascending, in its unit.
   void SetNumberOfSecondThresholds(int number);
   int GetNumberOfSecondThresholds() const
   {
@@ -80,7 +79,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether regions of a second scalar cross those of the first. Default: off.
+  /// Whether regions of a second scalar cross those of the first.
   vtkSetMacro(UseSecondScalar, bool);
   vtkGetMacro(UseSecondScalar, bool);
   vtkBooleanMacro(UseSecondScalar, bool);
@@ -92,27 +91,27 @@ public:
     WholeTriangles = 1
   };
 
-  ///@{ How triangles across a threshold are counted: Fractional (default: cut along it) or
+  ///@{ How triangles across a threshold are counted: Fractional (cut along it) or
   /// WholeTriangles (faster: in the region of two of the three corners).
-  vtkSetClampMacro(AreaRule, int, Fractional, WholeTriangles);
+  vtkSetMacro(AreaRule, int);
   vtkGetMacro(AreaRule, int);
   ///@}
 
-  ///@{ Number of steps in which each of the outer thresholds moves to SweepTarget. Default 0: no
+  ///@{ Number of steps in which each of the outer thresholds moves to SweepTarget. 0: no
   /// sweep.
-  vtkSetClampMacro(SweepSteps, int, 0, 1000);
+  vtkSetMacro(SweepSteps, int);
   vtkGetMacro(SweepSteps, int);
   ///@}
 
   ///@{
-  /// Value at which a sweep ends, between the outer thresholds, in the scalar's unit. Default: 0.
+  /// Value at which a sweep ends, between the outer thresholds, in the scalar's unit.
   vtkSetMacro(SweepTarget, double);
   vtkGetMacro(SweepTarget, double);
   ///@}
 
   ///@{
-  /// Number of bins of the histogram. Default: 32.
-  vtkSetClampMacro(HistogramBins, int, 1, 10000);
+  /// Number of bins of the histogram.
+  vtkSetMacro(HistogramBins, int);
   vtkGetMacro(HistogramBins, int);
   ///@}
 

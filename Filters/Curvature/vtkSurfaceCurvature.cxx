@@ -1,18 +1,18 @@
 #include "vtkSurfaceCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/Index.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/DifferentialForms.h"
 #include "Curvature/GaussBonnet.h"
-#include "Curvature/SurfaceCurvature.h"
 #include "Curvature/SurfaceTypeNames.h"
 #include "Surfaces/SurfaceCleaning.h"
 
+#include <vtkDataArraySelection.h>
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -35,9 +35,7 @@ using isthmus::SurfaceCurvatureResult;
 
 isthmus::DifferentialFormsSelection FormsSelectionOf(vtkSurfaceCurvature* filter)
 {
-  const double* direction = filter->GetNormalCurvatureDirection();
-  return { filter->GetGenerateDifferentialForms(), filter->GetGenerateNormalCurvature(),
-    { direction[0], direction[1], direction[2] } };
+  return { filter->GetOutputArraySelection(), filter->GetNormalCurvatureDirection() };
 }
 
 /// Adds a point array with `get(point)` where points are valid, 0 elsewhere.
@@ -49,16 +47,10 @@ void AddDescriptor(vtkPolyData* output, const SurfaceCurvatureResult& result, bo
   {
     return;
   }
-  vtkNew<Array> array;
-  array->SetName(name);
-  isthmus::SizeArray(array, output->GetNumberOfPoints());
-  for (std::size_t point = 0; point < result.Valid.size(); ++point)
-  {
-    using Value = typename Array::ValueType;
-    array->SetValue(static_cast<vtkIdType>(point),
-      result.Valid[point] ? static_cast<Value>(get(point)) : Value{ 0 });
-  }
-  output->GetPointData()->AddArray(array);
+  using Value = typename Array::ValueType;
+  isthmus::AddColumnOf<Array>(output->GetPointData(), name, result.Valid.size(),
+    [&](std::size_t point)
+    { return result.Valid[point] ? static_cast<Value>(get(point)) : Value{ 0 }; });
 }
 
 void AddVectors(
@@ -68,21 +60,9 @@ void AddVectors(
   {
     return;
   }
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  isthmus::SizeArray(array, output->GetNumberOfPoints());
+  auto* array =
+    isthmus::AddArray<vtkDoubleArray>(output->GetPointData(), name, vectors.size() / 3, 3);
   std::copy(vectors.begin(), vectors.end(), array->GetPointer(0));
-  output->GetPointData()->AddArray(array);
-}
-
-void CheckTolerance(double value, const char* name)
-{
-  if (!(value >= 0.0) || std::isinf(value))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
-      ", but it must be a bound, 0 or more.");
-  }
 }
 
 /// Copies to every point the values of the point that represents its place.
@@ -138,15 +118,9 @@ void AddAreas(
   {
     ++sharers[isthmus::At(place)];
   }
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("PointArea");
-  isthmus::SizeArray(array, output->GetNumberOfPoints());
-  for (std::size_t i = 0; i < areas.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i),
-      places.empty() ? areas[i] : areas[i] / sharers[isthmus::At(places[i])]);
-  }
-  output->GetPointData()->AddArray(array);
+  isthmus::AddColumnOf<vtkDoubleArray>(output->GetPointData(), "PointArea", areas.size(),
+    [&](std::size_t i)
+    { return places.empty() ? areas[i] : areas[i] / sharers[isthmus::At(places[i])]; });
 }
 
 /// Of the Gaussian curvature: each place once, by the area that belongs to it.
@@ -186,6 +160,27 @@ std::string Complaints(const SurfaceCurvatureResult& result)
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkSurfaceCurvature::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_CURVATURE_ARRAY_ROWS,
+    { 0, ArrayPlace::Points, "MeanCurvatureNormal", 3, "1/length", ArrayChoice::Off,
+      "H n, which points outwards where the surface is convex, whatever Orientation is; with "
+      "AngleDefect from the cotangent formula, with EdgeTensor H times the mean normal of the "
+      "triangles" },
+    { 0, ArrayPlace::Points, "PointArea", 1, "length^2", ArrayChoice::On,
+      "area assigned to each point, the weight for means over the surface" },
+  };
+  return table;
+}
+
+vtkSurfaceCurvature::vtkSurfaceCurvature()
+  : OutputArrays(this, OutputArrayTable())
+{
+}
+
 int vtkSurfaceCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -194,25 +189,20 @@ int vtkSurfaceCurvature::RequestData(
     [&]()
     {
       const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));
-      CheckTolerance(this->FlatTolerance, "FlatTolerance");
-      CheckTolerance(this->GaussianTolerance, "GaussianTolerance");
-      CheckTolerance(this->MeanTolerance, "MeanTolerance");
+      isthmus::Check(this->Parameters);
+      this->OutputArrays.Check();
       FormsSelectionOf(this).Check();
       output->ShallowCopy(input);
-      isthmus::SurfaceCurvatureOptions options;
-      options.Estimate = static_cast<isthmus::CurvatureEstimate>(this->Method);
-      options.Area = static_cast<isthmus::DualArea>(this->DualArea);
-      options.Neighbourhood = static_cast<isthmus::CurvatureNeighbourhood>(this->Neighbourhood);
-      options.Orientation = static_cast<isthmus::SurfaceOrientation>(this->Orientation);
-      options.Radius = this->Radius;
-      options.Normals = this->GenerateMeanCurvatureNormal || FormsSelectionOf(this).Any();
+      isthmus::SurfaceCurvatureOptions options = this->Parameters;
+      options.Normals =
+        this->OutputArrays.Has("MeanCurvatureNormal") || FormsSelectionOf(this).Any();
       const isthmus::PolyDataTriangles triangles(input);
       std::vector<vtkIdType> places;
       const SurfaceCurvatureResult result = CurvatureOfPlaces(
         triangles.View(), options, isthmus::Between(isthmus::ProgressOf(this), 0.1, 0.9), places);
       this->AddArrays(result, output);
       isthmus::AddGaussBonnet(IntegralOver(places, result), output->GetFieldData());
-      if (this->GeneratePointArea)
+      if (this->OutputArrays.Has("PointArea"))
       {
         AddAreas(places, result.Area, output);
       }
@@ -226,26 +216,24 @@ int vtkSurfaceCurvature::RequestData(
 
 void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPolyData* output)
 {
-  const auto add = [&](bool wanted, const char* name, auto&& get)
-  { AddDescriptor<vtkDoubleArray>(output, result, wanted, name, get); };
+  const auto add = [&](const char* name, auto&& get)
+  { AddDescriptor<vtkDoubleArray>(output, result, this->OutputArrays.Has(name), name, get); };
+  const auto addVectors = [&](const char* name, const std::vector<double>& vectors)
+  { AddVectors(output, this->OutputArrays.Has(name), name, vectors); };
   const auto& mean = result.Mean;
   const auto& half = result.HalfDifference;
-  const auto convention = static_cast<isthmus::ShapeIndexConvention>(this->ShapeIndexConvention);
-  add(this->GenerateGaussianCurvature, "GaussianCurvature",
-    [&](std::size_t i) { return result.Gaussian[i]; });
-  add(this->GenerateMeanCurvature, "MeanCurvature", [&](std::size_t i) { return mean[i]; });
-  add(this->GenerateMaximumCurvature, "MaximumCurvature",
-    [&](std::size_t i) { return mean[i] + half[i]; });
-  add(this->GenerateMinimumCurvature, "MinimumCurvature",
-    [&](std::size_t i) { return mean[i] - half[i]; });
-  add(this->GenerateShapeIndex, "ShapeIndex",
-    [&](std::size_t i) { return isthmus::ShapeIndex(mean[i], half[i], convention); });
-  add(this->GenerateCurvedness, "Curvedness",
-    [&](std::size_t i) { return isthmus::Curvedness(mean[i], half[i]); });
-  AddVectors(output, this->GeneratePrincipalDirection1, "PrincipalDirection1", result.Direction1);
-  AddVectors(output, this->GeneratePrincipalDirection2, "PrincipalDirection2", result.Direction2);
-  AddVectors(output, this->GenerateMeanCurvatureNormal, "MeanCurvatureNormal", result.MeanNormal);
-  AddVectors(output, this->GenerateDifferentialForms, "GaussMap", result.Normal);
+  add("GaussianCurvature", [&](std::size_t i) { return result.Gaussian[i]; });
+  add("MeanCurvature", [&](std::size_t i) { return mean[i]; });
+  add("MaximumCurvature", [&](std::size_t i) { return mean[i] + half[i]; });
+  add("MinimumCurvature", [&](std::size_t i) { return mean[i] - half[i]; });
+  add("ShapeIndex",
+    [&](std::size_t i)
+    { return isthmus::ShapeIndex(mean[i], half[i], this->Parameters.ShapeIndexConvention); });
+  add("Curvedness", [&](std::size_t i) { return isthmus::Curvedness(mean[i], half[i]); });
+  addVectors("PrincipalDirection1", result.Direction1);
+  addVectors("PrincipalDirection2", result.Direction2);
+  addVectors("MeanCurvatureNormal", result.MeanNormal);
+  addVectors("GaussMap", result.Normal);
   if (const auto selection = FormsSelectionOf(this); selection.Any())
   {
     vtkNew<vtkPolyData> made; // from arrays that need not all be requested
@@ -270,22 +258,20 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
       }
     }
   }
-  if (this->GenerateSurfaceType)
+  if (this->OutputArrays.Has("SurfaceType"))
   {
-    const isthmus::SurfaceTypeTolerance tolerance{ this->FlatTolerance, this->GaussianTolerance,
-      this->MeanTolerance };
     AddDescriptor<vtkUnsignedCharArray>(output, result, 1, "SurfaceType",
       [&](std::size_t i)
       {
         const double size = std::sqrt(std::abs(result.Area[i]));
-        return isthmus::ClassifySurface(mean[i], half[i], size, tolerance);
+        return isthmus::ClassifySurface(mean[i], half[i], size, this->Parameters);
       });
     isthmus::AddSurfaceTypeNames(output->GetFieldData());
   }
   AddDescriptor<vtkUnsignedCharArray>(
     output, result, 1, "CurvatureValid", [](std::size_t) { return 1; });
   // The default array for colours and for the next filter.
-  if (this->GenerateMeanCurvature)
+  if (this->OutputArrays.Has("MeanCurvature"))
   {
     output->GetPointData()->SetActiveScalars("MeanCurvature");
   }
@@ -294,13 +280,12 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
 void vtkSurfaceCurvature::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "DualArea: " << this->DualArea << "\n";
-  os << indent << "Neighbourhood: " << this->Neighbourhood << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Orientation: " << this->Orientation << "\n";
-  os << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n";
-  os << indent << "GenerateMeanCurvatureNormal: " << this->GenerateMeanCurvatureNormal << "\n";
-  os << indent << "GeneratePointArea: " << this->GeneratePointArea << "\n";
-  this->PrintCurvatureArrays(os, indent);
+  os << indent << "Method: " << this->GetMethod() << "\n";
+  os << indent << "DualArea: " << this->GetDualArea() << "\n";
+  os << indent << "Neighbourhood: " << this->GetNeighbourhood() << "\n";
+  os << indent << "Radius: " << this->Parameters.Radius << "\n";
+  os << indent << "Orientation: " << this->GetOrientation() << "\n";
+  os << indent << "ShapeIndexConvention: " << this->GetShapeIndexConvention() << "\n";
+  this->PrintCurvatureProperties(os, indent);
+  this->OutputArrays.Print(os, indent);
 }

@@ -7,18 +7,13 @@
  * are split into triangles for the computation (the cells of the output are unchanged); vertices
  * and lines are ignored.
  *
- * **Arrays**, on points, double, with the same names and signs as in vtkHessianCurvature, each with
- * a switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
- * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
- * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, with EdgeTensor only),
- * `MeanCurvatureNormal` (H n, 1/length), `SurfaceType` (unsigned char, names in the field array
- * `SurfaceTypeNames`) and, with EdgeTensor only, `NormalCurvature` in a given direction and, with
- * GenerateDifferentialForms, `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
- * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h; AngleDefect provides only `GaussMap`).
- * `PointArea` (length^2) is the area assigned to a point by DualArea, the weight for means over the
- * surface; the sum over all points is the area of the surface. Field data
- * `GaussianCurvatureIntegral` (no unit) and `GaussBonnetEulerNumber`, the integral divided by 2 pi,
- * which is close to the Euler number of a closed surface (GaussBonnet.h).
+ * **Arrays**, on points, double, with the same names and signs as in vtkHessianCurvature: those of
+ * OutputArrayTable() that GetOutputArraySelection() has, by default `GaussianCurvature`,
+ * `MeanCurvature`, `MaximumCurvature`, `MinimumCurvature`, `ShapeIndex`, `Curvedness` and
+ * `PointArea`, the area assigned to a point by DualArea, the weight for means over the surface; the
+ * sum over all points is the area of the surface. Principal directions, `NormalCurvature` and the
+ * differential forms except `GaussMap` are made with EdgeTensor only. Field data
+ * `GaussianCurvatureIntegral` and `GaussBonnetEulerNumber` (GaussBonnet.h).
  *
  * **Validity.** `CurvatureValid` is 1 where the values are meaningful. It is 0, and all values
  * except `PointArea` are 0, at points on the boundary (with Ball and GeodesicDisc these are valid,
@@ -47,13 +42,9 @@
 #define vtkSurfaceCurvature_h
 
 #include "Curvature/CurvatureArrays.h"
+#include "Curvature/SurfaceCurvature.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
-
-namespace isthmus
-{
-struct SurfaceCurvatureResult;
-}
 
 class VTKISTHMUSFILTERSCURVATURE_EXPORT vtkSurfaceCurvature : public vtkPolyDataAlgorithm
 {
@@ -92,80 +83,56 @@ public:
   };
 
   ///@{
-  /// AngleDefect (default: angle defect and cotangent formula) or EdgeTensor.
-  vtkSetClampMacro(Method, int, AngleDefect, EdgeTensor);
-  vtkGetMacro(Method, int);
+  /// AngleDefect (angle defect and cotangent formula) or EdgeTensor.
+  ISTHMUS_PARAMETER(Method, int);
   ///@}
 
-  ///@{ Rule for the area assigned to a point: Voronoi (default), Barycentric or Mixed.
-  vtkSetClampMacro(DualArea, int, Voronoi, Mixed);
-  vtkGetMacro(DualArea, int);
+  ///@{ Rule for the area assigned to a point: Voronoi, Barycentric or Mixed.
+  ISTHMUS_PARAMETER(DualArea, int);
   ///@}
 
-  ///@{ Neighbourhood over which the EdgeTensor is averaged: OneRing (default), Ball or
+  ///@{ Neighbourhood over which the EdgeTensor is averaged: OneRing, Ball or
   /// GeodesicDisc.
-  vtkSetClampMacro(Neighbourhood, int, OneRing, GeodesicDisc);
-  vtkGetMacro(Neighbourhood, int);
+  ISTHMUS_PARAMETER(Neighbourhood, int);
   ///@}
 
   ///@{
-  /// Radius of Ball and GeodesicDisc, in the unit of the points (angstrom). Default 0: three times
+  /// Radius of Ball and GeodesicDisc, in the unit of the points (angstrom). 0: three times
   /// the mean edge length.
-  vtkSetMacro(Radius, double);
-  vtkGetMacro(Radius, double);
+  ISTHMUS_PARAMETER(Radius, double);
   ///@}
 
-  ///@{ Which side is outside: Automatic (default: closed components face outward and cavities in
+  ///@{ Which side is outside: Automatic (closed components face outward and cavities in
   /// them inward, whichever way their triangles are wound; open components are as wound), AsWound
   /// (the side from which triangles are counter-clockwise) or Reversed (the other side).
-  vtkSetClampMacro(Orientation, int, Automatic, Reversed);
-  vtkGetMacro(Orientation, int);
+  ISTHMUS_PARAMETER(Orientation, int);
   ///@}
 
   ///@{
-  /// Sign of the shape index: Thesis (default; peak -1, pit +1) or Koenderink (peak +1, pit -1).
-  vtkSetClampMacro(ShapeIndexConvention, int, Thesis, Koenderink);
-  vtkGetMacro(ShapeIndexConvention, int);
+  /// Sign of the shape index: Thesis (peak -1, pit +1) or Koenderink (peak +1, pit -1).
+  ISTHMUS_PARAMETER(ShapeIndexConvention, int);
   ///@}
 
-  ///@{ Whether to compute the array `PointArea`. Default on.
-  vtkSetMacro(GeneratePointArea, bool);
-  vtkGetMacro(GeneratePointArea, bool);
-  vtkBooleanMacro(GeneratePointArea, bool);
-  ///@}
+  /// The arrays that the filter adds to its output, and which of them are optional.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
-  ///@{ Whether to compute `MeanCurvatureNormal`, the vector H n of length |H|, which points outward
-  /// where the surface is convex, whatever Orientation is. With AngleDefect it comes from the
-  /// cotangent formula itself, which also estimates the normal; with EdgeTensor it is H times the
-  /// mean normal of the triangles. Default off.
-  vtkSetMacro(GenerateMeanCurvatureNormal, bool);
-  vtkGetMacro(GenerateMeanCurvatureNormal, bool);
-  vtkBooleanMacro(GenerateMeanCurvatureNormal, bool);
-  ///@}
+  /// FlatTolerance, GaussianTolerance and MeanTolerance are the bounds below which `SurfaceType`
+  /// treats values as zero, without unit; a point is flat if curvedness x
+  /// sqrt(PointArea) is at most FlatTolerance. NormalCurvatureDirection is that of
+  /// `NormalCurvature`. (CurvatureArrays.h)
+  ISTHMUS_CURVATURE_PROPERTIES();
 
-  /// GenerateGaussianCurvature etc. select the arrays to compute. They are on by default, except
-  /// for principal directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature
-  /// (along NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance are the
-  /// bounds below which `SurfaceType` treats values as zero, without unit, default 1e-3 each; a
-  /// point is flat if curvedness x sqrt(PointArea) is at most FlatTolerance. The whole list is in
-  /// CurvatureArrays.h.
-  ISTHMUS_CURVATURE_ARRAYS();
+  /// Which arrays to compute.
+  ISTHMUS_OUTPUT_ARRAY_SELECTION();
 
 protected:
-  vtkSurfaceCurvature() = default;
+  vtkSurfaceCurvature();
   ~vtkSurfaceCurvature() override = default;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int Method = AngleDefect;
-  int DualArea = Voronoi;
-  int Neighbourhood = OneRing;
-  double Radius = 0.0;
-  int Orientation = Automatic;
-  int ShapeIndexConvention = Thesis;
-  bool GeneratePointArea = true;
-  bool GenerateMeanCurvatureNormal = false;
+  isthmus::SurfaceCurvatureOptions Parameters;
 
 private:
   vtkSurfaceCurvature(const vtkSurfaceCurvature&) = delete;

@@ -38,7 +38,7 @@ struct SurfaceShare
 };
 
 /// Sorts the atoms into cells of about their size. Memory: 8 bytes for each atom and each cell.
-class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceMotion
+class SurfaceMotion
 {
 public:
   /**
@@ -88,8 +88,7 @@ struct BoundaryForces
  * surface are summed over the nodes at their border. O(crossings times atoms near + nodes); bitwise
  * the same on any number of threads.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT BoundaryForces ForcesOnBoundary(
-  const GridPotential& solution, const SurfaceMotion& motion);
+BoundaryForces ForcesOnBoundary(const GridPotential& solution, const SurfaceMotion& motion);
 
 }
 

@@ -9,7 +9,6 @@
 #include "Electrostatics/BoundaryPotential.h"
 #include "Electrostatics/ChargeSums.h"
 #include "Electrostatics/LevelFunction.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -21,21 +20,19 @@ using PotentialFunction = std::function<double(const Point3&)>;
  * itself in the solvent. It decays and solves the linear equation outside, but does not account for
  * the dielectric cavity of the solute.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialFunction MultipleDebyeHueckel(
-  const std::vector<ChargedAtom>& atoms, double coulombLength, double solventDielectric,
-  double kappa);
+PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,
+  double solventDielectric, double kappa);
 
 /// The same with the total charge at the centre of a sphere around all atoms.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialFunction SingleDebyeHueckel(
-  const std::vector<ChargedAtom>& atoms, double coulombLength, double solventDielectric,
-  double kappa);
+PotentialFunction SingleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,
+  double solventDielectric, double kappa);
 
 /**
  * Sets u to f at the border nodes. With a `sampleLength` (angstrom) above 0, f is called only at
  * nodes at this distance from each other, some of them slightly beyond the border, and interpolated
  * by cubics; f must be smooth there. Parallel.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void FillBorder(
+void FillBorder(
   const SolverBox& box, const PotentialFunction& f, double sampleLength, std::vector<double>& u);
 
 /// The first and last node along each axis.
@@ -45,8 +42,7 @@ struct BoxNodes
 };
 
 /// Smallest distance of the nodes `inside` from the border, in angstrom.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double GapAround(
-  const BoxNodes& inside, const SolverBox& box);
+double GapAround(const BoxNodes& inside, const SolverBox& box);
 
 /// Every Stride-th node of the surface of a box of nodes.
 struct RadiatingBox : BoxNodes
@@ -56,8 +52,7 @@ struct RadiatingBox : BoxNodes
 
 /// A box about half-way between the nodes `inside` and the border, at least two nodes away from the
 /// border; strides are about a quarter of the gap.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT RadiatingBox MakeIntermediateBox(
-  const BoxNodes& inside, const SolverBox& box);
+RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box);
 
 /**
  * The function outside of the range of nodes that decays, solves the linear equation there and
@@ -74,7 +69,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT RadiatingBox MakeIntermediateBox(
  * distance between range and border); each node gives a pair of charges for source and dipole. More
  * than a few thousand charges are summed by a tree.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialFunction RadiatedPotential(
+PotentialFunction RadiatedPotential(
   const SolverBox& box, const std::vector<double>& u, const RadiatingBox& range, double kappa);
 
 }

@@ -7,7 +7,6 @@
 #define isthmus_ChargeSums_h
 
 #include "Electrostatics/PoissonBoltzmannParameters.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <vector>
 
@@ -68,15 +67,13 @@ struct SecondOrderTaylor
 };
 
 /// sum q / |x - r| and its derivatives; about a nanosecond for each charge.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SecondOrderTaylor CoulombSum(
-  const ChargeList& charges, const Point3& x);
+SecondOrderTaylor CoulombSum(const ChargeList& charges, const Point3& x);
 
 /// sum q / max(|x - r|, nearest).
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double CoulombValue(
-  const ChargeList& charges, const Point3& x, double nearest);
+double CoulombValue(const ChargeList& charges, const Point3& x, double nearest);
 
 /// sum q exp(-kappa |x - r|) / |x - r| over charges [first, last); a nanosecond or two for each.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double ScreenedSum(
+double ScreenedSum(
   const ChargeList& charges, double kappa, const Point3& x, std::size_t first, std::size_t last);
 
 /// Over all.

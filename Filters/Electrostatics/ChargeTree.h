@@ -12,14 +12,13 @@
 #define isthmus_ChargeTree_h
 
 #include "Electrostatics/ChargeSums.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
 
 /// Building the tree takes O(n log n), mostly in parallel, and memory for about 8 numbers for each
 /// charge.
-class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ChargeTree
+class ChargeTree
 {
 public:
   explicit ChargeTree(const ChargeList& charges);

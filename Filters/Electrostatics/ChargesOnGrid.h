@@ -8,16 +8,14 @@
 
 #include "Electrostatics/ChargeSums.h"
 #include "Electrostatics/InterfaceGeometry.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
 
 /// G with derivatives at each point, directly or, with many charges, by a tree for each brick of
 /// 8^3 nodes of the box. Parallel.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(
-  const ChargeList& charges, const SolverBox& box, const std::vector<Point3>& points,
-  const ProgressCallback& progress = {});
+std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const SolverBox& box,
+  const std::vector<Point3>& points, const ProgressCallback& progress = {});
 
 /// The values of the same charges at the crossings of a surface with the same box, in the order of
 /// the crossings.
@@ -37,8 +35,8 @@ std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, con
  * nearer to a charge than a quarter of the shortest spacing, its potential is that at this
  * distance. Beyond a few hundred charges a tree is used, with a relative error of 1e-5.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void ChargesAtNodes(const ChargeList& charges,
-  const SolverBox& box, const std::function<void(std::int64_t node, double g)>& use,
+void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,
+  const std::function<void(std::int64_t node, double g)>& use,
   const ProgressCallback& progress = {});
 
 }

@@ -3,6 +3,7 @@
 #include "Atoms/ChemicalElement.h"
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/NamedColumns.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataSetAttributes.h>
@@ -141,38 +142,32 @@ std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms)
 vtkPointSet* ForceFieldAtomsCache::Get(vtkPointSet* atoms, const ChargeArrays& arrays,
   ChargeTable table, const ProgressCallback& progress)
 {
-  const std::string names = arrays.Charge + '\n' + arrays.Radius;
-  if (this->Input != atoms || this->Time != atoms->GetMTime() || this->Table != table ||
-    this->Names != names)
+  RequireChoice("ForceField", table, ChargeTable::PARSE);
+  const Outcome& outcome = this->Cache.Get({ StateOf(atoms), arrays.Charge, arrays.Radius, table },
+    [&]
+    {
+      Outcome made;
+      try
+      {
+        const ChargedProtein protein = ChargeProtein(NamedAtomsOf(atoms), table, {}, progress);
+        made.Warning = protein.Warning;
+        made.Atoms = PointsOf(protein, atoms, arrays);
+      }
+      catch (const Cancelled&)
+      {
+        throw;
+      }
+      catch (const std::exception& error)
+      {
+        made.Failure = error.what();
+      }
+      return made;
+    });
+  if (!outcome.Atoms)
   {
-    this->Input = nullptr; // a stop on request leaves nothing to be taken for an answer
-    this->Charged = nullptr;
-    this->Failure.clear();
-    this->Warned.clear();
-    try
-    {
-      const ChargedProtein protein = ChargeProtein(NamedAtomsOf(atoms), table, {}, progress);
-      this->Warned = protein.Warning;
-      this->Charged = PointsOf(protein, atoms, arrays);
-    }
-    catch (const Cancelled&)
-    {
-      throw;
-    }
-    catch (const std::exception& error)
-    {
-      this->Failure = error.what();
-    }
-    this->Input = atoms;
-    this->Time = atoms->GetMTime();
-    this->Table = table;
-    this->Names = names;
+    throw std::runtime_error(outcome.Failure);
   }
-  if (!this->Charged)
-  {
-    throw std::runtime_error(this->Failure);
-  }
-  return this->Charged;
+  return outcome.Atoms;
 }
 
 }

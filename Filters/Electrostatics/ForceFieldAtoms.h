@@ -5,11 +5,14 @@
 #ifndef isthmus_ForceFieldAtoms_h
 #define isthmus_ForceFieldAtoms_h
 
+#include "Core/Cached.h"
 #include "Electrostatics/PoissonBoltzmannParameters.h"
 #include "Electrostatics/ProteinCharges.h"
 
 #include <vtkSmartPointer.h>
-#include <vtkType.h>
+
+#include <string>
+#include <tuple>
 
 class vtkPointSet;
 
@@ -47,15 +50,16 @@ public:
   /// @throws what ChargeProtein does.
   vtkPointSet* Get(vtkPointSet* atoms, const ChargeArrays& arrays, ChargeTable table,
     const ProgressCallback& progress);
-  const std::string& Warning() const { return this->Warned; }
+  /// Of the last call of Get().
+  std::string Warning() { return this->Cache.Last() ? this->Cache.Last()->Warning : std::string(); }
 
 private:
-  vtkPointSet* Input = nullptr; ///< to know it again by, no more
-  vtkMTimeType Time = 0;
-  ChargeTable Table = ChargeTable::AMBER;
-  std::string Names;
-  vtkSmartPointer<vtkPointSet> Charged;
-  std::string Warned, Failure;
+  struct Outcome
+  {
+    vtkSmartPointer<vtkPointSet> Atoms; ///< null: Failure says why
+    std::string Warning, Failure;
+  };
+  Cached<std::tuple<ObjectState, std::string, std::string, ChargeTable>, Outcome> Cache;
 };
 
 }

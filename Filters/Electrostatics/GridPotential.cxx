@@ -153,7 +153,7 @@ void GridPotential::EvaluateCharges(const GridPotential* last, const ProgressCal
 void GridPotential::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
 {
   const InterfaceProblem problem{ &this->Box, &this->Inside, &this->Crossings, &this->AtCrossing,
-    this->Medium, std::move(ions), this->Parameters.Dielectric,
+    this->Medium, std::move(ions), this->Parameters.DielectricModel,
     WallsOfClosedCavities(this->Box, this->Inside, this->Crossings) };
   InterfaceMatrixRows rows = AssembleIrregularRows(problem, progress);
   this->Report.LinearFits = rows.LinearFits;
@@ -495,7 +495,7 @@ void GridPotential::SolveNonlinear(double tolerance, const ProgressCallback& pro
 {
   this->ClipStart();
   const bool lagged = this->Medium.KappaSquared > 0.0 &&
-    this->Parameters.Dielectric == DielectricModel::SharpInterface;
+    this->Parameters.DielectricModel == DielectricModel::SharpInterface;
   std::vector<double> zero(this->U.size(), 0.0);
   const double reference = this->NonlinearResidual(zero, this->Work.Residual);
   zero = {};

@@ -10,7 +10,6 @@
 #define isthmus_HarmonicFit_h
 
 #include "Electrostatics/LevelFunction.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -23,8 +22,8 @@ struct ValueAndGradient
 
 /// The fit of u at x (in the frame of the volume). Throws std::invalid_argument if no surrounding
 /// node is inside.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ValueAndGradient HarmonicAt(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const std::vector<double>& u, const Point3& x);
+ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<double>& u, const Point3& x);
 
 }
 

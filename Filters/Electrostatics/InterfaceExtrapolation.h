@@ -40,7 +40,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT FitNodes NodesAroundCrossing(const Solver
   const std::vector<unsigned char>& inside, const InterfaceCrossing& crossing, double length);
 
 /// Weights (h / h_a)^2 of the axes, h the shortest spacing.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 AxisWeights(const SolverBox& box);
+Point3 AxisWeights(const SolverBox& box);
 
 /// A ghost value as a weighted sum over nodes and a constant.
 struct Continuation

@@ -51,12 +51,10 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<InterfaceCrossing> FindCrossi
 
 /// The point of the level set nearest to x, which must be within about a spacing of it; computed by
 /// Newton steps along the gradient of the polynomial through 6^3 nodes.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 OnLevel(
-  const LevelFunction& level, const SolverBox& box, Point3 x);
+Point3 OnLevel(const LevelFunction& level, const SolverBox& box, Point3 x);
 
 /// The frame of the level set through the point `x` (frame of the volume).
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceFrame FrameAt(
-  const LevelFunction& level, const SolverBox& box, const Point3& x);
+SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Point3& x);
 
 }
 

@@ -13,7 +13,6 @@
 #define isthmus_InterfaceMatrixRows_h
 
 #include "Electrostatics/ClosedCavities.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -34,7 +33,7 @@ struct InterfaceMatrixRows
 };
 
 /// O(crossings), about 10 microseconds each; parallel; bitwise the same on any number of threads.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT InterfaceMatrixRows AssembleIrregularRows(
+InterfaceMatrixRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 
 /// The permittivity of an edge that the surface crosses; `fraction` is the part of it in the

@@ -9,14 +9,13 @@
 #define isthmus_InterfaceOperator_h
 
 #include "Electrostatics/InterfaceMatrixRows.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <memory>
 
 namespace isthmus
 {
 
-class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT InterfaceOperator
+class InterfaceOperator
 {
 public:
   /// Box and sides are referred to, not copied.

@@ -13,7 +13,6 @@
 #include "Core/Progress.h"
 #include "Electrostatics/InterfaceOperator.h"
 #include "Electrostatics/MultigridPoisson.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -43,16 +42,16 @@ struct SolverWorkspace
  * Iterates u, whose residual b - A u is in `work.Residual`, until the residual is small enough.
  * Throws std::runtime_error if the residual is not finite.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
-  MultigridPoisson& multigrid, const SolverControl& control, SolverWorkspace& work,
-  std::vector<double>& u, const ProgressCallback& progress = {});
+SolverReport SolveInterface(const InterfaceOperator& matrix, MultigridPoisson& multigrid,
+  const SolverControl& control, SolverWorkspace& work, std::vector<double>& u,
+  const ProgressCallback& progress = {});
 
 /// Throws std::runtime_error, with the residual that was reached, if the iteration did not
 /// converge.
 void RequireConvergence(const SolverReport& report, const SolverControl& control);
 
 /// sqrt(sum a_i^2), bitwise the same on any number of threads.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double NormOf(const std::vector<double>& a);
+double NormOf(const std::vector<double>& a);
 
 }
 

@@ -6,7 +6,6 @@
 #define isthmus_IonAccess_h
 
 #include "Electrostatics/InterfaceGeometry.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <cmath>
 
@@ -28,9 +27,9 @@ struct IonBorderNode
  * nearest crossing. With layer 0: 0 inside, 1 outside. The nodes in between are stored in `border`,
  * unless it is null. O(nodes + crossings layer^3 / h^3), serial.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<float> IonAccess(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings,
-  double layer, std::vector<IonBorderNode>* border = nullptr);
+std::vector<float> IonAccess(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<InterfaceCrossing>& crossings, double layer,
+  std::vector<IonBorderNode>* border = nullptr);
 
 /// A node whose cell the surface cuts.
 struct CutCell
@@ -42,8 +41,8 @@ struct CutCell
 
 /// The cells, by node, that a sum over nodes outside includes either entirely or not at all.
 /// O(crossings).
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<CutCell> CutCells(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings);
+std::vector<CutCell> CutCells(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<InterfaceCrossing>& crossings);
 
 /// The distance over which the access goes from 0 to 1.
 inline double IonBorderWidth(const SolverBox& box)

@@ -1,6 +1,6 @@
 #include "Electrostatics/PoissonBoltzmann.h"
 
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 
 #include "Electrostatics/ElectrostaticUnits.h"
 
@@ -12,15 +12,6 @@ namespace isthmus
 {
 namespace
 {
-
-void Require(bool holds, const char* name, double value, const char* what)
-{
-  if (!holds)
-  {
-    throw std::invalid_argument(
-      std::string(name) + " is " + FormatNumber(value) + ", but " + what + ".");
-  }
-}
 
 /// First and last nodes of the volume inside the level.
 BoxNodes RangeOfLevel(const LevelFunction& level)
@@ -52,7 +43,7 @@ PotentialFunction DebyeHueckel(
   const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& p, double kappa)
 {
   const double c = units::CoulombLength(p.Temperature);
-  return p.Condition == BoundaryCondition::SingleDebyeHueckel
+  return p.BoundaryCondition == BoundaryCondition::SingleDebyeHueckel
     ? SingleDebyeHueckel(atoms, c, p.SolventDielectric, kappa)
     : MultipleDebyeHueckel(atoms, c, p.SolventDielectric, kappa);
 }
@@ -89,23 +80,26 @@ PotentialFunction SelfConsistentBorder(
 
 }
 
-void CheckParameters(const PoissonBoltzmannParameters& p)
+void Check(const GridRequest& request)
 {
-  const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
-  const auto notNegative = [](double x) { return x >= 0.0 && std::isfinite(x); };
-  Require(positive(p.SoluteDielectric), "SoluteDielectric", p.SoluteDielectric,
-    "a dielectric constant is a positive number: 1 to 20 for proteins");
-  Require(positive(p.SolventDielectric), "SolventDielectric", p.SolventDielectric,
-    "a dielectric constant is a positive number: 80 for water");
-  Require(positive(p.Temperature), "Temperature", p.Temperature,
-    "it is counted in kelvin from absolute zero: 298.15 at 25 degrees Celsius");
-  Require(notNegative(p.IonRadius), "IonRadius", p.IonRadius, "a radius is 0 or more");
-  Require(notNegative(p.Padding) && p.Padding <= 1e6, "Padding", p.Padding,
-    "a length between 0 and a million angstrom is wanted");
-  Require(p.Tolerance > 0.0 && p.Tolerance < 1.0, "Tolerance", p.Tolerance,
-    "a part of the first residual is wanted: above 0, below 1");
-  Require(
-    p.MaximumIterations > 0, "MaximumIterations", p.MaximumIterations, "at least one is needed");
+  RequireAbove("Spacing", request.Spacing, 0.0, LargestLength, "It is in angstrom.");
+  RequireRange("Padding", request.Padding, 0.0, 1e6, "It is in angstrom.");
+}
+
+void Check(const PoissonBoltzmannParameters& p)
+{
+  Check(static_cast<const GridRequest&>(p));
+  RequireChoice("DielectricModel", p.DielectricModel, DielectricModel::SmoothDielectric);
+  RequireAbove("SoluteDielectric", p.SoluteDielectric, 0.0, Unlimited, "Proteins have 1 to 20.");
+  RequireAbove("SolventDielectric", p.SolventDielectric, 0.0, Unlimited, "Water has 80.");
+  RequireRange(
+    "IonicStrength", p.IonicStrength, 0.0, Unlimited, "It is in mol/l: 0.15 is physiological.");
+  RequireRange("IonRadius", p.IonRadius, 0.0, LargestLength, "It is in angstrom.");
+  RequireAbove(
+    "Temperature", p.Temperature, 0.0, Unlimited, "It is in kelvin: 298.15 is 25 degrees Celsius.");
+  RequireChoice("BoundaryCondition", p.BoundaryCondition, BoundaryCondition::Given);
+  RequireAbove("Tolerance", p.Tolerance, 0.0, 1.0, "It is a part of the first residual.");
+  RequireRange("MaximumIterations", p.MaximumIterations, 1, 1e6);
 }
 
 SolverBox BoxAround(const LevelFunction& level, double padding)
@@ -156,7 +150,7 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
   const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
   const ProgressCallback& progress)
 {
-  CheckParameters(parameters);
+  Check(parameters);
   const auto setUp = [&](const SolverBox& on, double from, double to)
   {
     return std::make_unique<GridPotential>(
@@ -166,7 +160,7 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
   std::unique_ptr<GridPotential> problem;
   PotentialFunction border;
   int borderIterations = 0;
-  switch (parameters.Condition)
+  switch (parameters.BoundaryCondition)
   {
     case BoundaryCondition::Zero:
       border = [](const Point3&) { return 0.0; };
@@ -189,7 +183,7 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
       break;
   }
   problem = problem ? std::move(problem) : setUp(box, 0.25, 0.5);
-  problem->SetBorder(border, parameters.Condition != BoundaryCondition::Given);
+  problem->SetBorder(border, parameters.BoundaryCondition != BoundaryCondition::Given);
   if (parameters.Start)
   {
     problem->SetStart(parameters.Start);

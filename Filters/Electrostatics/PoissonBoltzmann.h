@@ -26,10 +26,6 @@
 namespace isthmus
 {
 
-/// Throws std::invalid_argument, with the property, for parameters out of their range.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void CheckParameters(
-  const PoissonBoltzmannParameters& parameters);
-
 /**
  * The nodes of the volume, and enough nodes around it for `padding` between surface and border.
  * Throws std::invalid_argument if the level set is empty or leaves the volume.
@@ -38,8 +34,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox BoxAround(
   const LevelFunction& level, double padding);
 
 /// Every `stride`-th node of `box`, and enough nodes at the upper end to reach its border.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox CoarserBox(
-  const SolverBox& box, std::int64_t stride);
+SolverBox CoarserBox(const SolverBox& box, std::int64_t stride);
 
 /**
  * Solves on `box`. Atoms are in the frame of the volume and inside the level. The solution refers

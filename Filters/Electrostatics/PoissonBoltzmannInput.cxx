@@ -110,14 +110,14 @@ std::vector<ChargedAtom> ChargedAtomsOf(
 SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
 {
   AtomOptions all;
-  all.RadiusArray = InputArrayName(filter, 1);
+  all.RadiusArray = InputArrayName(filter, 0);
   all.ZeroRadii = true;
   all.KeepCopies = true; // output 2 has a value for each atom
   all.Fallback = radiiNeeded ? RadiusFallback::None : RadiusFallback::Zero;
   all.Missing = MissingRadius::Refuse;
   const MoleculeAtoms atoms = ReadAtoms(points, all);
   SoluteAtoms solute;
-  solute.Atoms = ChargedAtomsOf(points, atoms, InputArrayName(filter, 0));
+  solute.Atoms = ChargedAtomsOf(points, atoms, InputArrayName(filter, 1));
   double absolute = 0.0;
   for (std::size_t i = 0; i < solute.Atoms.size(); ++i)
   {
@@ -190,7 +190,7 @@ void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms)
 void SetPotentialInput(
   vtkImageData* potential, vtkImageData* grid, PoissonBoltzmannParameters& parameters)
 {
-  const bool border = parameters.Condition == BoundaryCondition::Given;
+  const bool border = parameters.BoundaryCondition == BoundaryCondition::Given;
   if (!potential || potential->GetNumberOfPoints() == 0)
   {
     if (border)

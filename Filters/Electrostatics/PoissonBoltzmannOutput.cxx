@@ -1,6 +1,6 @@
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 
-#include "Core/ArrayMemory.h"
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 #include "Electrostatics/BoundaryForces.h"
 #include "Electrostatics/ChargesOnGrid.h"
@@ -30,34 +30,11 @@ namespace isthmus
 namespace
 {
 
-vtkSmartPointer<vtkDoubleArray> Doubles(const char* name, std::size_t count, int components = 1)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  SizeArray(array, static_cast<vtkIdType>(count));
-  return array;
-}
-
-void AddNumbers(vtkImageData* image, const char* name, const std::vector<double>& values)
-{
-  auto array = Doubles(name, values.size());
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  image->GetFieldData()->AddArray(array);
-}
-
-vtkSmartPointer<vtkDoubleArray> Copy(const char* name, const std::vector<double>& values)
-{
-  auto array = Doubles(name, values.size());
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
 /// kT/angstrom along the grid's axes as kcal/(mol angstrom) in the world.
-vtkSmartPointer<vtkDoubleArray> Forces(
-  const char* name, const std::vector<Point3>& forces, const SoluteVolume& volume, double kelvin)
+void AddForces(vtkFieldData* data, const char* name, const std::vector<Point3>& forces,
+  const SoluteVolume& volume, double kelvin)
 {
-  auto array = Doubles(name, forces.size(), 3);
+  auto* array = AddArray<vtkDoubleArray>(data, name, forces.size(), 3);
   for (std::size_t i = 0; i < forces.size(); ++i)
   {
     Point3 world;
@@ -68,7 +45,6 @@ vtkSmartPointer<vtkDoubleArray> Forces(
     }
     array->SetTuple(static_cast<vtkIdType>(i), world.data());
   }
-  return array;
 }
 
 /// The level as an image of -f, so that vtkFlyingEdges3D orients triangles outwards.
@@ -76,9 +52,8 @@ vtkSmartPointer<vtkPolyData> LevelTriangles(const SoluteVolume& volume)
 {
   const LevelFunction& level = volume.Level;
   const auto& n = level.Dimensions();
-  vtkNew<vtkFloatArray> values;
-  values->SetName("Level");
-  SizeArray(values, static_cast<vtkIdType>(n[0] * n[1] * n[2]));
+  const auto values =
+    NamedArray<vtkFloatArray>("Level", static_cast<std::size_t>(n[0] * n[1] * n[2]));
   vtkIdType id = 0;
   for (std::int64_t k = 0; k < n[2]; ++k)
   {
@@ -108,11 +83,9 @@ void FillImage(const GridPotential& solution, vtkImageData* image, const Progres
     crop.Dimensions[a] = dimensions[a];
   }
   const auto count = static_cast<std::size_t>(crop.Size());
-  auto potential = Doubles("Potential", count);
-  auto reaction = Doubles("ReactionPotential", count);
-  vtkNew<vtkUnsignedCharArray> side;
-  side->SetName("Side");
-  SizeArray(side, static_cast<vtkIdType>(count));
+  const auto potential = NamedArray<vtkDoubleArray>("Potential", count);
+  const auto reaction = NamedArray<vtkDoubleArray>("ReactionPotential", count);
+  const auto side = NamedArray<vtkUnsignedCharArray>("Side", count);
   double* const total = potential->GetPointer(0);
   double* const rest = reaction->GetPointer(0);
   unsigned char* const in = side->GetPointer(0);
@@ -144,24 +117,24 @@ void FillFieldData(const GridPotential& solution, const PoissonBoltzmannParamete
 {
   const PoissonBoltzmannReport& report = solution.GetReport();
   const double kelvin = parameters.Temperature;
-  AddNumbers(
-    image, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
-  AddNumbers(image, "SolvationEnergyKT", { report.SolvationEnergy });
-  AddNumbers(image, "SolvationEnergyKilojoule",
-    { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });
-  AddNumbers(image, "Iterations", { static_cast<double>(report.Iterations) });
-  AddNumbers(image, "BorderIterations", { static_cast<double>(report.BorderIterations) });
-  AddNumbers(image, "NewtonSteps", { static_cast<double>(report.NewtonSteps) });
-  AddNumbers(image, "ResidualHistory", report.Residuals);
-  AddNumbers(image, "Crossings", { static_cast<double>(report.Crossings) });
-  AddNumbers(image, "LinearFits", { static_cast<double>(report.LinearFits) });
-  AddNumbers(image, "GhostFits", { static_cast<double>(report.GhostFits) });
-  AddNumbers(image, "DebyeLength", { solution.Kappa() > 0.0 ? 1.0 / solution.Kappa() : 0.0 });
-  AddNumbers(image, "NetCharge", { netCharge });
-  vtkNew<vtkStringArray> kind;
-  kind->SetName("Surface");
-  kind->InsertNextValue(surface);
-  image->GetFieldData()->AddArray(kind);
+  vtkFieldData* const data = image->GetFieldData();
+  AddColumn<vtkDoubleArray>(
+    data, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
+  AddColumn<vtkDoubleArray>(data, "SolvationEnergyKT", { report.SolvationEnergy });
+  AddColumn<vtkDoubleArray>(
+    data, "SolvationEnergyKilojoule", { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });
+  AddColumn<vtkDoubleArray>(data, "Iterations", { static_cast<double>(report.Iterations) });
+  AddColumn<vtkDoubleArray>(
+    data, "BorderIterations", { static_cast<double>(report.BorderIterations) });
+  AddColumn<vtkDoubleArray>(data, "NewtonSteps", { static_cast<double>(report.NewtonSteps) });
+  AddColumn<vtkDoubleArray>(data, "ResidualHistory", report.Residuals);
+  AddColumn<vtkDoubleArray>(data, "Crossings", { static_cast<double>(report.Crossings) });
+  AddColumn<vtkDoubleArray>(data, "LinearFits", { static_cast<double>(report.LinearFits) });
+  AddColumn<vtkDoubleArray>(data, "GhostFits", { static_cast<double>(report.GhostFits) });
+  AddColumn<vtkDoubleArray>(
+    data, "DebyeLength", { solution.Kappa() > 0.0 ? 1.0 / solution.Kappa() : 0.0 });
+  AddColumn<vtkDoubleArray>(data, "NetCharge", { netCharge });
+  AddColumn<vtkStringArray>(data, "Surface", { surface });
 }
 
 void FillSurface(const GridPotential& solution, const SoluteVolume& volume, double kelvin,
@@ -194,19 +167,20 @@ void FillSurface(const GridPotential& solution, const SoluteVolume& volume, doub
     output->SetPolys(triangles->GetPolys());
   }
   const SurfaceValues values = EvaluateAtSurface(solution, volume.Level, places, kelvin, progress);
-  auto normals = Doubles("Normals", places.size(), 3);
+  const auto normals = NamedArray<vtkDoubleArray>("Normals", places.size(), 3);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     double world[3];
     volume.Grid->GetDirectionMatrix()->MultiplyPoint(values.Normal[i].data(), world);
     normals->SetTuple(static_cast<vtkIdType>(i), world);
   }
-  output->GetPointData()->AddArray(Copy("Potential", values.Potential));
-  output->GetPointData()->SetActiveScalars("Potential");
-  output->GetPointData()->AddArray(Copy("NormalField", values.NormalField));
-  output->GetPointData()->AddArray(Copy("SurfaceChargeDensity", values.ChargeDensity));
-  output->GetPointData()->AddArray(normals);
-  output->GetPointData()->SetActiveNormals("Normals");
+  vtkPointData* const data = output->GetPointData();
+  AddColumn<vtkDoubleArray>(data, "Potential", values.Potential);
+  data->SetActiveScalars("Potential");
+  AddColumn<vtkDoubleArray>(data, "NormalField", values.NormalField);
+  AddColumn<vtkDoubleArray>(data, "SurfaceChargeDensity", values.ChargeDensity);
+  data->AddArray(normals);
+  data->SetActiveNormals("Normals");
 }
 
 void FillAtoms(
@@ -218,9 +192,10 @@ void FillAtoms(
   {
     energy *= units::ThermalKilocalorie(kelvin);
   }
-  atoms->GetPointData()->AddArray(Copy("ReactionPotential", report.AtomPotentials));
-  atoms->GetPointData()->AddArray(Copy("AtomEnergy", energies));
-  atoms->GetPointData()->AddArray(Forces("ReactionForce", report.AtomForces, volume, kelvin));
+  vtkPointData* const data = atoms->GetPointData();
+  AddColumn<vtkDoubleArray>(data, "ReactionPotential", report.AtomPotentials);
+  AddColumn<vtkDoubleArray>(data, "AtomEnergy", energies);
+  AddForces(data, "ReactionForce", report.AtomForces, volume, kelvin);
 }
 
 void FillBoundaryForces(const GridPotential& solution, const SoluteVolume& volume,
@@ -238,9 +213,9 @@ void FillBoundaryForces(const GridPotential& solution, const SoluteVolume& volum
     }
   }
   vtkPointData* data = atoms->GetPointData();
-  data->AddArray(Forces("DielectricBoundaryForce", forces.Dielectric, volume, kelvin));
-  data->AddArray(Forces("IonicBoundaryForce", forces.Ionic, volume, kelvin));
-  data->AddArray(Forces("PolarForce", all, volume, kelvin));
+  AddForces(data, "DielectricBoundaryForce", forces.Dielectric, volume, kelvin);
+  AddForces(data, "IonicBoundaryForce", forces.Ionic, volume, kelvin);
+  AddForces(data, "PolarForce", all, volume, kelvin);
 }
 
 namespace
@@ -248,10 +223,8 @@ namespace
 
 vtkSmartPointer<vtkFloatArray> Map(const char* name, vtkImageData* image, int components)
 {
-  auto map = vtkSmartPointer<vtkFloatArray>::New();
-  map->SetName(name);
-  map->SetNumberOfComponents(components);
-  SizeArray(map, image->GetNumberOfPoints());
+  auto map = NamedArray<vtkFloatArray>(
+    name, static_cast<std::size_t>(image->GetNumberOfPoints()), components);
   map->FillValue(0.0F);
   return map;
 }

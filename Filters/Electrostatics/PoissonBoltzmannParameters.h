@@ -6,6 +6,7 @@
 #define isthmus_PoissonBoltzmannParameters_h
 
 #include "Core/Geometry.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <array>
 #include <cstdint>
@@ -51,17 +52,29 @@ enum class DielectricModel
     1 ///< a permittivity for each edge, of its parts in series: InterfaceExtrapolation.h
 };
 
-struct PoissonBoltzmannParameters
+/// A grid around a molecule, in angstrom.
+struct GridRequest
 {
-  DielectricModel Dielectric = DielectricModel::SharpInterface;
+  double Spacing = 0.5;
+  double Padding = 10.0; ///< of solvent around the surface, at least
+};
+
+/// @throws std::invalid_argument with property, value and range; so does the other function of this
+/// name.
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void Check(const GridRequest& request);
+
+/// Spacing is that of a grid which is made for the solver; given ones have their own.
+struct PoissonBoltzmannParameters : GridRequest
+{
+  isthmus::DielectricModel DielectricModel = isthmus::DielectricModel::SharpInterface;
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
-  std::vector<IonSpecies> Ions; ///< none: pure solvent; their charges must cancel
+  double IonicStrength = 0.0;   ///< mol/l of a 1:1 salt, where there are no Ions
+  std::vector<IonSpecies> Ions; ///< instead of the salt; their charges must cancel
   double IonRadius = 2.0;       ///< angstrom: ions without a radius keep that far from the surface
   double Temperature = 298.15;  ///< K
-  double Padding = 10.0;        ///< angstrom of solvent around the surface, at least
   bool Nonlinear = false;
-  BoundaryCondition Condition = BoundaryCondition::SelfConsistent;
+  isthmus::BoundaryCondition BoundaryCondition = isthmus::BoundaryCondition::SelfConsistent;
   double Tolerance = 1e-6;     ///< of the residual, relative to that of the start
   int MaximumIterations = 100; ///< of BiCGSTAB in each linear system
   int MaximumNewtonSteps = 30;
@@ -72,7 +85,17 @@ struct PoissonBoltzmannParameters
   std::function<double(const Point3&)> Boundary;
   /// Potential to start from, if any, on the whole box.
   std::function<double(const Point3&)> Start;
+
+  /// Ions, or those of the 1:1 salt.
+  std::vector<IonSpecies> AllIons() const
+  {
+    const double c = this->IonicStrength;
+    return this->Ions.empty() && c > 0.0 ? std::vector<IonSpecies>{ { 1.0, c }, { -1.0, c } }
+                                         : this->Ions;
+  }
 };
+
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void Check(const PoissonBoltzmannParameters& parameters);
 
 /// Numbers about a solution. Energies in kT.
 struct PoissonBoltzmannReport

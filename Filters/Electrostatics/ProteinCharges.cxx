@@ -170,7 +170,7 @@ void RequireSuccess(const ChildResult& result, const ChildLimits& limits)
   if (result.End == ChildEnd::TimedOut)
   {
     throw std::runtime_error("The atoms have no charges, and pdb2pqr did not find them in " +
-      std::to_string(static_cast<int>(limits.Seconds)) + " seconds: read fewer chains." + WayOut);
+      std::to_string(static_cast<int>(limits.TimeLimit)) + " seconds: read fewer chains." + WayOut);
   }
   if (result.End == ChildEnd::Crashed || result.Code != 0)
   {

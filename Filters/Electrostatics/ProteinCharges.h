@@ -12,7 +12,6 @@
 
 #include "Atoms/PolymerAtoms.h"
 #include "Core/ChildProcess.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -50,9 +49,8 @@ struct ChargedProtein
  * name.
  * @throws std::runtime_error if the program is not installed, fails or exceeds `limits`.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ChargedProtein ChargeProtein(
-  const std::vector<NamedAtom>& atoms, ChargeTable table, const ChildLimits& limits,
-  const ProgressCallback& progress = {});
+ChargedProtein ChargeProtein(const std::vector<NamedAtom>& atoms, ChargeTable table,
+  const ChildLimits& limits, const ProgressCallback& progress = {});
 
 }
 

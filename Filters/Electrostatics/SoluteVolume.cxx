@@ -2,10 +2,10 @@
 
 #include "Atoms/MolecularDensity.h"
 #include "Core/ImageScalars.h"
+#include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
-#include "Electrostatics/SolverMemory.h"
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/GridImages.h"
 
@@ -28,20 +28,6 @@ constexpr double Band = 6.0;
 
 /// A box of more nodes along an axis is long and thin, and mostly empty.
 constexpr double MostNodesAlong = 20000.0;
-
-void RequireWish(const GridRequest& wish)
-{
-  if (!(wish.Spacing > 0.0) || std::isinf(wish.Spacing))
-  {
-    throw std::invalid_argument("Spacing is " + FormatNumber(wish.Spacing) +
-      ", but it is the grid spacing: give a positive length.");
-  }
-  if (!(wish.Padding >= 0.0) || std::isinf(wish.Padding))
-  {
-    throw std::invalid_argument(
-      "Padding is " + FormatNumber(wish.Padding) + ", but a length of 0 or more is wanted.");
-  }
-}
 
 vtkSmartPointer<vtkImageData> ImageOf(
   const Point3& origin, const std::array<double, 3>& nodes, double spacing)
@@ -224,7 +210,7 @@ vtkSmartPointer<vtkImageData> StructureOf(vtkImageData* image)
 
 vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& wish)
 {
-  RequireWish(wish);
+  Check(wish);
   double box[6];
   if (!BoxOfPolygons(surface, box))
   {
@@ -243,7 +229,7 @@ vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const Grid
 vtkSmartPointer<vtkImageData> GridAroundAtoms(
   const std::vector<ChargedAtom>& atoms, const GridRequest& wish)
 {
-  RequireWish(wish);
+  Check(wish);
   const DensityGrid grid =
     GridAroundBalls(BallsOf(atoms), wish.Spacing, { wish.Padding, wish.Padding, wish.Padding });
   return ImageOf(grid.Origin,
@@ -308,7 +294,8 @@ SoluteVolume VolumeOfSurface(
   SoluteVolume volume;
   volume.Grid = GridAroundSurface(surface, wish);
   volume.Kind = "closed polygons";
-  RequireMemory(ShapeOf(volume.Grid).Dimensions);
+  MemoryBudget().RequireGrid(ShapeOf(volume.Grid).Dimensions, SolutionBytesPerNode,
+    "choose a larger Spacing or a smaller Padding");
   SetDistance(volume, InGridAxes(surface, volume.Grid), nullptr, progress);
   return volume;
 }
@@ -322,7 +309,8 @@ SoluteVolume VolumeOfAtoms(
   volume.Decay = decay;
   volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
   const GridShape shape = ShapeOf(volume.Grid);
-  RequireMemory(shape.Dimensions);
+  MemoryBudget().RequireGrid(
+    shape.Dimensions, SolutionBytesPerNode, "choose a larger Spacing or a smaller Padding");
   volume.Floats.resize(static_cast<std::size_t>(shape.Size()));
   Point3 origin;
   volume.Grid->GetOrigin(origin.data());

@@ -9,7 +9,6 @@
 #define isthmus_SurfacePotential_h
 
 #include "Electrostatics/GridPotential.h"
-#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -25,15 +24,13 @@ struct SurfaceValues
 };
 
 /// Evaluates at points of the surface of a solved problem (in the frame of the volume). Parallel.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtSurface(const GridPotential& problem,
-  const LevelFunction& level, const std::vector<Point3>& points, double kelvin,
-  const ProgressCallback& progress = {});
+SurfaceValues EvaluateAtSurface(const GridPotential& problem, const LevelFunction& level,
+  const std::vector<Point3>& points, double kelvin, const ProgressCallback& progress = {});
 
 /// Evaluates at each crossing of the surface with an edge of the grid, from the 4 x 3 x 3 nodes
 /// around the edge; the problem already has the frame of the surface and the potential of the
 /// charges there. Parallel.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtCrossings(
-  const GridPotential& problem, double kelvin);
+SurfaceValues EvaluateAtCrossings(const GridPotential& problem, double kelvin);
 
 }
 

@@ -17,7 +17,7 @@
 vtkStandardNewMacro(vtkForceFieldCharges);
 
 vtkForceFieldCharges::vtkForceFieldCharges()
-  : Charged(std::make_unique<isthmus::ForceFieldAtomsCache>())
+  : Cache(std::make_unique<isthmus::ForceFieldAtomsCache>())
 {
 }
 
@@ -50,12 +50,12 @@ int vtkForceFieldCharges::RequestData(
         output->ShallowCopy(atoms);
         return;
       }
-      output->ShallowCopy(this->Charged->Get(atoms, arrays,
+      output->ShallowCopy(this->Cache->Get(atoms, arrays,
         static_cast<isthmus::ChargeTable>(this->ForceField), isthmus::ProgressOf(this)));
       output->GetFieldData()->PassData(atoms->GetFieldData());
-      if (!this->Charged->Warning().empty())
+      if (!this->Cache->Warning().empty())
       {
-        vtkWarningMacro(<< this->Charged->Warning());
+        vtkWarningMacro(<< this->Cache->Warning());
       }
     });
 }

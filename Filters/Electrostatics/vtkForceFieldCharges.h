@@ -51,7 +51,7 @@ public:
 
   ///@{
   /// AMBER (default; Cornell et al. 1995) or PARSE (Sitkoff et al. 1994).
-  vtkSetClampMacro(ForceField, int, AMBER, PARSE);
+  vtkSetMacro(ForceField, int);
   vtkGetMacro(ForceField, int);
   ///@}
 
@@ -67,7 +67,7 @@ private:
   void operator=(const vtkForceFieldCharges&) = delete;
 
   int ForceField = AMBER;
-  std::unique_ptr<isthmus::ForceFieldAtomsCache> Charged;
+  std::unique_ptr<isthmus::ForceFieldAtomsCache> Cache;
 };
 
 #endif

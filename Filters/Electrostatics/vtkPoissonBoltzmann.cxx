@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
@@ -11,7 +12,6 @@
 #include "Electrostatics/PoissonBoltzmannInput.h"
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 #include "Electrostatics/SoluteVolume.h"
-#include "Electrostatics/SolverMemory.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
@@ -19,73 +19,117 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <cmath>
 #include <limits>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkPoissonBoltzmann);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-struct vtkPoissonBoltzmann::Salt
+const std::vector<isthmus::OutputArray>& vtkPoissonBoltzmann::OutputArrayTable()
 {
-  std::vector<isthmus::IonSpecies> Species;
-};
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Potential", 1, "kT/e", ArrayChoice::None, "electrostatic potential" },
+    { 0, ArrayPlace::Points, "ReactionPotential", 1, "kT/e", ArrayChoice::None,
+      "the potential minus that of the charges in a medium with SoluteDielectric everywhere" },
+    { 0, ArrayPlace::Points, "Side", 1, "", ArrayChoice::None, "1 inside the solute" },
+    { 0, ArrayPlace::Points, "Dielectric", 3, "", ArrayChoice::Off,
+      "of the edges from the node along x, y and z, like dielx, diely and dielz of APBS; if the "
+      "surface cuts an edge, its parts are in series, rounded to 1/255" },
+    { 0, ArrayPlace::Points, "IonAccessibility", 1, "", ArrayChoice::Off,
+      "fraction of the node's cell that ions reach, weighted by z^2 c if radii differ" },
+    { 0, ArrayPlace::Points, "ChargeDensity", 1, "e/angstrom^3", ArrayChoice::Off,
+      "trilinear; the solver itself uses point charges" },
+    { 0, ArrayPlace::Field, "SolvationEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "from a medium with SoluteDielectric everywhere into the solvent" },
+    { 0, ArrayPlace::Field, "SolvationEnergyKT", 1, "kT", ArrayChoice::None, "the same" },
+    { 0, ArrayPlace::Field, "SolvationEnergyKilojoule", 1, "kJ/mol", ArrayChoice::None,
+      "the same" },
+    { 0, ArrayPlace::Field, "Iterations", 1, "", ArrayChoice::None,
+      "of BiCGSTAB on this grid, including those of all Newton steps and those for the border "
+      "values on this grid" },
+    { 0, ArrayPlace::Field, "BorderIterations", 1, "", ArrayChoice::None,
+      "on a coarser grid, for the border values" },
+    { 0, ArrayPlace::Field, "NewtonSteps", 1, "", ArrayChoice::None, "0 unless Nonlinear is on" },
+    { 0, ArrayPlace::Field, "ResidualHistory", 1, "", ArrayChoice::None, "of the last solution" },
+    { 0, ArrayPlace::Field, "Crossings", 1, "", ArrayChoice::None,
+      "edges of the grid that the surface cuts" },
+    { 0, ArrayPlace::Field, "LinearFits", 1, "", ArrayChoice::None,
+      "crossings of the surface at which a linear fit replaced the quadratic one" },
+    { 0, ArrayPlace::Field, "GhostFits", 1, "", ArrayChoice::None,
+      "crossings at which a simpler one replaced that, most of them in cavities and clefts one or "
+      "two nodes wide" },
+    { 0, ArrayPlace::Field, "DebyeLength", 1, "angstrom", ArrayChoice::None, "0 without salt" },
+    { 0, ArrayPlace::Field, "NetCharge", 1, "e", ArrayChoice::None, "of the atoms" },
+    { 0, ArrayPlace::Field, "Surface", 1, "", ArrayChoice::None, "what the surface was made of" },
+    { 1, ArrayPlace::Points, "Potential", 1, "kT/e", ArrayChoice::None, "electrostatic potential" },
+    { 1, ArrayPlace::Points, "NormalField", 1, "kT/(e angstrom)", ArrayChoice::None,
+      "outwards, just outside" },
+    { 1, ArrayPlace::Points, "SurfaceChargeDensity", 1, "e/angstrom^2", ArrayChoice::None,
+      "induced" },
+    { 1, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "of the surface" },
+    { 2, ArrayPlace::Points, "ReactionPotential", 1, "kT/e", ArrayChoice::None, "at the atom" },
+    { 2, ArrayPlace::Points, "AtomEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "contribution of the atom to the solvation energy; the contributions add up to it unless "
+      "Nonlinear is on" },
+    { 2, ArrayPlace::Points, "ReactionForce", 3, "kcal/(mol angstrom)", ArrayChoice::None,
+      "-q grad u, the force of the reaction field on the charge" },
+    { 2, ArrayPlace::Points, "DielectricBoundaryForce", 3, "kcal/(mol angstrom)", ArrayChoice::Off,
+      "force of the field on the atom's part of the surface" },
+    { 2, ArrayPlace::Points, "IonicBoundaryForce", 3, "kcal/(mol angstrom)", ArrayChoice::Off,
+      "force of the ions on the atom's part of the surface" },
+    { 2, ArrayPlace::Points, "PolarForce", 3, "kcal/(mol angstrom)", ArrayChoice::Off,
+      "sum of the three forces; the Coulomb force between the charges is not included" },
+  };
+  return table;
+}
 
 vtkPoissonBoltzmann::vtkPoissonBoltzmann()
-  : Ions(std::make_unique<Salt>())
+  : OutputArrays(this, OutputArrayTable())
   , Advance(std::make_unique<isthmus::InputInAdvance>(this))
-  , Charged(std::make_unique<isthmus::ForceFieldAtomsCache>())
+  , Cache(std::make_unique<isthmus::ForceFieldAtomsCache>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  this->SetInputArrayToProcess(0, 0, 0, points, "Charge");
-  this->SetInputArrayToProcess(1, 0, 0, points, "Radius");
+  this->SetInputArrayToProcess(0, 0, 0, points, "Radius");
+  this->SetInputArrayToProcess(1, 0, 0, points, "Charge");
   // None for the other ports: ParaView 5.11 aborts on arrays to process there.
 }
 
 vtkPoissonBoltzmann::~vtkPoissonBoltzmann() = default;
 
-void vtkPoissonBoltzmann::SetChargeArrayName(const char* name)
-{
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-}
-
-void vtkPoissonBoltzmann::SetRadiusArrayName(const char* name)
-{
-  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-}
-
 void vtkPoissonBoltzmann::AddIon(double valence, double concentration)
 {
-  this->Ions->Species.push_back({ valence, concentration });
+  this->Parameters.Ions.push_back({ valence, concentration });
   this->Modified();
 }
 
 void vtkPoissonBoltzmann::AddIon(double valence, double concentration, double radius)
 {
   // NaN where none is meant: below 0 the algorithm would take IonRadius.
-  this->Ions->Species.push_back(
+  this->Parameters.Ions.push_back(
     { valence, concentration, radius >= 0.0 ? radius : std::numeric_limits<double>::quiet_NaN() });
   this->Modified();
 }
 
 void vtkPoissonBoltzmann::ClearIons()
 {
-  if (!this->Ions->Species.empty())
+  if (!this->Parameters.Ions.empty())
   {
-    this->Ions->Species.clear();
+    this->Parameters.Ions.clear();
     this->Modified();
   }
 }
 
 int vtkPoissonBoltzmann::GetNumberOfIons()
 {
-  return static_cast<int>(this->Ions->Species.size());
+  return static_cast<int>(this->Parameters.Ions.size());
 }
 
 vtkPolyData* vtkPoissonBoltzmann::GetSurface()
@@ -178,7 +222,7 @@ int vtkPoissonBoltzmann::RequestInformation(
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
       if (surface && surface->GetNumberOfPoints() > 0)
       {
-        grid->CopyStructure(isthmus::GridAroundSurface(surface, { this->Spacing, this->Padding }));
+        grid->CopyStructure(isthmus::GridAroundSurface(surface, this->Parameters));
       }
       else if (!surface && atoms && atoms->GetNumberOfPoints() > 0)
       {
@@ -190,9 +234,9 @@ int vtkPoissonBoltzmann::RequestInformation(
 
 vtkSmartPointer<vtkImageData> vtkPoissonBoltzmann::GridAround(vtkPointSet* atoms)
 {
-  const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 0),
-    isthmus::InputArrayName(this, 1) };
-  isthmus::GridRequest wish{ this->Spacing, this->Padding };
+  const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 1),
+    isthmus::InputArrayName(this, 0) };
+  isthmus::GridRequest wish = this->Parameters;
   if (!isthmus::LacksCharges(atoms, arrays))
   {
     return isthmus::GridAroundAtoms(isthmus::ReadSolute(this, atoms, true).Atoms, wish);
@@ -224,6 +268,7 @@ int vtkPoissonBoltzmann::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
+      this->OutputArrays.Check();
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
       this->Advance->RequireOneRank(0, "atoms");
       this->Advance->RequireOneRank(1, "points of the surface");
@@ -235,48 +280,16 @@ int vtkPoissonBoltzmann::RequestData(
     });
 }
 
-isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
-{
-  isthmus::PoissonBoltzmannParameters p;
-  p.SoluteDielectric = this->SoluteDielectric;
-  p.SolventDielectric = this->SolventDielectric;
-  p.IonRadius = this->IonRadius;
-  p.Temperature = this->Temperature;
-  p.Padding = this->Padding;
-  p.Nonlinear = this->Nonlinear;
-  p.Condition = static_cast<isthmus::BoundaryCondition>(this->BoundaryCondition);
-  p.Dielectric = static_cast<isthmus::DielectricModel>(this->DielectricModel);
-  p.Tolerance = this->Tolerance;
-  p.MaximumIterations = this->MaximumIterations;
-  p.Ions = this->Ions->Species;
-  if (!(this->IonicStrength >= 0.0) || std::isinf(this->IonicStrength))
-  {
-    throw std::invalid_argument("IonicStrength is " + isthmus::FormatNumber(this->IonicStrength) +
-      " mol/l, but it is 0 or more: 0.15 is physiological.");
-  }
-  if (p.Ions.empty() && this->IonicStrength > 0.0)
-  {
-    p.Ions = { { 1.0, this->IonicStrength }, { -1.0, this->IonicStrength } };
-  }
-  if (!std::isfinite(this->Level))
-  {
-    throw std::invalid_argument("Level is " + isthmus::FormatNumber(this->Level) +
-      ", but it is a level of the surface's scalars: give a finite number.");
-  }
-  isthmus::CheckParameters(p);
-  return p;
-}
-
 vtkPointSet* vtkPoissonBoltzmann::AtomsWithCharges(vtkInformationVector** inputVector)
 {
   vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
-  const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 0),
-    isthmus::InputArrayName(this, 1) };
+  const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 1),
+    isthmus::InputArrayName(this, 0) };
   if (!atoms || atoms->GetNumberOfPoints() == 0 || !isthmus::LacksCharges(atoms, arrays))
   {
     return atoms;
   }
-  return this->Charged->Get(atoms, arrays, static_cast<isthmus::ChargeTable>(this->ForceField),
+  return this->Cache->Get(atoms, arrays, static_cast<isthmus::ChargeTable>(this->ForceField),
     isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.05));
 }
 
@@ -291,36 +304,40 @@ void vtkPoissonBoltzmann::Warn(const std::string& sentence)
 void vtkPoissonBoltzmann::Solve(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  isthmus::Check(this->Parameters);
+  isthmus::RequireRange("Level", this->Level, -isthmus::LargestPeak, isthmus::LargestPeak);
   const auto progress = isthmus::ProgressOf(this);
   vtkPointSet* points = this->AtomsWithCharges(inputVector);
   vtkImageData* image = vtkImageData::GetData(inputVector[1], 0);
   vtkPolyData* polygons = vtkPolyData::GetData(inputVector[1], 0);
-  isthmus::PoissonBoltzmannParameters parameters = this->Parameters();
+  isthmus::PoissonBoltzmannParameters parameters = this->Parameters;
   isthmus::SoluteAtoms atoms = isthmus::ReadSolute(this, points, !image && !polygons);
-  this->Warn(points == vtkPointSet::GetData(inputVector[0], 0) ? "" : this->Charged->Warning());
+  this->Warn(points == vtkPointSet::GetData(inputVector[0], 0) ? "" : this->Cache->Warning());
   this->Warn(atoms.Warning);
-  const isthmus::GridRequest wish{ this->Spacing, this->Padding };
   isthmus::SoluteVolume volume = image
     ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->Level,
         this->InsideIsHigher, isthmus::Between(progress, 0.0, 0.05))
     : polygons
-    ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
+    ? isthmus::VolumeOfSurface(polygons, parameters, isthmus::Between(progress, 0.0, 0.05))
     : isthmus::VolumeOfAtoms(atoms.Atoms, this->GridAround(vtkPointSet::GetData(inputVector[0], 0)),
         isthmus::Between(progress, 0.0, 0.05));
   isthmus::PlaceOnGrid(volume, atoms.Atoms);
   isthmus::SetPotentialInput(vtkImageData::GetData(inputVector[2], 0), volume.Grid, parameters);
+  using isthmus::BoundaryCondition;
   const double padding =
-    parameters.Condition == isthmus::BoundaryCondition::Given ? 0.0 : parameters.Padding;
+    parameters.BoundaryCondition == BoundaryCondition::Given ? 0.0 : parameters.Padding;
   const isthmus::SolverBox box = isthmus::BoxAround(volume.Level, padding);
-  isthmus::RequireMemory(box.Dimensions);
-  const isthmus::IonAtmosphere ions(parameters.Ions, parameters.Temperature);
+  isthmus::MemoryBudget().RequireGrid(
+    box.Dimensions, isthmus::SolutionBytesPerNode, "choose a larger Spacing or a smaller Padding");
+  const isthmus::IonAtmosphere ions(parameters.AllIons(), parameters.Temperature);
   const auto solution = isthmus::SolvePoissonBoltzmann(
     volume.Level, box, atoms.Atoms, parameters, ions, isthmus::Between(progress, 0.05, 0.75));
   const double kappa = solution->Kappa();
-  if (kappa > 0.0 && this->Padding * kappa < 1.0 && this->BoundaryCondition != SelfConsistent &&
-    this->BoundaryCondition != FromInput)
+  if (kappa > 0.0 && parameters.Padding * kappa < 1.0 &&
+    parameters.BoundaryCondition != BoundaryCondition::SelfConsistent &&
+    parameters.BoundaryCondition != BoundaryCondition::Given)
   {
-    vtkWarningMacro(<< isthmus::TextOf("Padding is ", this->Padding,
+    vtkWarningMacro(<< isthmus::TextOf("Padding is ", parameters.Padding,
                       " angstrom, less than the Debye length of ", 1.0 / kappa,
                       ": the border is near enough to be felt."));
   }
@@ -334,9 +351,11 @@ void vtkPoissonBoltzmann::Solve(
     output->CopyStructure(volume.Grid);
   }
   isthmus::FillImage(*solution, output, isthmus::Between(progress, 0.75, 0.9));
-  if (this->ComputeMaps)
+  if (this->OutputArrays.HasAny({ "Dielectric", "IonAccessibility", "ChargeDensity" }))
   {
     isthmus::FillMaps(*solution, atoms.Atoms, output);
+    this->OutputArrays.RemoveOthers(
+      { "Dielectric", "IonAccessibility", "ChargeDensity" }, output->GetPointData());
   }
   isthmus::FillFieldData(*solution, parameters, atoms.NetCharge, volume.Kind, output);
   isthmus::FillSurface(*solution, volume, parameters.Temperature, polygons,
@@ -344,9 +363,11 @@ void vtkPoissonBoltzmann::Solve(
   auto* atomsOut = vtkPointSet::GetData(outputVector, 2);
   atomsOut->ShallowCopy(points);
   isthmus::FillAtoms(*solution, volume, parameters.Temperature, atomsOut);
-  if (this->ComputeBoundaryForces)
+  if (this->OutputArrays.HasAny({ "DielectricBoundaryForce", "IonicBoundaryForce", "PolarForce" }))
   {
     isthmus::FillBoundaryForces(*solution, volume, atoms.Atoms, atomsOut);
+    this->OutputArrays.RemoveOthers(
+      { "DielectricBoundaryForce", "IonicBoundaryForce", "PolarForce" }, atomsOut->GetPointData());
   }
 }
 
@@ -355,20 +376,19 @@ void vtkPoissonBoltzmann::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
-  os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
-  os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
-  os << indent << "IonicStrength: " << this->IonicStrength << "\n";
-  os << indent << "Ions: " << this->Ions->Species.size() << "\n";
-  os << indent << "IonRadius: " << this->IonRadius << "\n";
-  os << indent << "Temperature: " << this->Temperature << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "Nonlinear: " << this->Nonlinear << "\n";
-  os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
+  os << indent << "SoluteDielectric: " << this->GetSoluteDielectric() << "\n";
+  os << indent << "SolventDielectric: " << this->GetSolventDielectric() << "\n";
+  os << indent << "IonicStrength: " << this->GetIonicStrength() << "\n";
+  os << indent << "Ions: " << this->Parameters.Ions.size() << "\n";
+  os << indent << "IonRadius: " << this->GetIonRadius() << "\n";
+  os << indent << "Temperature: " << this->GetTemperature() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "Padding: " << this->GetPadding() << "\n";
+  os << indent << "Nonlinear: " << this->GetNonlinear() << "\n";
+  os << indent << "BoundaryCondition: " << this->GetBoundaryCondition() << "\n";
   os << indent << "ForceField: " << this->ForceField << "\n";
-  os << indent << "DielectricModel: " << this->DielectricModel << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "ComputeBoundaryForces: " << this->ComputeBoundaryForces << "\n";
-  os << indent << "ComputeMaps: " << this->ComputeMaps << "\n";
+  os << indent << "DielectricModel: " << this->GetDielectricModel() << "\n";
+  os << indent << "Tolerance: " << this->GetTolerance() << "\n";
+  os << indent << "MaximumIterations: " << this->GetMaximumIterations() << "\n";
+  this->OutputArrays.Print(os, indent);
 }

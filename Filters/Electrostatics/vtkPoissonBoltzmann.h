@@ -28,35 +28,19 @@
  * potential at the surface converges with first order. This model is for comparison with models of
  * moving surfaces, which usually use it.
  *
- * **Output 0**: image with, on points, double: `Potential` (kT/e) and `ReactionPotential` (kT/e:
- * the potential minus that of the charges in a medium with SoluteDielectric everywhere), and Side
- * (unsigned char, 1 inside). The grid is that of input 1 if that is a volume, otherwise one with
- * Spacing and Padding around the surface (around the chains of the input, with 2 angstrom more, if
- * pdb2pqr adds the charges). Field data: `SolvationEnergy` (kcal/mol; from a medium with
- * SoluteDielectric everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`,
- * `Iterations` (of BiCGSTAB on this grid, including those of all Newton steps and those for the
- * border values on this grid), `BorderIterations` (on a coarser grid, for the border values),
- * `NewtonSteps`, `ResidualHistory` (of the last solution), `LinearFits` and `GhostFits` (crossings
- * of the surface at which a simpler fit replaced the quadratic one, most of them in cavities and
- * clefts one or two nodes wide), `DebyeLength` (angstrom, 0 without salt), `NetCharge`, `Surface`.
- * ComputeMaps adds the coefficients of the equation as point arrays (float): Dielectric (of the
- * edges from the node along each axis, like dielx, diely and dielz of APBS; if the surface cuts an
- * edge, its parts are in series, rounded to 1/255), IonAccessibility (the fraction of the node's
- * cell that ions reach, weighted by z^2 c if radii differ) and ChargeDensity (e/angstrom^3,
- * trilinear; the solver itself uses point charges).
+ * **Output 0**: image with the potential. The grid is that of input 1 if that is a volume,
+ * otherwise one with Spacing and Padding around the surface (around the chains of the input, with 2
+ * angstrom more, if pdb2pqr adds the charges).
  *
- * **Output 1**: the surface with, on points, double: `Potential`, `NormalField` (outwards, just
- * outside, kT/(e angstrom)), `SurfaceChargeDensity` (induced, e/angstrom^2), `Normals`; fitted from
- * both sides.
+ * **Output 1**: the surface with the potential and its field, fitted from both sides.
  *
- * **Output 2**: the atoms with ReactionPotential (kT/e), AtomEnergy (kcal/mol: the contribution of
- * the atom to the solvation energy; the contributions add up to it unless Nonlinear is on), and
- * ReactionForce (kcal/(mol angstrom)): -q grad u, the force of the reaction field on each charge.
- * This is minus the derivative of the solvation energy with respect to the position of the charge
- * at a fixed surface. With ComputeBoundaryForces also `DielectricBoundaryForce` and
- * `IonicBoundaryForce` (BoundaryForces.h), and PolarForce, the sum of the three: minus the
- * derivative of the solvation energy with respect to the position of the atom if the surface moves
- * with it. Without input 1, the surface is that of the Gaussians; on another surface each point
+ * **Output 2**: the atoms with energies and forces. ReactionForce is minus the derivative of the
+ * solvation energy with respect to the position of the charge at a fixed surface, PolarForce that
+ * with respect to the position of the atom if the surface moves with it (BoundaryForces.h).
+ *
+ * OutputArrayTable() lists the arrays of all; the coefficients of the equation on output 0 and the
+ * boundary forces on output 2 are optional. Without input 1, the surface is that of the Gaussians;
+ * on another surface each point
  * moves with the atom whose ball is nearest. The Coulomb force between the charges is not included.
  *
  * A volume may end near the surface: the equation is solved with Padding angstrom of solvent around
@@ -83,7 +67,10 @@
 #ifndef vtkPoissonBoltzmann_h
 #define vtkPoissonBoltzmann_h
 
-#include "Core/Deprecation.h"
+#include "Core/ArrayProperty.h"
+#include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
 #include "vtkSmartPointer.h"
@@ -96,7 +83,6 @@ class vtkPolyData;
 
 namespace isthmus
 {
-struct PoissonBoltzmannParameters;
 struct SoluteVolume;
 }
 
@@ -117,10 +103,6 @@ public:
   /// Level of input 1's scalars that is the surface. Default 0.5.
   vtkSetMacro(Level, double);
   vtkGetMacro(Level, double);
-  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
-  void SetIsoValue(double level) { this->SetLevel(level); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
-  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
@@ -132,21 +114,18 @@ public:
 
   ///@{
   /// Dielectric constant inside, no unit. Default 2.
-  vtkSetMacro(SoluteDielectric, double);
-  vtkGetMacro(SoluteDielectric, double);
+  ISTHMUS_PARAMETER(SoluteDielectric, double);
   ///@}
 
   ///@{
   /// Dielectric constant outside, no unit. Default 80.
-  vtkSetMacro(SolventDielectric, double);
-  vtkGetMacro(SolventDielectric, double);
+  ISTHMUS_PARAMETER(SolventDielectric, double);
   ///@}
 
   ///@{
   /// Ionic strength of a 1:1 salt, mol/l. Default 0: no ions, unless some were added by AddIon.
   /// 0.15 is physiological.
-  vtkSetMacro(IonicStrength, double);
-  vtkGetMacro(IonicStrength, double);
+  ISTHMUS_PARAMETER(IonicStrength, double);
   ///@}
 
   ///@{
@@ -162,33 +141,27 @@ public:
 
   ///@{
   /// Closest distance of the ions to the surface, in angstrom. Default 2.
-  vtkSetMacro(IonRadius, double);
-  vtkGetMacro(IonRadius, double);
+  ISTHMUS_PARAMETER(IonRadius, double);
   ///@}
 
   ///@{
   /// Temperature in kelvin. Default 298.15.
-  vtkSetMacro(Temperature, double);
-  vtkGetMacro(Temperature, double);
+  ISTHMUS_PARAMETER(Temperature, double);
   ///@}
 
   ///@{
   /// Spacing of the grid if input 1 is not a volume, in angstrom. Default 0.5.
-  vtkSetMacro(Spacing, double);
-  vtkGetMacro(Spacing, double);
+  ISTHMUS_PARAMETER(Spacing, double);
   ///@}
 
   ///@{
   /// Minimum thickness of the solvent around the surface, in angstrom. Default 10.
-  vtkSetMacro(Padding, double);
-  vtkGetMacro(Padding, double);
+  ISTHMUS_PARAMETER(Padding, double);
   ///@}
 
   ///@{
   /// Solve the full Poisson-Boltzmann equation instead of the linearised one. Default off.
-  vtkSetMacro(Nonlinear, bool);
-  vtkGetMacro(Nonlinear, bool);
-  vtkBooleanMacro(Nonlinear, bool);
+  ISTHMUS_PARAMETER_SWITCH(Nonlinear);
   ///@}
 
   enum BoundaryConditions
@@ -204,8 +177,7 @@ public:
   /// Values on the border of the box: 0; the Debye-Hueckel potential of the net charge or of all
   /// charges; the latter corrected by a coarser solution (SelfConsistent, the default); or the
   /// values of input 2.
-  vtkSetClampMacro(BoundaryCondition, int, Zero, FromInput);
-  vtkGetMacro(BoundaryCondition, int);
+  ISTHMUS_PARAMETER(BoundaryCondition, int);
   ///@}
 
   enum DielectricModels
@@ -217,35 +189,17 @@ public:
   ///@{
   /// Treatment of the dielectric constant at the surface: as a jump, or as one permittivity for
   /// each edge of the grid. Default SharpInterface.
-  vtkSetClampMacro(DielectricModel, int, SharpInterface, SmoothDielectric);
-  vtkGetMacro(DielectricModel, int);
+  ISTHMUS_PARAMETER(DielectricModel, int);
   ///@}
 
   ///@{
   /// Residual at which the iteration ends, as a fraction of the first one. Default 1e-6.
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
+  ISTHMUS_PARAMETER(Tolerance, double);
   ///@}
 
   ///@{
   /// Iterations after which a linear system counts as not converging. Default 100.
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-
-  ///@{
-  /// Adds the forces on the atoms through the surface that moves with them to output 2. Default
-  /// off.
-  vtkSetMacro(ComputeBoundaryForces, bool);
-  vtkGetMacro(ComputeBoundaryForces, bool);
-  vtkBooleanMacro(ComputeBoundaryForces, bool);
-  ///@}
-
-  ///@{
-  /// Adds the maps of dielectric, ions and charges to output 0. Default off.
-  vtkSetMacro(ComputeMaps, bool);
-  vtkGetMacro(ComputeMaps, bool);
-  vtkBooleanMacro(ComputeMaps, bool);
+  ISTHMUS_PARAMETER(MaximumIterations, int);
   ///@}
 
   enum ForceFields
@@ -257,15 +211,13 @@ public:
   ///@{
   /// Force field by which pdb2pqr assigns charges and radii to atoms without charges. Default
   /// AMBER.
-  vtkSetClampMacro(ForceField, int, AMBER, PARSE);
+  vtkSetMacro(ForceField, int);
   vtkGetMacro(ForceField, int);
   ///@}
 
-  ///@{
-  /// Names of the point arrays of input 0. Default `Charge` and `Radius`.
-  void SetChargeArrayName(const char* name);
-  void SetRadiusArrayName(const char* name);
-  ///@}
+  /// Input array 0 is the point array of the radii, `Radius` by default, input array 1 that of the
+  /// charges, `Charge`.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   /// The solute's surface: input 1.
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(1, surface); }
@@ -276,6 +228,12 @@ public:
   vtkPolyData* GetSurface();
   /// Output 2.
   vtkPointSet* GetAtoms();
+
+  /// The arrays that the filter adds to its outputs, and which of them are optional.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
+
+  /// Which optional arrays to make.
+  ISTHMUS_OUTPUT_ARRAY_SELECTION();
 
 protected:
   vtkPoissonBoltzmann();
@@ -296,7 +254,6 @@ private:
   vtkPoissonBoltzmann(const vtkPoissonBoltzmann&) = delete;
   void operator=(const vtkPoissonBoltzmann&) = delete;
 
-  isthmus::PoissonBoltzmannParameters Parameters() const;
   void Warn(const std::string& sentence); ///< empty: not
   /// The grid without input 1, the same for information and data.
   vtkSmartPointer<vtkImageData> GridAround(vtkPointSet* atoms);
@@ -306,26 +263,11 @@ private:
 
   double Level = 0.5;
   bool InsideIsHigher = true;
-  double SoluteDielectric = 2.0;
-  double SolventDielectric = 80.0;
-  double IonicStrength = 0.0;
-  double IonRadius = 2.0;
-  double Temperature = 298.15;
-  double Spacing = 0.5;
-  double Padding = 10.0;
-  bool Nonlinear = false;
-  int BoundaryCondition = SelfConsistent;
-  int DielectricModel = SharpInterface;
+  isthmus::PoissonBoltzmannParameters Parameters;
   int ForceField = AMBER;
-  double Tolerance = 1e-6;
-  int MaximumIterations = 100;
-  bool ComputeBoundaryForces = false;
-  bool ComputeMaps = false;
 
-  struct Salt;
-  std::unique_ptr<Salt> Ions;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
-  std::unique_ptr<isthmus::ForceFieldAtomsCache> Charged;
+  std::unique_ptr<isthmus::ForceFieldAtomsCache> Cache;
 };
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Imaging/ChebyshevFilter.h"
 #include "Imaging/SuperTimeStepping.h"
 
@@ -169,10 +170,17 @@ std::string AutomaticResult::Sentence() const
         this->Parameters.Sigma, ", time ", this->Parameters.Time, "; estimated gain ", gain, " dB");
 }
 
+void Check(const AutomaticParameters& parameters)
+{
+  Check(static_cast<const DenoisingSearch&>(parameters));
+  RequireRange("KnownNoise", parameters.KnownNoise, 0.0, Unlimited, "0 stands for an estimate.");
+}
+
 template <typename T>
 AutomaticResult DenoiseByRisk(const DiffusionGrid<T>& grid, const AutomaticParameters& parameters,
   T* values, const T* noise, const ProgressCallback& progress)
 {
+  Check(parameters);
   AutomaticResult result;
   const double measured = noise ? MeasuredNoise(grid, noise) : 0.0;
   const VolumeSample sample = SampleVolume(grid, values, noise);
@@ -184,9 +192,9 @@ AutomaticResult DenoiseByRisk(const DiffusionGrid<T>& grid, const AutomaticParam
   {
     return result;
   }
-  const double searched = parameters.Search.Goal == DenoisingGoal::Volumes ? 0.5 : 0.25;
-  DenoisingChoice choice = ChooseDenoising(
-    sample, spectrum, grid.Spacing, parameters.Search, Between(progress, 0.0, searched));
+  const double searched = parameters.Goal == DenoisingGoal::Volumes ? 0.5 : 0.25;
+  DenoisingChoice choice =
+    ChooseDenoising(sample, spectrum, grid.Spacing, parameters, Between(progress, 0.0, searched));
   if (!(choice.Risk() < choice.NoisePower))
   {
     return result;

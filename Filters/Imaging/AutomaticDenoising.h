@@ -36,17 +36,18 @@
 namespace isthmus
 {
 
-struct AutomaticParameters
+struct AutomaticParameters : DenoisingSearch
 {
-  DenoisingSearch Search;
   double KnownNoise = 0.0; ///< standard deviation of white noise; 0: estimated
   /// Estimate for volumes that are too small to measure a spectrum in; 0: there is no noise.
   double SimpleEstimate = 0.0;
   /// The report of the run with edge stopping.
-  DiffusionParameters::IntegratorType Integrator =
-    DiffusionParameters::IntegratorType::SuperTimeStepping;
-  int Steps = 0;
+  DiffusionParameters::IntegratorType Integrator = DiffusionParameters().Integrator;
+  int Steps = DiffusionParameters().Steps;
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const AutomaticParameters& parameters);
 
 struct AutomaticResult
 {

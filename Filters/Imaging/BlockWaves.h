@@ -31,8 +31,7 @@ struct BlockWaves
 };
 
 /// Cost: 3 n^4 multiplications for a block of n^3 nodes; blocks are transformed in parallel.
-VTKISTHMUSFILTERSIMAGING_EXPORT BlockWaves TransformBlocks(
-  const NoiseBlocks& blocks, const std::array<double, 3>& spacing);
+BlockWaves TransformBlocks(const NoiseBlocks& blocks, const std::array<double, 3>& spacing);
 
 /// s of the cosine waves of an axis of n nodes, bound the bound of all three axes.
 std::vector<double> ModesOfAxis(std::int64_t n, double spacing, double bound);

@@ -15,7 +15,6 @@
 
 #include "Core/Progress.h"
 #include "Imaging/DiffusionGrid.h"
-#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <array>
 #include <functional>
@@ -27,7 +26,7 @@ namespace isthmus
 /// An upper bound of -L, with a margin for the rounding of T, since the recurrence would grow
 /// beyond the bound.
 template <typename T>
-VTKISTHMUSFILTERSIMAGING_EXPORT double LaplacianBound(const std::array<double, 3>& spacing);
+double LaplacianBound(const std::array<double, 3>& spacing);
 
 /// Truncation error allowed for the series: 1e-7 for float, 1e-13 for double.
 template <typename T>
@@ -55,8 +54,7 @@ constexpr double SeriesTolerance<double>()
  * more.
  * @throws std::invalid_argument for a series longer than MaximumEvaluations.
  */
-VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<double> ChebyshevSeries(
-  const std::function<double(double)>& f, double tolerance);
+std::vector<double> ChebyshevSeries(const std::function<double(double)>& f, double tolerance);
 
 /// The coefficients of the polynomial of degree `intervals` through f at 1 - 2s = cos(pi j /
 /// intervals).
@@ -65,7 +63,7 @@ std::vector<double> ChebyshevInterpolation(
 
 /// changes[k] = sum over n > 0 of series[k][n] (T_n u - u), u the values, in one recurrence.
 template <typename T>
-VTKISTHMUSFILTERSIMAGING_EXPORT void AddChebyshevSeries(const DiffusionGrid<T>& grid,
+void AddChebyshevSeries(const DiffusionGrid<T>& grid,
   const std::vector<std::vector<double>>& series, const T* values, const std::vector<T*>& changes,
   const ProgressCallback& progress);
 

@@ -1,5 +1,6 @@
 #include "Imaging/DenoisingRisk.h"
 
+#include "Core/RangeChecks.h"
 #include "Imaging/ChebyshevFilter.h"
 
 #include <Eigen/Dense>
@@ -896,6 +897,12 @@ double NoisePowerOf(const VolumeSample& sample, const NoiseSpectrum& noise)
 
 }
 
+void Check(const DenoisingSearch& search)
+{
+  RequireChoice("Goal", search.Goal, DenoisingGoal::Volumes);
+  RequireRange("Strength", search.Strength, 0.0, 1.0);
+}
+
 DenoisingChoice EvaluateDenoising(const VolumeSample& sample, const NoiseSpectrum& noise,
   const std::array<double, 3>& spacing, const DiffusionParameters& parameters)
 {
@@ -925,6 +932,7 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
   const std::array<double, 3>& spacing, const DenoisingSearch& search,
   const ProgressCallback& progress)
 {
+  Check(search);
   const double voxel = *std::min_element(spacing.begin(), spacing.end());
   const LinearRisks risks(sample, noise, spacing);
   Report(progress, 0.1);

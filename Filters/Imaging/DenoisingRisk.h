@@ -56,6 +56,9 @@ struct DenoisingSearch
   double Strength = 0.5;
 };
 
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DenoisingSearch& search);
+
 /// The best candidate and its estimates; all values are in units of the Scale of the sample.
 struct DenoisingChoice
 {

@@ -1,13 +1,10 @@
 #include "Imaging/DiffusionHighPass.h"
 
-#include "Core/NumberText.h"
-
+#include "Core/RangeChecks.h"
 #include "Imaging/SuperTimeStepping.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace isthmus
 {
@@ -20,7 +17,7 @@ constexpr std::int64_t grain = 1 << 16;
 template <typename T>
 void Couple(std::int64_t size, const HighPassParameters& parameters, double time, T* u, T* v)
 {
-  const double a = parameters.Coupling[0], b = parameters.Coupling[1];
+  const double a = parameters.CouplingU, b = parameters.CouplingV;
   if (a + b == 0.0)
   {
     return;
@@ -43,7 +40,7 @@ void Couple(std::int64_t size, const HighPassParameters& parameters, double time
 /// So many that neither coupling nor the slower diffusion does much within one.
 int AutomaticSteps(const HighPassParameters& parameters)
 {
-  const double coupling = parameters.Coupling[0] + parameters.Coupling[1];
+  const double coupling = parameters.CouplingU + parameters.CouplingV;
   const bool coupled = coupling > 0.0;
   const double wanted = coupled ? std::ceil(4.0 * coupling * parameters.Time) : 1.0;
   return static_cast<int>(std::clamp(wanted, coupled ? 8.0 : 1.0, 1000.0));
@@ -59,7 +56,7 @@ double EvaluationsOf(
     perTime += 2.0 / (h * h);
   }
   double sum = 0.0;
-  for (const double d : parameters.Diffusivity)
+  for (const double d : { parameters.DiffusivityU, parameters.DiffusivityV })
   {
     // A super step of s stages reaches about s^2 / 4 explicit ones, and s is at most MaximumStages.
     const double explicitSteps = d * perTime * parameters.Time / steps;
@@ -70,30 +67,17 @@ double EvaluationsOf(
   return std::max(sum, static_cast<double>(steps));
 }
 
-void RequireAll(const std::array<double, 2>& values, const char* what)
-{
-  for (const double value : values)
-  {
-    if (!(value >= 0.0) || !std::isfinite(value))
-    {
-      throw std::invalid_argument(std::string(what) + " is " + FormatNumber(value) +
-        ", but must be finite and not negative.");
-    }
-  }
-}
-
 }
 
 void Check(const HighPassParameters& parameters)
 {
-  RequireAll(parameters.Diffusivity, "A diffusivity");
-  RequireAll(parameters.Coupling, "A coupling");
-  RequireAll({ parameters.Time, parameters.Sigma }, "Time or Sigma");
-  if (parameters.Steps < 0)
-  {
-    throw std::invalid_argument("Steps is " + std::to_string(parameters.Steps) +
-      ", but must be positive, or 0 for automatic steps.");
-  }
+  RequireRange("DiffusivityU", parameters.DiffusivityU, 0.0, Unlimited);
+  RequireRange("DiffusivityV", parameters.DiffusivityV, 0.0, Unlimited);
+  RequireRange("CouplingU", parameters.CouplingU, 0.0, Unlimited);
+  RequireRange("CouplingV", parameters.CouplingV, 0.0, Unlimited);
+  RequireRange("Time", parameters.Time, 0.0, Unlimited);
+  RequireRange("Sigma", parameters.Sigma, 0.0, Unlimited);
+  RequireRange("Steps", parameters.Steps, 0, Unlimited, "0 stands for automatic steps.");
 }
 
 template <typename T>
@@ -111,12 +95,13 @@ void EvolveHighPass(const DiffusionGrid<T>& grid, const HighPassParameters& para
   diffusion.Sigma = parameters.Sigma;
   diffusion.Time = length;
   const std::array<T*, 2> fields{ u, v };
+  const std::array<double, 2> diffusivities{ parameters.DiffusivityU, parameters.DiffusivityV };
   for (int step = 0; step < steps; ++step)
   {
     Couple(grid.Size(), parameters, length / 2, u, v);
     for (std::size_t field = 0; field < 2; ++field)
     {
-      diffusion.Diffusivity[0] = parameters.Diffusivity[field];
+      diffusion.Diffusivity[0] = diffusivities[field];
       const double begin = (step + 0.5 * static_cast<double>(field)) / steps;
       if (diffusion.Diffusivity[0] > 0.0)
       {

@@ -23,16 +23,18 @@ namespace isthmus
 
 struct HighPassParameters
 {
-  std::array<double, 2> Diffusivity{ 0.0, 1.0 }; ///< d_10 and d_20, length^2 / time
-  std::array<double, 2> Coupling{ 0.0, 0.0 };    ///< epsilon_u and epsilon_v, 1 / time
+  double DiffusivityU = 0.05; ///< d_10, length^2 / time
+  double DiffusivityV = 1.0;  ///< d_20, length^2 / time
+  double CouplingU = 0.05;    ///< epsilon_u, 1 / time
+  double CouplingV = 0.05;    ///< epsilon_v, 1 / time
   double Sigma = 0.0; ///< Gradient that stops the diffusion, in data units per length; 0: no
                       ///< gradient does.
-  double Time = 1.0;
+  double Time = 4.0;  ///< End time.
   int Steps = 0; ///< Number of splitting steps; 0: enough that coupling and diffusion change little
                  ///< in each.
 };
 
-/// @throws std::invalid_argument for invalid parameters.
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const HighPassParameters& parameters);
 
 /**

@@ -1,6 +1,6 @@
 #include "Imaging/DiffusionImage.h"
-#include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 
 #include <vtkArrayDispatch.h>
@@ -8,7 +8,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
@@ -103,9 +102,8 @@ template <typename T>
 vtkSmartPointer<typename DiffusionImage<T>::Array> DiffusionImage<T>::NewVolume(
   const std::string& name) const
 {
-  auto volume = vtkSmartPointer<Array>::New();
-  volume->SetName(name.c_str());
-  SizeArray(volume, this->Grid.Size());
+  vtkSmartPointer<Array> volume =
+    NamedArray<Array>(name, static_cast<std::size_t>(this->Grid.Size()));
   AdviseLargePages(volume.Get());
   return volume;
 }
@@ -267,9 +265,8 @@ void DiffusionImage<T>::AddResult(Array* volume, bool active)
   const Extent extent = ExtentOf(this->Output);
   if (extent != this->Parts.Local())
   {
-    result = vtkSmartPointer<Array>::New();
-    result->SetName(volume->GetName());
-    SizeArray(result, this->Output->GetNumberOfPoints());
+    result = NamedArray<Array>(
+      volume->GetName(), static_cast<std::size_t>(this->Output->GetNumberOfPoints()));
     AdviseLargePages(result.Get());
     CopyPart(vtk::DataArrayValueRange<1>(volume), this->Parts.Local(), extent,
       result->GetPointer(0), extent);
@@ -284,20 +281,13 @@ void DiffusionImage<T>::AddResult(Array* volume, bool active)
 template <typename T>
 void DiffusionImage<T>::AddFieldData(const std::string& name, const std::vector<double>& values)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  SizeArray(array, static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  this->Output->GetFieldData()->AddArray(array);
+  AddColumn<vtkDoubleArray>(this->Output->GetFieldData(), name, values);
 }
 
 template <typename T>
 void DiffusionImage<T>::AddFieldText(const std::string& name, const std::string& text)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(text);
-  this->Output->GetFieldData()->AddArray(array);
+  AddColumn<vtkStringArray>(this->Output->GetFieldData(), name, { text });
 }
 
 template class DiffusionImage<float>;

@@ -11,8 +11,6 @@
 #ifndef isthmus_DiffusionRows_h
 #define isthmus_DiffusionRows_h
 
-#include "vtkIsthmusFiltersImagingModule.h" // for the export macro
-
 #include <array>
 #include <cstdint>
 
@@ -56,8 +54,8 @@ void GradientSquaredRow(
 
 /// values = exp(-values), for values >= 0; relative error below 3e-7 in float, 1e-15 in double;
 /// below exp(-87) and exp(-708), these.
-VTKISTHMUSFILTERSIMAGING_EXPORT void ExponentialRow(std::int64_t n, float* values);
-VTKISTHMUSFILTERSIMAGING_EXPORT void ExponentialRow(std::int64_t n, double* values);
+void ExponentialRow(std::int64_t n, float* values);
+void ExponentialRow(std::int64_t n, double* values);
 
 /// out = div(c grad w): c at the nodes, its mean on the faces; weights 1/h^2.
 void DivergenceRow(const RowStencil<float>& w, const RowStencil<float>& c,

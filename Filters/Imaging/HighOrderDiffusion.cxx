@@ -1,7 +1,6 @@
 #include "Imaging/HighOrderDiffusion.h"
 
-#include "Core/NumberText.h"
-
+#include "Core/RangeChecks.h"
 #include "Imaging/DiffusionEvaluation.h"
 #include "Imaging/EdgeCoefficient.h"
 #include "Imaging/SuperTimeStepping.h"
@@ -17,14 +16,6 @@ namespace
 {
 
 using Parameters = DiffusionParameters;
-
-void Require(bool holds, const char* what, double value, const char* rule)
-{
-  if (!holds)
-  {
-    throw std::invalid_argument(TextOf(what, " is ", value, ", but must be ", rule, "."));
-  }
-}
 
 /// True if the coefficient needs more than a node's neighbours, so that it is stored for a step.
 bool NeedsStoredCoefficient(const Parameters& parameters)
@@ -315,35 +306,27 @@ void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& re
 
 void Check(const Parameters& parameters)
 {
-  Require(
-    parameters.Order >= 0 && parameters.Order <= 3, "Order", parameters.Order, "0, 1, 2 or 3");
-  Require(parameters.Time >= 0.0 && std::isfinite(parameters.Time), "Time", parameters.Time,
-    "finite and not negative");
-  Require(parameters.Steps >= 0, "Steps", parameters.Steps, "positive, or 0 for automatic steps");
-  Require(parameters.Fidelity >= 0.0 && std::isfinite(parameters.Fidelity), "Fidelity",
-    parameters.Fidelity, "finite and not negative");
-  Require(parameters.PreSmoothing >= 0.0 && std::isfinite(parameters.PreSmoothing), "PreSmoothing",
-    parameters.PreSmoothing, "finite and not negative");
-  Require(parameters.ResidualSmoothing >= 0.0 && std::isfinite(parameters.ResidualSmoothing),
-    "ResidualSmoothing", parameters.ResidualSmoothing, "finite and not negative");
+  RequireChoice("Flow", parameters.Flow, Parameters::FlowType::GeometricFlow);
+  RequireChoice(
+    "EdgeStopping", parameters.EdgeStopping, Parameters::EdgeStoppingType::LocalVariance);
+  RequireChoice("Integrator", parameters.Integrator, Parameters::IntegratorType::SuperTimeStepping);
+  RequireRange("Order", parameters.Order, 0, 3);
+  RequireRange("Time", parameters.Time, 0.0, Unlimited);
+  RequireRange("Steps", parameters.Steps, 0, Unlimited, "0 stands for automatic steps.");
+  RequireRange("Fidelity", parameters.Fidelity, 0.0, Unlimited);
+  RequireRange("PreSmoothing", parameters.PreSmoothing, 0.0, Unlimited);
+  RequireRange("ResidualSmoothing", parameters.ResidualSmoothing, 0.0, Unlimited);
   for (const double diffusivity : parameters.Diffusivity)
   {
-    Require(diffusivity >= 0.0 && std::isfinite(diffusivity), "A diffusivity", diffusivity,
-      "finite and not negative");
+    RequireRange("Diffusivity", diffusivity, 0.0, Unlimited);
   }
-  const double highest = parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)];
-  Require(highest > 0.0, "The diffusivity of the highest order", highest, "positive");
-  const bool geometric = parameters.Flow == Parameters::FlowType::GeometricFlow;
-  const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
-  if (geometric || parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
+  RequireAbove("Diffusivity of the highest order",
+    parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)], 0.0, Unlimited);
+  RequireRange("Sigma", parameters.Sigma, 0.0, Unlimited);
+  if (parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance)
   {
-    Require(parameters.Sigma > 0.0 && std::isfinite(parameters.Sigma), "Sigma", parameters.Sigma,
-      "finite and positive");
-  }
-  if (local)
-  {
-    Require(parameters.Window >= 3 && parameters.Window % 2 == 1, "Window", parameters.Window,
-      "odd and at least 3, so that it has a middle");
+    RequireThat(parameters.Window >= 3 && parameters.Window % 2 == 1, "Window", parameters.Window,
+      "it must be odd and at least 3, so that it has a middle");
   }
 }
 
@@ -368,6 +351,11 @@ DiffusionReport Diffuse(const DiffusionGrid<T>& grid, const Parameters& paramete
   const DiffusionObserver<T>& observer)
 {
   Check(parameters);
+  if (parameters.Flow == Parameters::FlowType::GeometricFlow ||
+    parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
+  {
+    RequireAbove("Sigma", parameters.Sigma, 0.0, Unlimited);
+  }
   DiffusionReport report;
   if (parameters.Time == 0.0)
   {

@@ -57,10 +57,12 @@ struct DiffusionParameters
   FlowType Flow = FlowType::Hyperdiffusion;
   EdgeStoppingType EdgeStopping = EdgeStoppingType::Gaussian;
   IntegratorType Integrator = IntegratorType::SuperTimeStepping;
-  int Order = 1;            ///< q, 0 to 3: the equation's order is 2q + 2.
+  int Order = 0;            ///< q, 0 to 3: the equation's order is 2q + 2.
   bool LowerOrders = false; ///< Use hyperdiffusion of all orders from 0 to q.
   std::array<double, 4> Diffusivity{ 1.0, 1.0, 1.0, 1.0 }; ///< d_p, length^(2p + 2) / time
-  double Sigma = 1.0;        ///< Scale of gradients: data unit / length.
+  /// Scale of gradients: data unit / length. Diffuse needs a value unless EdgeStopping is None; 0
+  /// stands for one that the caller derives from the noise level (NoiseGradient).
+  double Sigma = 0.0;
   int Window = 5;            ///< Width of the window of LocalVariance in nodes: odd, 3 or more.
   double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian that is applied before
                              ///< the gradient.
@@ -72,7 +74,7 @@ struct DiffusionParameters
   int Steps = 0;         ///< Number of equal steps; 0 chooses the steps automatically (see README).
 };
 
-/// @throws std::invalid_argument for invalid parameters.
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DiffusionParameters& parameters);
 
 /// The course of the diffusion, step by step, as a curve to plot.

@@ -12,7 +12,6 @@
 #define isthmus_LocalResolution_h
 
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <array>
 #include <cstdint>
@@ -32,10 +31,9 @@ namespace isthmus
  * before they are rounded to single precision.
  * @throws Cancelled if `progress` returns false.
  */
-VTKISTHMUSFILTERSIMAGING_EXPORT void FindLocalResolution(
-  const std::array<std::int64_t, 3>& dimensions, const std::array<double, 3>& spacing,
-  const std::vector<float>& one, const std::vector<float>& other, float* resolution,
-  const ProgressCallback& progress = {});
+void FindLocalResolution(const std::array<std::int64_t, 3>& dimensions,
+  const std::array<double, 3>& spacing, const std::vector<float>& one,
+  const std::vector<float>& other, float* resolution, const ProgressCallback& progress = {});
 
 }
 

@@ -1,38 +1,23 @@
 #include "Imaging/PDETransform.h"
 
 #include "Core/Geometry.h"
+#include "Core/RangeChecks.h"
 #include "Imaging/ChebyshevFilter.h"
 #include "Imaging/SuperTimeStepping.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace isthmus
 {
-namespace
-{
-
-void Require(bool holds, const char* sentence)
-{
-  if (!holds)
-  {
-    throw std::invalid_argument(sentence);
-  }
-}
-
-}
-
 void Check(const PDETransformParameters& parameters)
 {
-  Require(parameters.Modes >= 1 && parameters.Modes <= 16, "NumberOfModes must be from 1 to 16.");
-  Require(parameters.LastOrder >= 0 && parameters.LastOrder <= parameters.FirstOrder &&
-      parameters.FirstOrder <= 3,
-    "Orders must not increase: 3 >= FirstOrder >= LastOrder >= 0.");
-  Require(parameters.FirstWavelength > 0.0 && std::isfinite(parameters.FirstWavelength),
-    "FirstWavelength must be finite and positive.");
-  Require(parameters.Ratio > 1.0 && parameters.Ratio <= 16.0,
-    "WavelengthRatio must be above 1 and at most 16.");
+  RequireRange("NumberOfModes", parameters.NumberOfModes, 1, 16);
+  RequireRange("FirstOrder", parameters.FirstOrder, 0, 3);
+  RequireRange("LastOrder", parameters.LastOrder, 0, parameters.FirstOrder,
+    "Orders do not rise: FirstOrder is the highest.");
+  RequireAbove("FirstWavelength", parameters.FirstWavelength, 0.0, Unlimited);
+  RequireAbove("WavelengthRatio", parameters.WavelengthRatio, 1.0, 16.0);
 }
 
 DiffusionParameters LowPass(const PDETransformParameters& parameters, int k)
@@ -40,7 +25,7 @@ DiffusionParameters LowPass(const PDETransformParameters& parameters, int k)
   DiffusionParameters diffusion;
   diffusion.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
   diffusion.Order = std::max(parameters.LastOrder, parameters.FirstOrder - k);
-  const double wavelength = parameters.FirstWavelength * std::pow(parameters.Ratio, k);
+  const double wavelength = parameters.FirstWavelength * std::pow(parameters.WavelengthRatio, k);
   const double wave = 2.0 * Pi / wavelength;
   diffusion.Time = std::log(2.0) / std::pow(wave, 2 * diffusion.Order + 2);
   return diffusion;
@@ -56,11 +41,11 @@ std::vector<std::vector<double>> SeriesOfModes(
 {
   std::vector<DiffusionParameters> lowPasses;
   std::vector<std::vector<double>> all;
-  for (int k = 0; k < parameters.Modes; ++k)
+  for (int k = 0; k < parameters.NumberOfModes; ++k)
   {
     lowPasses.push_back(LowPass(parameters, k));
     // Checked before the series is computed, which is about five times as long as this.
-    const double wavelength = parameters.FirstWavelength * std::pow(parameters.Ratio, k);
+    const double wavelength = parameters.FirstWavelength * std::pow(parameters.WavelengthRatio, k);
     RequireEvaluations(std::sqrt(bound) * wavelength / (2.0 * Pi));
     all.push_back(ChebyshevSeries(
       [&](double share)

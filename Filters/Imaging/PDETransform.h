@@ -9,8 +9,8 @@
  *     X_1 = input,   X_(k+1) = low-pass_k(X_k),   mode_k = X_k - X_(k+1),   residue = X_(n+1).
  *
  * Low-pass k is hyperdiffusion of constant coefficient for the time at which a wave of wavelength
- * lambda_k = FirstWavelength * Ratio^(k-1) has lost half its amplitude. The higher the order, the
- * sharper the cut-off, exp(-ln 2 (lambda_k / lambda)^(2q+2)).
+ * lambda_k = FirstWavelength * WavelengthRatio^(k-1) has lost half its amplitude. The higher the
+ * order, the sharper the cut-off, exp(-ln 2 (lambda_k / lambda)^(2q+2)).
  *
  * All low-passes are functions of one matrix, the 7-point Laplacian L of the grid: X_(k+1) =
  * f_k(L) X_1 with f_k(L) = exp(-sum_(m<=k) t_m (-L)^(q_m+1)), and are computed together by one
@@ -36,14 +36,14 @@ namespace isthmus
 
 struct PDETransformParameters
 {
-  int Modes = 4;      ///< 1 to 16
-  int FirstOrder = 3; ///< q of the first low-pass, 0 to 3; falls by one a mode, to LastOrder
+  int NumberOfModes = 4; ///< 1 to 16, without the residue
+  int FirstOrder = 3;    ///< q of the first low-pass, 0 to 3; falls by one a mode, to LastOrder
   int LastOrder = 0;
   double FirstWavelength = 4.0; ///< length; at least two nodes
-  double Ratio = 2.0;           ///< of a mode's wavelength to the one before, above 1
+  double WavelengthRatio = 2.0; ///< of a mode's wavelength to the one before, above 1
 };
 
-/// @throws std::invalid_argument for invalid parameters.
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const PDETransformParameters& parameters);
 
 /// The low-pass filter after mode k (the first is 0).
@@ -54,7 +54,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionParameters LowPass(
  * Computes modes[k] = X_(k+1) - X_(k+2) (k from 0) from the input in `values`, and leaves the
  * residue in `values`.
  *
- * @pre modes has parameters.Modes volumes of the grid's size, none of them `values`.
+ * @pre modes has parameters.NumberOfModes volumes of the grid's size, none of them `values`.
  * @throws std::invalid_argument for bad parameters, also for wavelengths so long that the
  * recurrence would be longer than MaximumEvaluations.
  *

@@ -52,7 +52,7 @@ struct SmoothedNoise
  * Cost: 150 multiplications per wave of a block; in parallel over the lengths. Same bits on any
  * number of threads.
  */
-VTKISTHMUSFILTERSIMAGING_EXPORT SmoothedNoise FindSmoothedNoise(
+SmoothedNoise FindSmoothedNoise(
   const BlockWaves& waves, const std::array<double, 3>& spacing, double total);
 
 }

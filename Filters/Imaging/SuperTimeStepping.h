@@ -12,7 +12,6 @@
 #include "Core/Progress.h"
 #include "Imaging/DiffusionGrid.h"
 #include "Imaging/DiffusionOperator.h"
-#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <array>
 #include <memory>
@@ -37,13 +36,12 @@ constexpr int MaximumStages = 199;
 constexpr double MaximumEvaluations = 1e6;
 
 /// @throws std::invalid_argument unless `evaluations` is at most MaximumEvaluations.
-VTKISTHMUSFILTERSIMAGING_EXPORT void RequireEvaluations(double evaluations);
+void RequireEvaluations(double evaluations);
 
 /// Explicit steps of length at most `limit` that lead to `time`; `count` equal steps if it is not
 /// 0.
 /// @throws std::invalid_argument, naming the limit, if these steps would exceed it.
-VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<TimeStep> EulerSteps(
-  double time, double limit, int count);
+std::vector<TimeStep> EulerSteps(double time, double limit, int count);
 
 /**
  * Super steps that lead to `time` if one explicit step may be at most `limit`.
@@ -55,8 +53,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<TimeStep> EulerSteps(
  * later steps (README has the measurements). With `count`, this many equal steps.
  * @throws std::invalid_argument, naming the limit, if a step would need more than MaximumStages.
  */
-VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<TimeStep> SuperSteps(
-  double time, double limit, int count);
+std::vector<TimeStep> SuperSteps(double time, double limit, int count);
 
 /// Number of stages of a super step of this length: odd, at least three.
 int SuperStages(double length, double limit);

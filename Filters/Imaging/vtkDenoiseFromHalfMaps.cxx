@@ -1,10 +1,10 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
+#include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
 #include "Imaging/LocalResolution.h"
@@ -103,15 +103,6 @@ std::vector<float> CentredValues(vtkDataArray* array)
   return values;
 }
 
-vtkSmartPointer<vtkDataArray> NewArray(int type, const char* name, vtkIdType size)
-{
-  vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(type));
-  array->SetName(name);
-  isthmus::SizeArray(array, size);
-  return array;
-}
-
 }
 
 vtkDenoiseFromHalfMaps::vtkDenoiseFromHalfMaps()
@@ -145,24 +136,13 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   vtkDataArray* scalars = ScalarsOf(one, "first");
   vtkDataArray* others = ScalarsOf(other, "second");
   isthmus::RequireSameNodes(one, other);
-  if (!(this->Strength >= 0.0) || !(this->Strength <= 1.0))
-  {
-    throw std::invalid_argument("Strength must be from 0 to 1.");
-  }
-  if (this->Goal < 0 || this->Goal > 1)
-  {
-    throw std::invalid_argument("Goal must be 0 (surfaces and curvature) or 1 (volumes).");
-  }
-  if (this->Order < 0 || this->Order > 3)
-  {
-    throw std::invalid_argument("Order must be from 0 to 3.");
-  }
+  isthmus::Check(this->Parameters);
   constexpr char differenceName[] = "IsthmusHalfDifference";
   const bool fitsFloat = isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others);
   const int type = fitsFloat ? VTK_FLOAT : VTK_DOUBLE;
   const vtkIdType size = scalars->GetNumberOfTuples();
-  const auto mean = NewArray(type, scalars->GetName(), size);
-  const auto difference = NewArray(type, differenceName, size);
+  const auto mean = isthmus::ArrayOfType(type, scalars->GetName(), size);
+  const auto difference = isthmus::ArrayOfType(type, differenceName, size);
   Average(scalars, others, mean, difference);
   vtkNew<vtkImageData> volume;
   volume->CopyStructure(one);
@@ -173,15 +153,15 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   diffusion->SetInputData(volume);
   diffusion->SetInputArrayToProcess(
     2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, differenceName);
-  diffusion->SetStrength(this->Strength);
-  diffusion->SetGoal(this->Goal);
+  diffusion->SetStrength(this->GetStrength());
+  diffusion->SetGoal(this->GetGoal());
   diffusion->SetMaskInvalid(true);
   diffusion->SetController(nullptr);      // every rank has all of the volume
   diffusion->SetContainerAlgorithm(this); // stops with this one
   isthmus::UpdateInner(diffusion, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   isthmus::Report(isthmus::ProgressOf(this), 0.7); // leaves where it was stopped
-  const auto resolution = NewArray(VTK_FLOAT, "LocalResolution", size);
+  const auto resolution = isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", size);
   const int* n = one->GetDimensions();
   const double* spacing = one->GetSpacing();
   isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
@@ -217,7 +197,6 @@ int vtkDenoiseFromHalfMaps::RequestData(
 void vtkDenoiseFromHalfMaps::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "Goal: " << this->Goal << "\n";
-  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "Strength: " << this->Parameters.Strength << "\n";
+  os << indent << "Goal: " << this->GetGoal() << "\n";
 }

@@ -23,6 +23,8 @@
 #ifndef vtkDenoiseFromHalfMaps_h
 #define vtkDenoiseFromHalfMaps_h
 
+#include "Core/FilterProperties.h"
+#include "Imaging/DenoisingRisk.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
 
@@ -40,23 +42,14 @@ public:
   ///@}
 
   ///@{
-  /// How much to denoise, from 0 (light) to 1 (strong). Default 0.5.
-  vtkSetMacro(Strength, double);
-  vtkGetMacro(Strength, double);
+  /// How much to denoise, from 0 (light) to 1 (strong).
+  ISTHMUS_PARAMETER(Strength, double);
   ///@}
 
   ///@{
-  /// Purpose of the denoised volume: 0 (default) surfaces and curvature, 1 volumes; see
+  /// Purpose of the denoised volume: 0 surfaces and curvature, 1 volumes; see
   /// vtkHighOrderDiffusion.
-  vtkSetMacro(Goal, int);
-  vtkGetMacro(Goal, int);
-  ///@}
-
-  ///@{
-  /// Not used, because the order is chosen automatically; kept for state files. From 0 to 3.
-  /// Default 0.
-  vtkSetMacro(Order, int);
-  vtkGetMacro(Order, int);
+  ISTHMUS_PARAMETER(Goal, int);
   ///@}
 
 protected:
@@ -73,9 +66,7 @@ private:
   vtkDenoiseFromHalfMaps(const vtkDenoiseFromHalfMaps&) = delete;
   void operator=(const vtkDenoiseFromHalfMaps&) = delete;
 
-  double Strength = 0.5;
-  int Goal = 0;
-  int Order = 0;
+  isthmus::DenoisingSearch Parameters;
 };
 
 #endif

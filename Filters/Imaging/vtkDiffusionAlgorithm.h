@@ -42,7 +42,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Lengths in units of the smallest spacing (on, the default) or in the data's unit, angstrom
+  /// Lengths in units of the smallest spacing (on) or in the data's unit, angstrom
   /// for maps (off). Times, diffusivities and gradients follow.
   vtkSetMacro(VoxelUnits, bool);
   vtkGetMacro(VoxelUnits, bool);
@@ -50,7 +50,7 @@ public:
   ///@}
 
   ///@{
-  /// Return values that are not finite unchanged instead of refusing them. Default off.
+  /// Return values that are not finite unchanged instead of refusing them.
   vtkSetMacro(MaskInvalid, bool);
   vtkGetMacro(MaskInvalid, bool);
   vtkBooleanMacro(MaskInvalid, bool);

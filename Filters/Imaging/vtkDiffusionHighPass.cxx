@@ -1,6 +1,5 @@
 #include "vtkDiffusionHighPass.h"
 
-#include "Imaging/DiffusionHighPass.h"
 #include "Imaging/DiffusionImage.h"
 
 #include <vtkDataArray.h>
@@ -12,37 +11,52 @@
 
 vtkStandardNewMacro(vtkDiffusionHighPass);
 
-vtkDiffusionHighPass::vtkDiffusionHighPass() = default;
+const std::vector<isthmus::OutputArray>& vtkDiffusionHighPass::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "HighPass", 1, "of the scalars", ArrayChoice::None,
+      "u - v, positive on the denser side of an edge" },
+    { 0, ArrayPlace::Points, "SlowField", 1, "of the scalars", ArrayChoice::Off,
+      "u, the slow field" },
+    { 0, ArrayPlace::Points, "FastField", 1, "of the scalars", ArrayChoice::Off,
+      "v, the fast field" },
+  };
+  return table;
+}
+
+vtkDiffusionHighPass::vtkDiffusionHighPass()
+  : OutputArrays(this, OutputArrayTable())
+{
+}
 
 int vtkDiffusionHighPass::HaloWidth()
 {
-  isthmus::DiffusionParameters diffusion;
-  diffusion.Order = 0;
-  return isthmus::HaloWidth(diffusion);
+  return isthmus::HaloWidth(isthmus::DiffusionParameters()); // of order 0
 }
 
 template <typename T>
 void vtkDiffusionHighPass::FindEdges(isthmus::DiffusionImage<T>& image)
 {
-  isthmus::HighPassParameters parameters;
-  parameters.Diffusivity = { this->DiffusivityU, this->DiffusivityV };
-  parameters.Coupling = { this->CouplingU, this->CouplingV };
-  parameters.Sigma = this->Sigma;
-  parameters.Time = this->Time;
-  parameters.Steps = this->Steps;
+  this->OutputArrays.Check();
   auto u = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   u->SetName("SlowField");
   auto v = image.Duplicate(u, "FastField");
   isthmus::EvolveHighPass<T>(
-    image.GetGrid(), parameters, u->GetPointer(0), v->GetPointer(0), image.GetProgress());
-  auto w = this->OutputFields ? image.Duplicate(u, "HighPass") : u;
+    image.GetGrid(), this->Parameters, u->GetPointer(0), v->GetPointer(0), image.GetProgress());
+  const bool addsSlowField = this->OutputArrays.Has("SlowField");
+  auto w = addsSlowField ? image.Duplicate(u, "HighPass") : u;
   w->SetName("HighPass");
   std::transform(w->GetPointer(0), w->GetPointer(0) + w->GetNumberOfValues(), v->GetPointer(0),
     w->GetPointer(0), std::minus<T>());
   image.AddResult(w, true);
-  if (this->OutputFields)
+  if (addsSlowField)
   {
     image.AddResult(u, false);
+  }
+  if (this->OutputArrays.Has("FastField"))
+  {
     image.AddResult(v, false);
   }
 }
@@ -60,12 +74,12 @@ void vtkDiffusionHighPass::Process(isthmus::DiffusionImage<double>& image)
 void vtkDiffusionHighPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DiffusivityU: " << this->DiffusivityU << '\n';
-  os << indent << "DiffusivityV: " << this->DiffusivityV << '\n';
-  os << indent << "CouplingU: " << this->CouplingU << '\n';
-  os << indent << "CouplingV: " << this->CouplingV << '\n';
-  os << indent << "Sigma: " << this->Sigma << '\n';
-  os << indent << "Time: " << this->Time << '\n';
-  os << indent << "Steps: " << this->Steps << '\n';
-  os << indent << "OutputFields: " << this->OutputFields << '\n';
+  os << indent << "DiffusivityU: " << this->Parameters.DiffusivityU << '\n';
+  os << indent << "DiffusivityV: " << this->Parameters.DiffusivityV << '\n';
+  os << indent << "CouplingU: " << this->Parameters.CouplingU << '\n';
+  os << indent << "CouplingV: " << this->Parameters.CouplingV << '\n';
+  os << indent << "Sigma: " << this->Parameters.Sigma << '\n';
+  os << indent << "Time: " << this->Parameters.Time << '\n';
+  os << indent << "Steps: " << this->Parameters.Steps << '\n';
+  this->OutputArrays.Print(os, indent);
 }

@@ -11,15 +11,17 @@
  * With DiffusivityV >> DiffusivityU, w is a high-pass or (DiffusivityU > 0) band-pass of the input;
  * it is zero for a constant and, with coupling, vanishes for long times.
  *
- * Output arrays: `HighPass` (w, active; positive on the denser side of an edge) and, if
- * OutputFields is on, `SlowField` (u) and `FastField` (v). Cost: nodes x sqrt(Time); memory: six
- * volumes of the output's type.
+ * Output arrays: `HighPass` (w, active) and those that GetOutputArraySelection() has. Cost: nodes x
+ * sqrt(Time); memory: six volumes of the output's type.
  *
  * @sa vtkHighOrderDiffusion vtkPDETransform
  */
 #ifndef vtkDiffusionHighPass_h
 #define vtkDiffusionHighPass_h
 
+#include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
+#include "Imaging/DiffusionHighPass.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
 
@@ -31,54 +33,46 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// d_10, length^2 per unit of time, of the slow field u. Default 0.05.
-  vtkSetMacro(DiffusivityU, double);
-  vtkGetMacro(DiffusivityU, double);
+  /// d_10, length^2 per unit of time, of the slow field u.
+  ISTHMUS_PARAMETER(DiffusivityU, double);
   ///@}
 
   ///@{
-  /// d_20, length^2 per unit of time, of the fast field v. Default 1.
-  vtkSetMacro(DiffusivityV, double);
-  vtkGetMacro(DiffusivityV, double);
+  /// d_20, length^2 per unit of time, of the fast field v.
+  ISTHMUS_PARAMETER(DiffusivityV, double);
   ///@}
 
   ///@{
-  /// epsilon_u, per unit of time: strength with which v pulls u. Default 0.05.
-  vtkSetMacro(CouplingU, double);
-  vtkGetMacro(CouplingU, double);
+  /// epsilon_u, per unit of time: strength with which v pulls u.
+  ISTHMUS_PARAMETER(CouplingU, double);
   ///@}
 
   ///@{
-  /// epsilon_v, per unit of time: strength with which u pulls v. Default 0.05.
-  vtkSetMacro(CouplingV, double);
-  vtkGetMacro(CouplingV, double);
+  /// epsilon_v, per unit of time: strength with which u pulls v.
+  ISTHMUS_PARAMETER(CouplingV, double);
   ///@}
 
   ///@{
-  /// Gradient at which diffusion stops, in data units per length; 0 (default): it never stops.
-  vtkSetMacro(Sigma, double);
-  vtkGetMacro(Sigma, double);
+  /// Gradient at which diffusion stops, in data units per length; 0: it never stops.
+  ISTHMUS_PARAMETER(Sigma, double);
   ///@}
 
   ///@{
-  /// End time. Default 4, with which v is smoothed as by a Gaussian of 2.8 voxels.
-  vtkSetMacro(Time, double);
-  vtkGetMacro(Time, double);
+  /// End time. With DiffusivityV = 1, a time of 4 smooths v as a Gaussian of 2.8 voxels does.
+  ISTHMUS_PARAMETER(Time, double);
   ///@}
 
   ///@{
-  /// Number of steps in which coupling and diffusion alternate; 0 (default) chooses it
+  /// Number of steps in which coupling and diffusion alternate; 0 chooses it
   /// automatically.
-  vtkSetMacro(Steps, int);
-  vtkGetMacro(Steps, int);
+  ISTHMUS_PARAMETER(Steps, int);
   ///@}
 
-  ///@{
-  /// Add u and v to the output. Default off.
-  vtkSetMacro(OutputFields, bool);
-  vtkGetMacro(OutputFields, bool);
-  vtkBooleanMacro(OutputFields, bool);
-  ///@}
+  /// The arrays that the filter adds to its outputs, and which of them are optional.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
+
+  /// Which optional arrays to make.
+  ISTHMUS_OUTPUT_ARRAY_SELECTION();
 
 protected:
   vtkDiffusionHighPass();
@@ -95,14 +89,7 @@ private:
   vtkDiffusionHighPass(const vtkDiffusionHighPass&) = delete;
   void operator=(const vtkDiffusionHighPass&) = delete;
 
-  double DiffusivityU = 0.05;
-  double DiffusivityV = 1.0;
-  double CouplingU = 0.05;
-  double CouplingV = 0.05;
-  double Sigma = 0.0;
-  double Time = 4.0;
-  int Steps = 0;
-  bool OutputFields = false;
+  isthmus::HighPassParameters Parameters;
 };
 
 #endif

@@ -1,10 +1,7 @@
 #include "vtkHighOrderDiffusion.h"
 
 #include "Core/NumberText.h"
-#include "Core/RangeChecks.h"
-#include "Imaging/AutomaticDenoising.h"
 #include "Imaging/DiffusionImage.h"
-#include "Imaging/HighOrderDiffusion.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -19,53 +16,20 @@
 
 vtkStandardNewMacro(vtkHighOrderDiffusion);
 
-namespace
-{
-
-template <typename Enumeration>
-Enumeration Choice(const char* name, int value, Enumeration last)
-{
-  if (value < 0 || value > static_cast<int>(last))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-      ", but must be from 0 to " + std::to_string(static_cast<int>(last)) + '.');
-  }
-  return static_cast<Enumeration>(value);
-}
-
-}
-
 vtkHighOrderDiffusion::vtkHighOrderDiffusion() = default;
 
-isthmus::DiffusionParameters vtkHighOrderDiffusion::GetParameters()
+void vtkHighOrderDiffusion::CheckParameters() const
 {
-  using Parameters = isthmus::DiffusionParameters;
-  Parameters parameters;
-  parameters.Flow = Choice("Flow", this->Flow, Parameters::FlowType::GeometricFlow);
-  parameters.EdgeStopping =
-    Choice("EdgeStopping", this->EdgeStopping, Parameters::EdgeStoppingType::LocalVariance);
-  parameters.Integrator =
-    Choice("Integrator", this->Integrator, Parameters::IntegratorType::SuperTimeStepping);
-  parameters.Order = this->Order;
-  parameters.LowerOrders = this->LowerOrders;
-  std::copy_n(this->Diffusivity, 4, parameters.Diffusivity.begin());
-  isthmus::RequireThat(!std::isnan(this->Sigma), "Sigma", this->Sigma, "it must be a number");
-  parameters.Sigma = this->Sigma > 0.0 || this->Sigma < 0.0 ? this->Sigma : 1.0;
-  parameters.Window = this->Window;
-  parameters.PreSmoothing = this->PreSmoothing;
-  parameters.ResidualSmoothing = this->ResidualSmoothing;
-  parameters.Fidelity = this->Fidelity;
-  parameters.Time = this->Time;
-  parameters.Steps = this->Steps;
-  isthmus::Check(parameters);
-  return parameters;
+  isthmus::Check(this->Denoising);
+  isthmus::Check(this->Parameters);
 }
 
 int vtkHighOrderDiffusion::HaloWidth()
 {
   try
   {
-    isthmus::DiffusionParameters parameters = this->GetParameters();
+    this->CheckParameters();
+    isthmus::DiffusionParameters parameters = this->Parameters;
     if (this->ChoosesByRisk())
     {
       parameters.Order = 3; // whatever is chosen
@@ -80,22 +44,22 @@ int vtkHighOrderDiffusion::HaloWidth()
 
 bool vtkHighOrderDiffusion::ChoosesByRisk() const
 {
-  return this->Automatic && this->Flow == Hyperdiffusion && !this->LowerOrders &&
-    this->EdgeStopping != LocalVariance && this->Fidelity == 0.0 && !this->UseSource &&
-    std::all_of(this->Diffusivity, this->Diffusivity + 4, [](double d) { return d == 1.0; });
+  using Type = isthmus::DiffusionParameters;
+  const Type& given = this->Parameters;
+  return this->Automatic && given.Flow == Type::FlowType::Hyperdiffusion && !given.LowerOrders &&
+    given.EdgeStopping != Type::EdgeStoppingType::LocalVariance && given.Fidelity == 0.0 &&
+    !this->UseSource &&
+    std::all_of(
+      given.Diffusivity.begin(), given.Diffusivity.end(), [](double d) { return d == 1.0; });
 }
 
 template <typename T>
 void vtkHighOrderDiffusion::DenoiseByRisk(isthmus::DiffusionImage<T>& image)
 {
-  const isthmus::DiffusionParameters given = this->GetParameters();
-  isthmus::AutomaticParameters parameters;
-  parameters.Search.Goal = Choice("Goal", this->Goal, isthmus::DenoisingGoal::Volumes);
-  parameters.Search.LinearOnly = this->EdgeStopping == None;
-  parameters.Search.Strength = this->Strength;
-  parameters.KnownNoise = this->KnownNoise;
-  parameters.Integrator = given.Integrator;
-  parameters.Steps = given.Steps;
+  isthmus::AutomaticParameters parameters = this->Denoising;
+  parameters.LinearOnly = this->GetEdgeStopping() == None;
+  parameters.Integrator = this->Parameters.Integrator;
+  parameters.Steps = this->Parameters.Steps;
   auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   const isthmus::NoiseEstimate simple =
     isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
@@ -140,30 +104,26 @@ void vtkHighOrderDiffusion::DenoiseByRisk(isthmus::DiffusionImage<T>& image)
 template <typename T>
 void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 {
-  isthmus::RequireRange("Strength", this->Strength, 0.0, 1.0);
-  if (!(this->KnownNoise >= 0.0) || std::isinf(this->KnownNoise))
-  {
-    throw std::invalid_argument("KnownNoise must be a finite number, 0 (estimated) or more.");
-  }
+  this->CheckParameters();
   if (this->ChoosesByRisk())
   {
     this->DenoiseByRisk(image);
     return;
   }
-  isthmus::DiffusionParameters parameters = this->GetParameters();
+  isthmus::DiffusionParameters parameters = this->Parameters;
   auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   isthmus::NoiseEstimate noise = isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
-  if (this->KnownNoise > 0.0)
+  if (this->Denoising.KnownNoise > 0.0)
   {
-    noise.Noise = this->KnownNoise;
+    noise.Noise = this->Denoising.KnownNoise;
   }
   const auto& spacing = image.GetGrid().Spacing;
   const double voxel = *std::min_element(spacing.begin(), spacing.end());
   if (this->Automatic)
   {
-    isthmus::ChooseDenoisingParameters(noise, this->Strength, voxel, parameters);
+    isthmus::ChooseDenoisingParameters(noise, this->Denoising.Strength, voxel, parameters);
   }
-  else if (this->Sigma == 0.0)
+  else if (parameters.Sigma == 0.0)
   {
     parameters.Sigma = isthmus::NoiseGradient(noise, voxel);
   }
@@ -257,22 +217,26 @@ void vtkHighOrderDiffusion::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Automatic: " << this->Automatic << '\n';
-  os << indent << "Goal: " << this->Goal << '\n';
-  os << indent << "Strength: " << this->Strength << '\n';
-  os << indent << "KnownNoise: " << this->KnownNoise << '\n';
-  os << indent << "Flow: " << this->Flow << '\n';
-  os << indent << "Order: " << this->Order << '\n';
-  os << indent << "LowerOrders: " << this->LowerOrders << '\n';
-  os << indent << "Diffusivity: " << this->Diffusivity[0] << ' ' << this->Diffusivity[1] << ' '
-     << this->Diffusivity[2] << ' ' << this->Diffusivity[3] << '\n';
-  os << indent << "EdgeStopping: " << this->EdgeStopping << '\n';
-  os << indent << "Sigma: " << this->Sigma << '\n';
-  os << indent << "Window: " << this->Window << '\n';
-  os << indent << "PreSmoothing: " << this->PreSmoothing << '\n';
-  os << indent << "ResidualSmoothing: " << this->ResidualSmoothing << '\n';
-  os << indent << "Fidelity: " << this->Fidelity << '\n';
+  os << indent << "Goal: " << this->GetGoal() << '\n';
+  os << indent << "Strength: " << this->Denoising.Strength << '\n';
+  os << indent << "KnownNoise: " << this->Denoising.KnownNoise << '\n';
+  os << indent << "Flow: " << this->GetFlow() << '\n';
+  os << indent << "Order: " << this->Parameters.Order << '\n';
+  os << indent << "LowerOrders: " << this->Parameters.LowerOrders << '\n';
+  os << indent << "Diffusivity:";
+  for (const double diffusivity : this->Parameters.Diffusivity)
+  {
+    os << ' ' << diffusivity;
+  }
+  os << '\n';
+  os << indent << "EdgeStopping: " << this->GetEdgeStopping() << '\n';
+  os << indent << "Sigma: " << this->Parameters.Sigma << '\n';
+  os << indent << "Window: " << this->Parameters.Window << '\n';
+  os << indent << "PreSmoothing: " << this->Parameters.PreSmoothing << '\n';
+  os << indent << "ResidualSmoothing: " << this->Parameters.ResidualSmoothing << '\n';
+  os << indent << "Fidelity: " << this->Parameters.Fidelity << '\n';
   os << indent << "UseSource: " << this->UseSource << '\n';
-  os << indent << "Time: " << this->Time << '\n';
-  os << indent << "Integrator: " << this->Integrator << '\n';
-  os << indent << "Steps: " << this->Steps << '\n';
+  os << indent << "Time: " << this->Parameters.Time << '\n';
+  os << indent << "Integrator: " << this->GetIntegrator() << '\n';
+  os << indent << "Steps: " << this->Parameters.Steps << '\n';
 }

@@ -13,7 +13,7 @@
  * orders is chosen so that they diffuse. Finally, with ResidualSmoothing, long waves that the
  * diffusion removed are restored.
  *
- * Automatic (the default) chooses Order, edge stopping or none, Sigma, PreSmoothing and Time so
+ * Automatic chooses Order, edge stopping or none, Sigma, PreSmoothing and Time so
  * that the estimated error for the Goal is least (DenoisingRisk.h), for noise whose level and
  * spectrum are estimated from the image (NoiseSpectrum.h) unless KnownNoise is set. EdgeStopping
  * None restricts the choice to linear diffusions, which are computed as functions of the Laplacian,
@@ -43,14 +43,10 @@
 #ifndef vtkHighOrderDiffusion_h
 #define vtkHighOrderDiffusion_h
 
+#include "Core/FilterProperties.h"
+#include "Imaging/AutomaticDenoising.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
-
-namespace isthmus
-{
-struct DiffusionParameters;
-struct NoiseEstimate;
-}
 
 class VTKISTHMUSFILTERSIMAGING_EXPORT vtkHighOrderDiffusion : public vtkDiffusionAlgorithm
 {
@@ -84,131 +80,113 @@ public:
 
   ///@{
   /// Choose Order, edge stopping, Sigma, PreSmoothing and Time automatically by the estimated
-  /// error. Default on.
+  /// error.
   vtkSetMacro(Automatic, bool);
   vtkGetMacro(Automatic, bool);
   vtkBooleanMacro(Automatic, bool);
   ///@}
 
   ///@{
-  /// Purpose of the denoised volume: Surfaces (default), for which linear diffusions are chosen
+  /// Purpose of the denoised volume: Surfaces, for which linear diffusions are chosen
   /// that improve second derivatives, and thus normals and curvature of level sets; or Volumes, for
   /// the least mean squared error of the values. Used if Automatic is on.
-  vtkSetMacro(Goal, int);
-  vtkGetMacro(Goal, int);
+  ISTHMUS_PARAMETER_OF(Denoising, Goal, int);
   ///@}
 
   ///@{
   /// How much to denoise, from 0 (light) to 1 (strong): the smoothing length is 2^(Strength - 1/2)
-  /// times the best one. Default 0.5. Used if Automatic is on.
-  vtkSetClampMacro(Strength, double, 0.0, 1.0);
-  vtkGetMacro(Strength, double);
+  /// times the best one. Used if Automatic is on.
+  ISTHMUS_PARAMETER_OF(Denoising, Strength, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the noise if it is known to be white; 0 (default): level and spectrum
+  /// Standard deviation of the noise if it is known to be white; 0: level and spectrum
   /// are estimated where the volume is not constant. Used if Automatic is on.
-  vtkSetMacro(KnownNoise, double);
-  vtkGetMacro(KnownNoise, double);
+  ISTHMUS_PARAMETER_OF(Denoising, KnownNoise, double);
   ///@}
 
   ///@{
-  /// Hyperdiffusion (default) or GeometricFlow.
-  vtkSetMacro(Flow, int);
-  vtkGetMacro(Flow, int);
+  /// Hyperdiffusion or GeometricFlow.
+  ISTHMUS_PARAMETER(Flow, int);
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Default 0. Chosen automatically if Automatic is
+  /// q, 0 to 3: the equation is of order 2q + 2. Chosen automatically if Automatic is
   /// on.
-  vtkSetMacro(Order, int);
-  vtkGetMacro(Order, int);
+  ISTHMUS_PARAMETER(Order, int);
   ///@}
 
   ///@{
-  /// Combine the hyperdiffusions of all orders from 0 to Order instead of using only Order. Default
-  /// off.
-  vtkSetMacro(LowerOrders, bool);
-  vtkGetMacro(LowerOrders, bool);
-  vtkBooleanMacro(LowerOrders, bool);
+  /// Combine the hyperdiffusions of all orders from 0 to Order instead of using only Order.
+  ISTHMUS_PARAMETER_SWITCH(LowerOrders);
   ///@}
 
   ///@{
-  /// Diffusivities d_0 to d_3, length^(2p + 2) per unit of time. Default 1 each.
-  vtkSetVector4Macro(Diffusivity, double);
-  vtkGetVector4Macro(Diffusivity, double);
+  /// Diffusivities d_0 to d_3, length^(2p + 2) per unit of time.
+  ISTHMUS_PARAMETER_VECTOR4(Diffusivity, double);
   ///@}
 
   ///@{
-  /// Coefficient of Hyperdiffusion: None (constant), Gaussian (default: stops at gradients above
+  /// Coefficient of Hyperdiffusion: None (constant), Gaussian (stops at gradients above
   /// Sigma), LocalVariance (Sigma is the standard deviation in a Window, equation 4.35: of the
   /// values for Order 0, of their gradient for Order 1 to 3). With Automatic, None admits linear
   /// choices only.
-  vtkSetMacro(EdgeStopping, int);
-  vtkGetMacro(EdgeStopping, int);
+  ISTHMUS_PARAMETER(EdgeStopping, int);
   ///@}
 
   ///@{
-  /// Gradient that counts as an edge, in data units per length; 0 (default): derived from the noise
+  /// Gradient that counts as an edge, in data units per length; 0: derived from the noise
   /// level.
-  vtkSetMacro(Sigma, double);
-  vtkGetMacro(Sigma, double);
+  ISTHMUS_PARAMETER(Sigma, double);
   ///@}
 
   ///@{
-  /// Width of the window of LocalVariance in nodes: odd, at least 3. Default 5.
-  vtkSetMacro(Window, int);
-  vtkGetMacro(Window, int);
+  /// Width of the window of LocalVariance in nodes: odd, at least 3.
+  ISTHMUS_PARAMETER(Window, int);
   ///@}
 
   ///@{
   /// Standard deviation (length) of the Gaussian applied to u before the gradient of the
-  /// coefficient is computed, so that noise is not mistaken for edges (Catte et al. 1992). Default
-  /// 0: as in 4.34.
-  vtkSetMacro(PreSmoothing, double);
-  vtkGetMacro(PreSmoothing, double);
+  /// coefficient is computed, so that noise is not mistaken for edges (Catte et al. 1992); 0: as
+  /// in 4.34.
+  ISTHMUS_PARAMETER(PreSmoothing, double);
   ///@}
 
   ///@{
   /// Standard deviation (length) of a Gaussian that smooths input - result; the smoothed difference
-  /// is added to the result, which thus keeps the long waves of the input (AutomaticDenoising.h).
-  /// Default 0: nothing is added.
-  vtkSetMacro(ResidualSmoothing, double);
-  vtkGetMacro(ResidualSmoothing, double);
+  /// is added to the result, which thus keeps the long waves of the input (AutomaticDenoising.h);
+  /// 0: nothing is added.
+  ISTHMUS_PARAMETER(ResidualSmoothing, double);
   ///@}
 
   ///@{
-  /// Strength of the term that pulls the values back to the input, per unit of time. Default 0.
-  vtkSetMacro(Fidelity, double);
-  vtkGetMacro(Fidelity, double);
+  /// Strength of the term that pulls the values back to the input, per unit of time.
+  ISTHMUS_PARAMETER(Fidelity, double);
   ///@}
 
   ///@{
   /// Add the second input array, `SetInputArrayToProcess(1, ...)`, as the source P (data unit per
-  /// unit of time). Default off.
+  /// unit of time).
   vtkSetMacro(UseSource, bool);
   vtkGetMacro(UseSource, bool);
   vtkBooleanMacro(UseSource, bool);
   ///@}
 
   ///@{
-  /// End time, in the unit given by those of lengths and diffusivities. Default 1.
-  vtkSetMacro(Time, double);
-  vtkGetMacro(Time, double);
+  /// End time, in the unit given by those of lengths and diffusivities.
+  ISTHMUS_PARAMETER(Time, double);
   ///@}
 
   ///@{
-  /// SuperTimeStepping (default; second order in time, cost grows with the square root of Time) or
+  /// SuperTimeStepping (second order in time, cost grows with the square root of Time) or
   /// ForwardEuler.
-  vtkSetMacro(Integrator, int);
-  vtkGetMacro(Integrator, int);
+  ISTHMUS_PARAMETER(Integrator, int);
   ///@}
 
   ///@{
-  /// Number of equal steps; 0 (default) chooses the steps automatically. Too few steps are refused,
+  /// Number of equal steps; 0 chooses the steps automatically. Too few steps are refused,
   /// with the limit in the message.
-  vtkSetMacro(Steps, int);
-  vtkGetMacro(Steps, int);
+  ISTHMUS_PARAMETER(Steps, int);
   ///@}
 
 protected:
@@ -220,7 +198,7 @@ protected:
   void Process(isthmus::DiffusionImage<double>& image) override;
 
 private:
-  isthmus::DiffusionParameters GetParameters();
+  void CheckParameters() const;
   bool ChoosesByRisk() const;
   template <typename T>
   void Denoise(isthmus::DiffusionImage<T>& image);
@@ -231,24 +209,10 @@ private:
   vtkHighOrderDiffusion(const vtkHighOrderDiffusion&) = delete;
   void operator=(const vtkHighOrderDiffusion&) = delete;
 
+  isthmus::DiffusionParameters Parameters;
+  isthmus::AutomaticParameters Denoising;
   bool Automatic = true;
-  int Goal = Surfaces;
-  double Strength = 0.5;
-  double KnownNoise = 0.0;
-  int Flow = Hyperdiffusion;
-  int Order = 0;
-  bool LowerOrders = false;
-  double Diffusivity[4] = { 1.0, 1.0, 1.0, 1.0 };
-  int EdgeStopping = Gaussian;
-  double Sigma = 0.0;
-  int Window = 5;
-  double PreSmoothing = 0.0;
-  double ResidualSmoothing = 0.0;
-  double Fidelity = 0.0;
   bool UseSource = false;
-  double Time = 1.0;
-  int Integrator = SuperTimeStepping;
-  int Steps = 0;
 };
 
 #endif

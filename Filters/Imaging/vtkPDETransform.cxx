@@ -1,7 +1,6 @@
 #include "vtkPDETransform.h"
 
 #include "Imaging/DiffusionImage.h"
-#include "Imaging/PDETransform.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -15,17 +14,6 @@ vtkStandardNewMacro(vtkPDETransform);
 
 vtkPDETransform::vtkPDETransform() = default;
 
-isthmus::PDETransformParameters vtkPDETransform::GetParameters() const
-{
-  isthmus::PDETransformParameters parameters;
-  parameters.Modes = this->NumberOfModes;
-  parameters.FirstOrder = this->FirstOrder;
-  parameters.LastOrder = this->LastOrder;
-  parameters.FirstWavelength = this->FirstWavelength;
-  parameters.Ratio = this->WavelengthRatio;
-  return parameters;
-}
-
 int vtkPDETransform::HaloWidth()
 {
   return 1; // of the Laplacian, whatever the orders: they are powers of it
@@ -34,19 +22,18 @@ int vtkPDETransform::HaloWidth()
 template <typename T>
 void vtkPDETransform::Transform(isthmus::DiffusionImage<T>& image)
 {
-  const isthmus::PDETransformParameters parameters = this->GetParameters();
-  isthmus::Check(parameters);
+  isthmus::Check(this->Parameters); // before volumes are allocated for the modes
   auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   values->SetName("Residue");
   std::vector<vtkSmartPointer<typename isthmus::DiffusionImage<T>::Array>> modes;
   std::vector<T*> pointers;
-  for (int k = 1; k <= parameters.Modes; ++k)
+  for (int k = 1; k <= this->Parameters.NumberOfModes; ++k)
   {
     modes.push_back(image.NewVolume("Mode" + std::to_string(k)));
     pointers.push_back(modes.back()->GetPointer(0));
   }
   isthmus::TransformByPDE<T>(
-    image.GetGrid(), parameters, values->GetPointer(0), pointers, image.GetProgress());
+    image.GetGrid(), this->Parameters, values->GetPointer(0), pointers, image.GetProgress());
   for (const auto& mode : modes)
   {
     image.AddResult(mode, false);
@@ -67,9 +54,9 @@ void vtkPDETransform::Process(isthmus::DiffusionImage<double>& image)
 void vtkPDETransform::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfModes: " << this->NumberOfModes << '\n';
-  os << indent << "FirstOrder: " << this->FirstOrder << '\n';
-  os << indent << "LastOrder: " << this->LastOrder << '\n';
-  os << indent << "FirstWavelength: " << this->FirstWavelength << '\n';
-  os << indent << "WavelengthRatio: " << this->WavelengthRatio << '\n';
+  os << indent << "NumberOfModes: " << this->Parameters.NumberOfModes << '\n';
+  os << indent << "FirstOrder: " << this->Parameters.FirstOrder << '\n';
+  os << indent << "LastOrder: " << this->Parameters.LastOrder << '\n';
+  os << indent << "FirstWavelength: " << this->Parameters.FirstWavelength << '\n';
+  os << indent << "WavelengthRatio: " << this->Parameters.WavelengthRatio << '\n';
 }

@@ -19,13 +19,10 @@
 #ifndef vtkPDETransform_h
 #define vtkPDETransform_h
 
+#include "Core/FilterProperties.h"
+#include "Imaging/PDETransform.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
-
-namespace isthmus
-{
-struct PDETransformParameters;
-}
 
 class VTKISTHMUSFILTERSIMAGING_EXPORT vtkPDETransform : public vtkDiffusionAlgorithm
 {
@@ -35,33 +32,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of modes, 1 to 16, not counting the residue. Default 4.
-  vtkSetMacro(NumberOfModes, int);
-  vtkGetMacro(NumberOfModes, int);
+  /// Number of modes, 1 to 16, not counting the residue.
+  ISTHMUS_PARAMETER(NumberOfModes, int);
   ///@}
 
   ///@{
-  /// Order q of the first low-pass, 0 to 3; it falls by one from mode to mode. Default 3.
-  vtkSetMacro(FirstOrder, int);
-  vtkGetMacro(FirstOrder, int);
+  /// Order q of the first low-pass, 0 to 3; it falls by one from mode to mode.
+  ISTHMUS_PARAMETER(FirstOrder, int);
   ///@}
 
   ///@{
-  /// Order of the last low-pass. Default 0.
-  vtkSetMacro(LastOrder, int);
-  vtkGetMacro(LastOrder, int);
+  /// Order of the last low-pass.
+  ISTHMUS_PARAMETER(LastOrder, int);
   ///@}
 
   ///@{
-  /// Wavelength (length) of the waves that the first low-pass halves. Default 4.
-  vtkSetMacro(FirstWavelength, double);
-  vtkGetMacro(FirstWavelength, double);
+  /// Wavelength (length) of the waves that the first low-pass halves.
+  ISTHMUS_PARAMETER(FirstWavelength, double);
   ///@}
 
   ///@{
-  /// Ratio of a mode's wavelength to that of the preceding mode. Default 2.
-  vtkSetMacro(WavelengthRatio, double);
-  vtkGetMacro(WavelengthRatio, double);
+  /// Ratio of a mode's wavelength to that of the preceding mode.
+  ISTHMUS_PARAMETER(WavelengthRatio, double);
   ///@}
 
 protected:
@@ -73,18 +65,13 @@ protected:
   void Process(isthmus::DiffusionImage<double>& image) override;
 
 private:
-  isthmus::PDETransformParameters GetParameters() const;
   template <typename T>
   void Transform(isthmus::DiffusionImage<T>& image);
 
   vtkPDETransform(const vtkPDETransform&) = delete;
   void operator=(const vtkPDETransform&) = delete;
 
-  int NumberOfModes = 4;
-  int FirstOrder = 3;
-  int LastOrder = 0;
-  double FirstWavelength = 4.0;
-  double WavelengthRatio = 2.0;
+  isthmus::PDETransformParameters Parameters;
 };
 
 #endif

@@ -92,8 +92,8 @@ void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
 }
 
 DispersionPair::DispersionPair(const DispersionAtom& atom, const SolventParameters& solvent)
-  : Minimum(atom.Radius + solvent.Radius)
-  , Depth(std::sqrt(atom.WellDepth * solvent.WellDepth))
+  : Minimum(atom.Radius + solvent.SolventRadius)
+  , Depth(std::sqrt(atom.WellDepth * solvent.SolventWellDepth))
 {
 }
 
@@ -154,7 +154,7 @@ PullField SolventPull(std::vector<DispersionAtom> atoms, const SolventParameters
       [&](float& value)
       {
         value = static_cast<float>(
-          (solvent.Pressure - solvent.Density * static_cast<double>(value)) / tension);
+          (solvent.Pressure - solvent.SolventDensity * static_cast<double>(value)) / tension);
       });
   };
 }
@@ -326,8 +326,8 @@ std::vector<double> DispersionEnergies(const std::vector<DispersionAtom>& atoms,
       for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a)
       {
         const DispersionPair pair(atoms[a], solvent);
-        energies[a] =
-          solvent.Density * (pair.Integral() - IntegralOver(inside, atoms[a].Centre, pair, near));
+        energies[a] = solvent.SolventDensity *
+          (pair.Integral() - IntegralOver(inside, atoms[a].Centre, pair, near));
       }
     },
     progress);
@@ -341,7 +341,7 @@ double DispersionChange(const std::vector<DispersionAtom>& atoms, const DensityG
     [&](std::int64_t node)
     { return InsidePart(now[node], grid.Spacing) - InsidePart(before[node], grid.Spacing); });
   constexpr double everywhere = std::numeric_limits<double>::infinity();
-  return -solvent.Density *
+  return -solvent.SolventDensity *
     ParallelReduce(static_cast<std::int64_t>(atoms.size()), 8, 0.0,
       [&](double& partial, std::int64_t first, std::int64_t last)
       {

@@ -20,6 +20,7 @@
 
 #include "Atoms/MolecularDensity.h"
 #include "Core/Progress.h"
+#include "MolecularSurfaces/MolecularSurfaceParameters.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
@@ -38,16 +39,6 @@ struct DispersionAtom
   double WellDepth;
 };
 
-/// Energies in kcal/mol, lengths in angstrom. Water: TIP3P's oxygen, 1 g/cm^3.
-struct SolventParameters
-{
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
-  double Density = 0.033428; ///< molecules a cubic angstrom
-  double Radius = 1.7683;
-  double WellDepth = 0.1521;
-};
-
 /// Parameters for the pair of an atom and a solvent molecule.
 struct DispersionPair
 {
@@ -64,7 +55,7 @@ struct DispersionPair
 /// Half the minimum's distance and the depth of an element by AMBER's parm99 (W. D. Cornell et al.,
 /// J. Am. Chem. Soc. 117 (1995) 5179): H of alkyl groups, C sp3, N, O of carbonyl groups, F, P, S,
 /// Cl, Br, I. Depth 0 for others.
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::array<double, 2> DispersionOfElement(int element);
+std::array<double, 2> DispersionOfElement(int element);
 
 /// -V / gamma = (pressure - density U) / gamma of equation 4.9, U from atoms within 10 angstrom.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT PullField SolventPull(

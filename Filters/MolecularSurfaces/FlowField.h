@@ -90,7 +90,7 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void FindBand(FlowField& field);
 
 /// Follows the surface: chunks in the band and next to it become the runs of the field. Distances
 /// are clamped to the band and copied to Next. Time O(nodes in the runs + chunks of the grid).
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void MoveBand(FlowField& field);
+void MoveBand(FlowField& field);
 
 /// Calls `work(first, last)` for the nodes of each run, in parallel.
 template <typename Work>

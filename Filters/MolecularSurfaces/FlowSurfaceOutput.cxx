@@ -1,6 +1,5 @@
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 
-#include "Core/ArrayMemory.h"
 #include "Core/InnerAlgorithm.h"
 #include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
@@ -23,15 +22,6 @@ namespace isthmus
 {
 namespace
 {
-
-vtkFloatArray* AddArray(vtkImageData* image, const char* name)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  SizeArray(array, image->GetNumberOfPoints());
-  image->GetPointData()->AddArray(array);
-  return array;
-}
 
 /// `value`, or `least` to the side of `level` that it is on.
 float Off(float value, float level, float least)
@@ -70,11 +60,13 @@ void FillImage(const SurfaceFlowResult& result, double distance, vtkImageData* i
   const auto h = static_cast<float>(result.Grid.Spacing);
   const auto level = static_cast<float>(distance);
   const float least = 1e-3F * h;
-  vtkFloatArray* distances = AddArray(image, "SignedDistance");
+  const auto nodes = static_cast<std::size_t>(image->GetNumberOfPoints());
+  vtkFloatArray* distances =
+    AddArray<vtkFloatArray>(image->GetPointData(), "SignedDistance", nodes);
   Fill(distances, [&](std::size_t node) { return Off(result.Distance[node], level, least); });
   const float width = 2.0F * static_cast<float>(HalfWidthOfS) * h;
   const float* at = distances->GetPointer(0);
-  vtkFloatArray* s = AddArray(image, "S");
+  vtkFloatArray* s = AddArray<vtkFloatArray>(image->GetPointData(), "S", nodes);
   if (result.S.empty())
   {
     Fill(s, [=](std::size_t node) { return std::clamp(0.5F - at[node] / width, 0.0F, 1.0F); });
@@ -101,9 +93,8 @@ void ContourImage(
   else
   {
     const float* values = vtkFloatArray::SafeDownCast(from)->GetPointer(0);
-    vtkNew<vtkFloatArray> depth;
-    depth->SetName("Depth");
-    SizeArray(depth, image->GetNumberOfPoints());
+    const auto depth =
+      NamedArray<vtkFloatArray>("Depth", static_cast<std::size_t>(image->GetNumberOfPoints()));
     Fill(depth, [=](std::size_t node) { return -values[node]; });
     inverted->GetPointData()->SetScalars(depth);
   }

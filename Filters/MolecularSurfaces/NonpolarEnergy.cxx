@@ -107,6 +107,7 @@ NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
   const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* distance,
   const SolventParameters& solvent, const ProgressCallback& progress)
 {
+  Check(solvent);
   if (atoms.size() != balls.size())
   {
     throw std::invalid_argument("There are " + std::to_string(balls.size()) + " balls and " +

@@ -13,7 +13,6 @@
 #include "Atoms/MolecularDensity.h"
 #include "Core/Progress.h"
 #include "MolecularSurfaces/Dispersion.h"
-#include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
 #include <vector>
 
@@ -47,9 +46,9 @@ struct NonpolarEnergies
  * is bitwise the same on any number of threads. Throws std::invalid_argument for lists of different
  * lengths, and Cancelled.
  */
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT NonpolarEnergies NonpolarEnergy(
-  const std::vector<Ball>& balls, const std::vector<DispersionAtom>& atoms, const DensityGrid& grid,
-  const float* distance, const SolventParameters& solvent, const ProgressCallback& progress = {});
+NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
+  const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* distance,
+  const SolventParameters& solvent, const ProgressCallback& progress = {});
 
 }
 

@@ -37,9 +37,8 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void SolventExcludedDistance(const Flo
 
 /// The surface in the form of the result of a flow, for comparison, on the grid that the flow would
 /// have. The probe has radius ProbeRadius (0: the balls themselves). Throws as SurfaceFlow does.
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT SurfaceFlowResult SolventExcludedSurface(
-  const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
-  const ProgressCallback& progress = {});
+SurfaceFlowResult SolventExcludedSurface(const std::vector<Ball>& balls,
+  const SurfaceFlowParameters& parameters, const ProgressCallback& progress = {});
 
 }
 

@@ -7,23 +7,26 @@
 #define isthmus_SolventProperties_h
 
 #include "Core/FilterProperties.h"
+#include "MolecularSurfaces/MolecularSurfaceParameters.h"
 
 #include <ostream> // the wrappers see it declared only
 
 /**
- * Properties of a filter (FilterProperties.h).
+ * Properties of a filter (FilterProperties.h) that holds SolventParameters as `parameters`.
  *
  * SurfaceTension: gamma, kcal/mol per square angstrom. Default 0.0700. Pressure: p, kcal/mol per
  * cubic angstrom. Default 0.0464. Where both are from: vtkNonpolarSolvation.
  */
-#define ISTHMUS_SOLVENT_PROPERTIES()                                                               \
-  ISTHMUS_PROPERTY(double, SurfaceTension, 0.0700);                                                \
-  ISTHMUS_PROPERTY(double, Pressure, 0.0464);                                                      \
+#define ISTHMUS_SOLVENT_PROPERTIES(parameters)                                                     \
+public:                                                                                            \
+  ISTHMUS_PARAMETER_OF(parameters, SurfaceTension, double);                                        \
+  ISTHMUS_PARAMETER_OF(parameters, Pressure, double);                                              \
                                                                                                    \
+protected:                                                                                         \
   void PrintSolventProperties(ostream& os, vtkIndent indent)                                       \
   {                                                                                                \
-    os << indent << "SurfaceTension: " << this->SurfaceTension << "\n"                             \
-       << indent << "Pressure: " << this->Pressure << "\n";                                        \
+    os << indent << "SurfaceTension: " << this->GetSurfaceTension() << "\n"                        \
+       << indent << "Pressure: " << this->GetPressure() << "\n";                                   \
   }                                                                                                \
   static_assert(true, "takes a semicolon")
 

@@ -53,9 +53,9 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT DensityGrid FlowResultGrid(
  * the grid does not fit into memory (before it is allocated) or no node lies inside a ball, and
  * Cancelled.
  */
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT SurfaceFlowResult SurfaceFlow(
-  const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
-  const PullField& pull = {}, const ProgressCallback& progress = {});
+SurfaceFlowResult SurfaceFlow(const std::vector<Ball>& balls,
+  const SurfaceFlowParameters& parameters, const PullField& pull = {},
+  const ProgressCallback& progress = {});
 
 }
 

@@ -21,16 +21,6 @@ namespace
 /// The surface keeps this distance from the border, in spacings, so that it is closed.
 constexpr double LeastPadding = 2.0;
 
-void CheckNumber(const char* name, double value, double least, bool allowed, const char* what)
-{
-  if (!(value > least || (allowed && value == least)) || !std::isfinite(value))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) + ", but it is " +
-      what + ": give a number " + (allowed ? "of at least " : "above ") +
-      std::to_string(static_cast<int>(least)) + ".");
-  }
-}
-
 std::vector<Ball> Enlarged(const std::vector<Ball>& balls, double factor)
 {
   std::vector<Ball> larger = balls;
@@ -87,13 +77,7 @@ std::string OutlierText(const std::vector<Ball>& balls)
 
 void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
 {
-  CheckNumber("Spacing", parameters.Spacing, 0.0, false, "the grid spacing");
-  CheckNumber("Enlargement", parameters.Enlargement, 1.0, true,
-    "the factor of the radii that the flow starts from");
-  CheckNumber("EvolutionTime", parameters.EvolutionTime, 0.0, true,
-    "how long the flow goes on, in square angstrom");
-  CheckNumber("ProbeRadius", parameters.ProbeRadius, 0.0, true, "a radius, and 0 for none");
-  CheckNumber("Padding", parameters.Padding, 0.0, true, "the room around the enlarged atoms");
+  Check(parameters);
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const Ball& ball = balls[i];

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceFlowParameters.h
- * @brief Parameters, grid, memory and result of a molecular surface, for all methods.
+ * @brief Grid, memory and result of a molecular surface, for all methods.
  *
  * Common to SurfaceFlow.h, ThesisFlow.h and SolventExcludedSurface.h.
  */
@@ -10,24 +10,13 @@
 #include "Atoms/Ball.h"
 #include "Atoms/MolecularDensity.h"
 #include "MolecularSurfaces/FlowField.h"
+#include "MolecularSurfaces/MolecularSurfaceParameters.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
 #include <vector>
 
 namespace isthmus
 {
-
-/// Lengths are in angstrom, times in square angstrom (the speed of the flow is the curvature).
-struct SurfaceFlowParameters
-{
-  double Enlargement = 1.3;   ///< eta: the flow starts from balls of eta times the radius, >= 1
-  double EvolutionTime = 2.5; ///< of the flow, where it is not Steady
-  bool Steady = false;        ///< until the surface has converged
-  double ProbeRadius = 0.0;   ///< of the second obstacle, the solvent's side; 0: none
-  double Spacing = 0.5;
-  double Padding = 1.7;     ///< from the enlarged balls to the border; two spacings are always kept
-  bool CoarseToFine = true; ///< steady surfaces begin on coarser grids
-};
 
 /// One line of the history.
 struct FlowRecord
@@ -48,7 +37,8 @@ struct SurfaceFlowResult
   bool Converged = true; ///< false: a Steady flow reached its limit of steps while still moving
 };
 
-/// Throws std::invalid_argument for parameters out of range.
+/// Throws std::invalid_argument for parameters out of range (Check()) and for atoms that are not
+/// finite or have no radius.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void CheckFlow(
   const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
 
@@ -62,7 +52,7 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT DensityGrid FlowGridAround(
 
 /// Bytes for a flow on `grid`, including result and output: 36 for each node, and 24 for each node
 /// of the margin.
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT double FlowBytes(const DensityGrid& grid);
+double FlowBytes(const DensityGrid& grid);
 
 /// Throws std::runtime_error, with the size that `grid` would need, if this is not available; the
 /// message names an atom that lies far from the others, if there is one.
@@ -70,7 +60,7 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void CheckFlowMemory(
   const std::vector<Ball>& balls, const DensityGrid& grid);
 
 /// `factor` times the values of the grid's nodes without its margin, plus `shift`.
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::vector<float> InnerValues(
+std::vector<float> InnerValues(
   const FlowGrid& grid, const std::vector<float>& values, float factor, float shift);
 
 /// Fills in the distances, in angstrom.
@@ -78,8 +68,7 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void StoreDistances(
   const FlowField& field, SurfaceFlowResult& result);
 
 /// Adds the field's area and volume to the history.
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void RecordMeasures(
-  const FlowField& field, double time, SurfaceFlowResult& result);
+void RecordMeasures(const FlowField& field, double time, SurfaceFlowResult& result);
 
 }
 

@@ -17,7 +17,6 @@
 
 #include "Core/Progress.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
-#include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
 #include <vector>
 
@@ -26,9 +25,8 @@ namespace isthmus
 
 /// The surface S = 0.5 around `balls`; ProbeRadius and CoarseToFine are not used. Time: 1 ns in
 /// each step for each node of the grid. Throws as SurfaceFlow does.
-VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT SurfaceFlowResult ThesisFlow(
-  const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
-  const ProgressCallback& progress = {});
+SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
+  const SurfaceFlowParameters& parameters, const ProgressCallback& progress = {});
 
 }
 

@@ -6,7 +6,6 @@
 #include "Core/InnerAlgorithm.h"
 #include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
-#include "Core/RangeChecks.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 #include "MolecularSurfaces/SolventExcludedSurface.h"
@@ -41,12 +40,13 @@ using isthmus::SurfaceFlowParameters;
 using isthmus::SurfaceFlowResult;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// 0 and `steps` more, equally far apart, to `whole` (square angstrom); none for 0 steps, for a
-/// whole that is not a positive number, and where `input` has time steps of its own.
+/// 0 and `steps` more, equally far apart, to `whole` (square angstrom); none for a number of steps
+/// or a whole that Check() refuses, and where `input` has time steps of its own.
 std::vector<double> FlowTimes(int steps, double whole, vtkInformation* input)
 {
   std::vector<double> times;
-  if (steps > 0 && whole > 0.0 && std::isfinite(whole) && !input->Has(Pipeline::TIME_STEPS()))
+  if (steps > 0 && steps <= 10000 && whole > 0.0 && std::isfinite(whole) &&
+    !input->Has(Pipeline::TIME_STEPS()))
   {
     for (int step = 0; step <= steps; ++step)
     {
@@ -86,29 +86,19 @@ double RequestedTime(const std::vector<double>& times, vtkInformation* output)
     [wanted](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
 }
 
-void CheckRange(const char* name, double value, double low, double high, const char* what)
-{
-  if (!(value > low && value < high))
-  {
-    throw std::invalid_argument(
-      std::string(name) + " is " + isthmus::FormatNumber(value) + ", but it is " + what);
-  }
-}
-
 }
 
 /// What one execution works with.
-struct vtkMolecularFlowSurface::Internals
+class vtkMolecularFlowSurface::vtkInternals
 {
-  explicit Internals(vtkMolecularFlowSurface* self)
+public:
+  explicit vtkInternals(vtkMolecularFlowSurface* self)
     : Self(self)
   {
   }
 
-  SurfaceFlowParameters Parameters() const;
   MoleculeAtoms Atoms(vtkDataObject* input) const;
   std::vector<double> Times(vtkInformation* input) const;
-  void Check() const;
   SurfaceFlowResult Flow(const MoleculeAtoms& atoms, vtkDataObject* input, double time,
     const isthmus::ProgressCallback& progress) const;
   void Warn(const MoleculeAtoms& atoms, const SurfaceFlowResult& result) const;
@@ -117,85 +107,52 @@ struct vtkMolecularFlowSurface::Internals
   /// How far outside of the flow's surface the Level lies, in angstrom.
   double Offset() const
   {
-    return isthmus::HalfWidthOfS * this->Self->Spacing * (1.0 - 2.0 * this->Self->Level);
+    const isthmus::MolecularFlowParameters& p = this->Self->Parameters;
+    return isthmus::HalfWidthOfS * p.Spacing * (1.0 - 2.0 * p.Level);
   }
 
   vtkMolecularFlowSurface* Self;
 };
 
-SurfaceFlowParameters vtkMolecularFlowSurface::Internals::Parameters() const
-{
-  const vtkMolecularFlowSurface* self = this->Self;
-  SurfaceFlowParameters parameters;
-  parameters.Spacing = self->Spacing;
-  parameters.Padding = self->Padding;
-  parameters.CoarseToFine = self->CoarseToFine;
-  if (self->Preset == Custom)
-  {
-    parameters.Enlargement = self->Enlargement;
-    parameters.EvolutionTime = self->EvolutionTime;
-    parameters.Steady = self->Steady;
-    parameters.ProbeRadius = self->ProbeRadius;
-    return parameters;
-  }
-  parameters.Enlargement = self->Preset == Coarse ? 2.0 : 1.3;
-  parameters.EvolutionTime = 2.5;
-  parameters.Steady = self->Preset == Hull || self->Preset == Channel;
-  parameters.ProbeRadius = self->Preset == Channel ? 1.4 : 0.0;
-  return parameters;
-}
-
-MoleculeAtoms vtkMolecularFlowSurface::Internals::Atoms(vtkDataObject* input) const
+MoleculeAtoms vtkMolecularFlowSurface::vtkInternals::Atoms(vtkDataObject* input) const
 {
   return isthmus::ReadAtoms(input,
     isthmus::WholeMolecule(
-      isthmus::InputArrayName(this->Self, 0), this->Self->KeepWaters, this->Self->UnitedAtoms));
+      isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms));
 }
 
 /// The times of the flow that can be asked for; none where time is not the flow's.
-std::vector<double> vtkMolecularFlowSurface::Internals::Times(vtkInformation* input) const
+std::vector<double> vtkMolecularFlowSurface::vtkInternals::Times(vtkInformation* input) const
 {
-  const SurfaceFlowParameters parameters = this->Parameters();
-  const bool flows = !parameters.Steady && this->Self->Method != SolventExcluded;
-  return FlowTimes(flows ? this->Self->TimeSteps : 0, parameters.EvolutionTime, input);
+  const isthmus::MolecularFlowParameters& p = this->Self->Parameters;
+  const SurfaceFlowParameters flow = p.Flow();
+  const bool flows = !flow.Steady && p.Method != isthmus::FlowMethod::SolventExcluded;
+  return FlowTimes(flows ? p.TimeSteps : 0, flow.EvolutionTime, input);
 }
 
-void vtkMolecularFlowSurface::Internals::Check() const
-{
-  constexpr double any = 1e300;
-  CheckRange("Level", this->Self->Level, 0.0, 1.0,
-    "a level between the outside (0) and the inside (1): give a number between them.");
-  CheckRange("SurfaceTension", this->Self->SurfaceTension, 0.0, any,
-    "an energy for each square angstrom: give a positive number.");
-  CheckRange("Pressure", this->Self->Pressure, -any, any,
-    "an energy for each cubic angstrom: give a finite number.");
-}
-
-SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const MoleculeAtoms& atoms,
+SurfaceFlowResult vtkMolecularFlowSurface::vtkInternals::Flow(const MoleculeAtoms& atoms,
   vtkDataObject* input, double time, const isthmus::ProgressCallback& progress) const
 {
-  SurfaceFlowParameters parameters = this->Parameters();
+  const isthmus::MolecularFlowParameters& p = this->Self->Parameters;
+  SurfaceFlowParameters parameters = p.Flow();
   parameters.EvolutionTime = time;
-  if (this->Self->Method == ThesisFlow)
+  if (p.Method == isthmus::FlowMethod::ThesisFlow)
   {
     return isthmus::ThesisFlow(atoms.Balls, parameters, progress);
   }
-  if (this->Self->Method == SolventExcluded)
+  if (p.Method == isthmus::FlowMethod::SolventExcluded)
   {
     return isthmus::SolventExcludedSurface(atoms.Balls, parameters, progress);
   }
   isthmus::PullField pull;
-  if (this->Self->Solvent)
+  if (p.Solvent)
   {
-    isthmus::SolventParameters solvent;
-    solvent.SurfaceTension = this->Self->SurfaceTension;
-    solvent.Pressure = this->Self->Pressure;
-    pull = isthmus::SolventPull(isthmus::DispersionAtomsOf(input, atoms), solvent);
+    pull = isthmus::SolventPull(isthmus::DispersionAtomsOf(input, atoms), p);
   }
   return isthmus::SurfaceFlow(atoms.Balls, parameters, pull, progress);
 }
 
-void vtkMolecularFlowSurface::Internals::Warn(
+void vtkMolecularFlowSurface::vtkInternals::Warn(
   const MoleculeAtoms& atoms, const SurfaceFlowResult& result) const
 {
   for (const std::string& warning : atoms.Warnings)
@@ -211,17 +168,18 @@ void vtkMolecularFlowSurface::Internals::Warn(
   }
 }
 
-void vtkMolecularFlowSurface::Internals::Surface(
+void vtkMolecularFlowSurface::vtkInternals::Surface(
   vtkImageData* image, bool ofS, vtkPolyData* surface) const
 {
-  isthmus::ContourImage(image, ofS, this->Self->Level, this->Offset(), surface);
+  const isthmus::MolecularFlowParameters& p = this->Self->Parameters;
+  isthmus::ContourImage(image, ofS, p.Level, this->Offset(), surface);
   if (surface->GetNumberOfPoints() == 0)
   {
     throw std::runtime_error("The surface vanishes at a Level of " +
-      isthmus::FormatNumber(this->Self->Level) +
+      isthmus::FormatNumber(p.Level) +
       ": nothing lies that deep inside. Choose a lower one, or a smaller Spacing.");
   }
-  if (!this->Self->DelaunayQuality)
+  if (!p.DelaunayQuality)
   {
     return;
   }
@@ -229,7 +187,7 @@ void vtkMolecularFlowSurface::Internals::Surface(
   delaunay->SetInputData(image);
   delaunay->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ofS ? "S" : "SignedDistance");
-  delaunay->SetLevel(ofS ? this->Self->Level : this->Offset());
+  delaunay->SetLevel(ofS ? p.Level : this->Offset());
   delaunay->SetInsideIsHigher(ofS);
   try
   {
@@ -297,18 +255,18 @@ int vtkMolecularFlowSurface::RequestInformation(
     [&](vtkImageData* image)
     {
       this->Advance->RequireOneRank(0, "atoms");
-      const MoleculeAtoms atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
+      const MoleculeAtoms atoms = vtkInternals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
-          isthmus::FlowResultGrid(atoms.Balls, Internals(this).Parameters()), image);
+          isthmus::FlowResultGrid(atoms.Balls, this->Parameters.Flow()), image);
       }
     });
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   for (int port = 0; port < 3; ++port)
   {
-    SetTimes(Internals(this).Times(input), input, outputVector->GetInformationObject(port));
+    SetTimes(vtkInternals(this).Times(input), input, outputVector->GetInformationObject(port));
   }
   return 1;
 }
@@ -329,8 +287,8 @@ int vtkMolecularFlowSurface::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
-      const Internals internals(this);
-      internals.Check();
+      const vtkInternals internals(this);
+      isthmus::Check(this->Parameters);
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       this->Advance->RequireOneRank(0, "atoms");
       const MoleculeAtoms atoms = internals.Atoms(input);
@@ -338,7 +296,7 @@ int vtkMolecularFlowSurface::RequestData(
       const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));
       const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
       const double time = times.empty()
-        ? internals.Parameters().EvolutionTime
+        ? this->Parameters.Flow().EvolutionTime
         : RequestedTime(times, outputVector->GetInformationObject(port));
       const SurfaceFlowResult result =
         internals.Flow(atoms, input, time, isthmus::Between(progress, 0.0, 0.85));
@@ -353,8 +311,8 @@ int vtkMolecularFlowSurface::RequestData(
       isthmus::Report(progress, 1.0);
       internals.Warn(atoms, result);
       image->ShallowCopy(made);
-      isthmus::FillHistory(
-        result, this->SurfaceTension, this->Solvent ? this->Pressure : 0.0, history);
+      isthmus::FillHistory(result, this->Parameters.SurfaceTension,
+        this->Parameters.Solvent ? this->Parameters.Pressure : 0.0, history);
       for (vtkDataObject* output : { static_cast<vtkDataObject*>(surface),
              static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(history) })
       {
@@ -373,19 +331,19 @@ int vtkMolecularFlowSurface::RequestData(
 void vtkMolecularFlowSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Preset: " << this->Preset << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "Enlargement: " << this->Enlargement << "\n";
-  os << indent << "EvolutionTime: " << this->EvolutionTime << "\n";
-  os << indent << "Steady: " << this->Steady << "\n";
-  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "Level: " << this->Level << "\n";
-  os << indent << "CoarseToFine: " << this->CoarseToFine << "\n";
-  os << indent << "Solvent: " << this->Solvent << "\n";
+  os << indent << "Preset: " << this->GetPreset() << "\n";
+  os << indent << "Method: " << this->GetMethod() << "\n";
+  os << indent << "Enlargement: " << this->GetEnlargement() << "\n";
+  os << indent << "EvolutionTime: " << this->GetEvolutionTime() << "\n";
+  os << indent << "Steady: " << this->GetSteady() << "\n";
+  os << indent << "ProbeRadius: " << this->GetProbeRadius() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "Padding: " << this->GetPadding() << "\n";
+  os << indent << "Level: " << this->GetLevel() << "\n";
+  os << indent << "CoarseToFine: " << this->GetCoarseToFine() << "\n";
+  os << indent << "Solvent: " << this->GetSolvent() << "\n";
   this->PrintSolventProperties(os, indent);
-  os << indent << "DelaunayQuality: " << this->DelaunayQuality << "\n";
+  os << indent << "DelaunayQuality: " << this->GetDelaunayQuality() << "\n";
   this->PrintAtomProperties(os, indent);
-  os << indent << "TimeSteps: " << this->TimeSteps << "\n";
+  os << indent << "TimeSteps: " << this->GetTimeSteps() << "\n";
 }

@@ -5,9 +5,9 @@
  * Input: atoms, a vtkPointSet whose point array `Radius` (or the one chosen with
  * SetInputArrayToProcess) holds radii in angstrom, or a vtkMolecule; if there is no such array,
  * radii are assigned by element (array `Element`, or the molecule's atomic numbers; Bondi's table,
- * then Alvarez'). Water is dropped unless KeepWaters is on, and one of alternate locations is kept.
- * Proteins and nucleic acids without hydrogens get united-atom radii, see UnitedAtoms. The field
- * array `Notes` of outputs 0 and 1 has a note on each of these.
+ * then Alvarez'). Water is dropped unless IncludeWaters is on, and one of alternate locations is
+ * kept. Proteins and nucleic acids without hydrogens get united-atom radii, see UnitedAtoms. The
+ * field array `Notes` of outputs 0 and 1 has a note on each of these.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
@@ -47,7 +47,6 @@
 
 #include "Atoms/AtomProperties.h"
 #include "Core/ArrayProperty.h"
-#include "Core/Deprecation.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
@@ -70,8 +69,8 @@ public:
   vtkTypeMacro(vtkMolecularFlowSurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
-  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
+  /// Input array 0 is the point array of the radii, `Radius` by default.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   enum Presets
   {
@@ -92,108 +91,87 @@ public:
   ///@{
   /// Custom (default): the properties below are used. Any other preset uses its own Enlargement,
   /// EvolutionTime, Steady and ProbeRadius instead of those that are set.
-  vtkSetClampMacro(Preset, int, Custom, Channel);
-  vtkGetMacro(Preset, int);
+  ISTHMUS_PARAMETER(Preset, int);
   ///@}
 
   ///@{
   /// Method of computing the surface. Default SignedDistanceFlow.
-  vtkSetClampMacro(Method, int, SignedDistanceFlow, SolventExcluded);
-  vtkGetMacro(Method, int);
+  ISTHMUS_PARAMETER(Method, int);
   ///@}
 
   ///@{
   /// The factor eta by which the radii are multiplied at the start of the flow, at least 1. Default
   /// 1.3.
-  vtkSetMacro(Enlargement, double);
-  vtkGetMacro(Enlargement, double);
+  ISTHMUS_PARAMETER(Enlargement, double);
   ///@}
 
   ///@{
   /// Evolution time of the flow, in square angstrom, unless Steady. Default 2.5, which corresponds
   /// to the 100 steps of the thesis.
-  vtkSetMacro(EvolutionTime, double);
-  vtkGetMacro(EvolutionTime, double);
+  ISTHMUS_PARAMETER(EvolutionTime, double);
   ///@}
 
   ///@{
   /// Continue until the surface has converged. Default off.
-  vtkSetMacro(Steady, bool);
-  vtkGetMacro(Steady, bool);
-  vtkBooleanMacro(Steady, bool);
+  ISTHMUS_PARAMETER_SWITCH(Steady);
   ///@}
 
   ///@{
   /// Radius of the probe that keeps pores and pockets open, in angstrom; 0 (default): none.
-  vtkSetMacro(ProbeRadius, double);
-  vtkGetMacro(ProbeRadius, double);
+  ISTHMUS_PARAMETER(ProbeRadius, double);
   ///@}
 
   ///@{
   /// Spacing of the grid, in angstrom. Default 0.5.
-  vtkSetMacro(Spacing, double);
-  vtkGetMacro(Spacing, double);
+  ISTHMUS_PARAMETER(Spacing, double);
   ///@}
 
   ///@{
   /// Distance from the enlarged atoms to the border of the grid, in angstrom. Two spacings are
   /// always kept, so that the surface never touches the border. Default 1.7.
-  vtkSetMacro(Padding, double);
-  vtkGetMacro(Padding, double);
+  ISTHMUS_PARAMETER(Padding, double);
   ///@}
 
   ///@{
   /// Level of S that output 0 shows, between 0 and 1 (exclusive). Larger levels lie further inside:
   /// the offset from the surface of the flow is 1.2 Spacing (1 - 2 Level) outwards. Default 0.5.
-  vtkSetMacro(Level, double);
-  vtkGetMacro(Level, double);
-  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
-  void SetIsoValue(double level) { this->SetLevel(level); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
-  double GetIsoValue() { return this->GetLevel(); }
+  ISTHMUS_PARAMETER(Level, double);
   ///@}
 
   ///@{
   /// Start a Steady flow on coarser grids, which is many times faster. Default on.
-  vtkSetMacro(CoarseToFine, bool);
-  vtkGetMacro(CoarseToFine, bool);
-  vtkBooleanMacro(CoarseToFine, bool);
+  ISTHMUS_PARAMETER_SWITCH(CoarseToFine);
   ///@}
 
   ///@{
   /// Include the solvent: pressure and dispersion (thesis 4.9) in addition to the surface tension.
   /// Default off.
-  vtkSetMacro(Solvent, bool);
-  vtkGetMacro(Solvent, bool);
-  vtkBooleanMacro(Solvent, bool);
+  ISTHMUS_PARAMETER_SWITCH(Solvent);
   ///@}
 
   ///@{
   /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface)
   /// instead of those of the cells of the grid; takes about ten times as long. Default off.
-  vtkSetMacro(DelaunayQuality, bool);
-  vtkGetMacro(DelaunayQuality, bool);
-  vtkBooleanMacro(DelaunayQuality, bool);
+  ISTHMUS_PARAMETER_SWITCH(DelaunayQuality);
   ///@}
 
   ///@{
-  /// Above 0: the outputs have this number of time steps after the first, from 0 to EvolutionTime
-  /// (square angstrom), and are computed for the one that the pipeline requests. Not used with
-  /// Steady, or if the atoms have time steps of their own. Default 0.
-  vtkSetClampMacro(TimeSteps, int, 0, 10000);
-  vtkGetMacro(TimeSteps, int);
+  /// Above 0, at most 10000: the outputs have this number of time steps after the first, from 0 to
+  /// EvolutionTime (square angstrom), and are computed for the one that the pipeline requests. Not
+  /// used with Steady, or if the atoms have time steps of their own. Default 0.
+  ISTHMUS_PARAMETER(TimeSteps, int);
   ///@}
 
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetHistory();
 
-  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
   /// SurfaceTension, above 0, is used for Energy and balances the pull of the solvent; Pressure is
   /// used with Solvent on. See SolventProperties.h. Defaults 0.0700 and 0.0464.
-  ISTHMUS_SOLVENT_PROPERTIES();
+  ISTHMUS_SOLVENT_PROPERTIES(Parameters);
 
 protected:
   vtkMolecularFlowSurface();
@@ -211,22 +189,9 @@ private:
   vtkMolecularFlowSurface(const vtkMolecularFlowSurface&) = delete;
   void operator=(const vtkMolecularFlowSurface&) = delete;
 
-  struct Internals;
-  friend struct Internals;
+  class vtkInternals; ///< functions of one execution
 
-  int Preset = Custom;
-  int Method = SignedDistanceFlow;
-  double Enlargement = 1.3;
-  double EvolutionTime = 2.5;
-  bool Steady = false;
-  double ProbeRadius = 0.0;
-  double Spacing = 0.5;
-  double Padding = 1.7;
-  double Level = 0.5;
-  bool CoarseToFine = true;
-  bool Solvent = false;
-  bool DelaunayQuality = false;
-  int TimeSteps = 0;
+  isthmus::MolecularFlowParameters Parameters;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

@@ -2,9 +2,9 @@
 
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "MolecularSurfaces/AtomsInside.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
@@ -50,15 +50,6 @@ const Column Columns[] = {
   { "DispersionEnergy", [](const NonpolarTerms& t) { return t.DispersionEnergy; } },
   { "NonpolarEnergy", [](const NonpolarTerms& t) { return t.Total(); } },
 };
-
-void CheckNumber(const char* name, double value, bool negativeAllowed)
-{
-  if (!std::isfinite(value) || (value < 0.0 && !negativeAllowed))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
-      ": give a finite number" + (negativeAllowed ? "." : " of 0 or more."));
-  }
-}
 
 isthmus::DensityGrid GridOf(vtkImageData* image)
 {
@@ -126,15 +117,13 @@ void FillAtoms(vtkDataObject* input, const isthmus::MoleculeAtoms& atoms,
   }
   for (const Column& column : Columns)
   {
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(column.Name);
-    isthmus::SizeArray(values, atoms.NumberOfAtoms);
+    auto* values = isthmus::AddArray<vtkDoubleArray>(
+      output->GetPointData(), column.Name, static_cast<std::size_t>(atoms.NumberOfAtoms));
     values->FillValue(0.0);
     for (std::size_t i = 0; i < atoms.Points.size(); ++i)
     {
       values->SetValue(atoms.Points[i], column.Value(energies.Atoms[i]));
     }
-    output->GetPointData()->AddArray(values);
   }
   output->GetPointData()->SetActiveScalars("NonpolarEnergy");
 }
@@ -143,10 +132,7 @@ void FillTable(const NonpolarTerms& whole, vtkTable* table)
 {
   for (const Column& column : Columns)
   {
-    vtkNew<vtkDoubleArray> value;
-    value->SetName(column.Name);
-    value->InsertNextValue(column.Value(whole));
-    table->AddColumn(value);
+    isthmus::AddColumn<vtkDoubleArray>(table->GetRowData(), column.Name, { column.Value(whole) });
   }
 }
 
@@ -198,17 +184,13 @@ int vtkNonpolarSolvation::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
-      CheckNumber("SurfaceTension", this->SurfaceTension, true);
-      CheckNumber("Pressure", this->Pressure, true);
-      CheckNumber("SolventDensity", this->SolventDensity, false);
-      CheckNumber("SolventRadius", this->SolventRadius, false);
-      CheckNumber("SolventWellDepth", this->SolventWellDepth, false);
+      isthmus::Check(this->Parameters);
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       isthmus::RequireOneRank(this, input, "atoms");
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
       const isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input,
         isthmus::WholeMolecule(
-          isthmus::InputArrayName(this, 0), this->KeepWaters, this->UnitedAtoms));
+          isthmus::InputArrayName(this, 0), this->IncludeWaters, this->UnitedAtoms));
       if (atoms.Balls.empty())
       {
         return;
@@ -217,8 +199,6 @@ int vtkNonpolarSolvation::RequestData(
       {
         vtkWarningMacro(<< warning);
       }
-      const isthmus::SolventParameters solvent{ this->SurfaceTension, this->Pressure,
-        this->SolventDensity, this->SolventRadius, this->SolventWellDepth };
       const std::vector<float> distances = DistancesOf(image);
       std::vector<isthmus::Point3> centres;
       for (const isthmus::Ball& atom : atoms.Balls)
@@ -232,7 +212,7 @@ int vtkNonpolarSolvation::RequestData(
       }
       const NonpolarEnergies energies =
         isthmus::NonpolarEnergy(atoms.Balls, isthmus::DispersionAtomsOf(input, atoms),
-          GridOf(image), distances.data(), solvent, isthmus::ProgressOf(this));
+          GridOf(image), distances.data(), this->Parameters, isthmus::ProgressOf(this));
       FillAtoms(input, atoms, energies, output);
       FillTable(energies.Whole, table);
     });
@@ -242,8 +222,8 @@ void vtkNonpolarSolvation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->PrintSolventProperties(os, indent);
-  os << indent << "SolventDensity: " << this->SolventDensity << "\n";
-  os << indent << "SolventRadius: " << this->SolventRadius << "\n";
-  os << indent << "SolventWellDepth: " << this->SolventWellDepth << "\n";
+  os << indent << "SolventDensity: " << this->GetSolventDensity() << "\n";
+  os << indent << "SolventRadius: " << this->GetSolventRadius() << "\n";
+  os << indent << "SolventWellDepth: " << this->GetSolventWellDepth() << "\n";
   this->PrintAtomProperties(os, indent);
 }

@@ -44,35 +44,32 @@ public:
   vtkTypeMacro(vtkNonpolarSolvation, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
-  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
+  /// Input array 0 is the point array of the radii, `Radius` by default.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   ///@{
   /// rho_0, molecules per cubic angstrom, at least 0. Default 0.033428 (water).
-  vtkSetMacro(SolventDensity, double);
-  vtkGetMacro(SolventDensity, double);
+  ISTHMUS_PARAMETER(SolventDensity, double);
   ///@}
 
   ///@{
   /// Half the distance at which the energy of two solvent molecules is minimal, in angstrom, at
   /// least 0. Default 1.7683 (TIP3P's oxygen).
-  vtkSetMacro(SolventRadius, double);
-  vtkGetMacro(SolventRadius, double);
+  ISTHMUS_PARAMETER(SolventRadius, double);
   ///@}
 
   ///@{
   /// Depth of that minimum (not four times it), kcal/mol, at least 0. Default 0.1521 (TIP3P's
   /// oxygen).
-  vtkSetMacro(SolventWellDepth, double);
-  vtkGetMacro(SolventWellDepth, double);
+  ISTHMUS_PARAMETER(SolventWellDepth, double);
   ///@}
 
-  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. They must be set as in the vtkMolecularFlowSurface that made the surface.
   /// Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
-  /// SurfaceTension and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
-  ISTHMUS_SOLVENT_PROPERTIES();
+  /// SurfaceTension, at least 0, and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES(Parameters);
 
 protected:
   vtkNonpolarSolvation();
@@ -88,9 +85,7 @@ private:
   vtkNonpolarSolvation(const vtkNonpolarSolvation&) = delete;
   void operator=(const vtkNonpolarSolvation&) = delete;
 
-  double SolventDensity = 0.033428;
-  double SolventRadius = 1.7683;
-  double SolventWellDepth = 0.1521;
+  isthmus::SolventParameters Parameters;
 };
 
 #endif

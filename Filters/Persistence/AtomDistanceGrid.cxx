@@ -1,7 +1,7 @@
 #include "Persistence/AtomDistanceGrid.h"
 
 #include "Core/MemoryBudget.h"
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 #include "Persistence/FastMarching.h"
 
 #include <algorithm>
@@ -15,20 +15,8 @@ namespace isthmus
 namespace
 {
 
-void RequirePositive(const char* name, double value)
+void CheckAtoms(const std::vector<Point3>& atoms, const std::vector<double>& scales)
 {
-  if (!(value > 0.0) || std::isinf(value))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
-      ", but it is a length: give a positive number.");
-  }
-}
-
-void Check(const std::vector<Point3>& atoms, const std::vector<double>& scales,
-  const GridDistanceParameters& parameters)
-{
-  RequirePositive("Spacing", parameters.Spacing);
-  RequirePositive("Theta", parameters.Theta);
   for (std::size_t i = 0; i < atoms.size(); ++i)
   {
     if (!std::isfinite(atoms[i][0] + atoms[i][1] + atoms[i][2]))
@@ -66,8 +54,7 @@ AtomDistances GridAround(const std::vector<Point3>& atoms, double reach, double 
     grid.Dimensions[axis] = static_cast<std::int64_t>(cells) + 1;
   }
   constexpr double bytes = 16.0; // for each node, with the pairs of its persistence
-  MemoryBudget().Require(bytes * nodes, "The grid with a Spacing of " + FormatNumber(spacing),
-    "choose a larger Spacing");
+  MemoryBudget().RequireGrid(grid.Dimensions, bytes, "choose a larger Spacing");
   return grid;
 }
 
@@ -126,10 +113,17 @@ void MarchType(const std::vector<Point3>& atoms, double scale, double theta, Ato
 
 }
 
+void Check(const GridDistanceParameters& parameters)
+{
+  RequireAbove("Spacing", parameters.Spacing, 0.0, LargestLength, "It is a length.");
+  RequireAbove("Theta", parameters.Theta, 0.0, LargestLength, "It is a length.");
+}
+
 AtomDistances AtomDistance(const std::vector<Point3>& atoms, const std::vector<double>& scales,
   const GridDistanceParameters& parameters, const ProgressCallback& progress)
 {
-  Check(atoms, scales, parameters);
+  Check(parameters);
+  CheckAtoms(atoms, scales);
   if (atoms.empty())
   {
     return {};

@@ -23,6 +23,10 @@ struct GridDistanceParameters
   bool FastMarching = false; ///< as in the thesis, first order; else the exact distance
 };
 
+/// @throws std::invalid_argument with property, value and range; so does the other function of this
+/// name.
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Check(const GridDistanceParameters& parameters);
+
 /// Values at nodes, x fastest, clamped at the greatest distance requested.
 struct AtomDistances
 {

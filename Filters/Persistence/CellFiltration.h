@@ -87,7 +87,7 @@ SimplexOrder(const HandleVector<TriangleId, std::uint32_t>& level,
 
 /// Gives memory that was freed, and that the C library keeps for later, back to the system; glibc
 /// only.
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT void ReturnFreeMemory();
+void ReturnFreeMemory();
 
 /**
  * A simplicial 3-complex and the value at which each of its simplices enters.
@@ -137,11 +137,11 @@ struct CellFiltration
   HandleVector<TriangleId, char> TriangleFirst;
 
   /// Throws std::runtime_error beyond 2^29 tetrahedra.
-  VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RequireNumbers() const;
+  void RequireNumbers() const;
 
   /// Derives triangles and edges from tetrahedra and their neighbours. O(n), about 100 bytes for
   /// each tetrahedron in total. Calls RequireNumbers().
-  VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Connect(const ProgressCallback& progress = {});
+  void Connect(const ProgressCallback& progress = {});
 
   /// Sorts triangles and edges by value, ties by index (CellFiltration.h). O(n).
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Order(const ProgressCallback& progress = {});

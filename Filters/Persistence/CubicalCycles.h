@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Persistence/ScalarFeatures.h"
-#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 #include <vector>
@@ -36,9 +35,9 @@ struct CubicalCycle
  *
  * This costs another pairing, and for each cycle a search of at most the whole volume.
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<CubicalCycle> CubicalCycles(
-  const VolumeView& volume, const std::array<double, 3>& spacing, const FeatureList& features,
-  bool superlevel, std::size_t most, const ProgressCallback& progress = {});
+std::vector<CubicalCycle> CubicalCycles(const VolumeView& volume,
+  const std::array<double, 3>& spacing, const FeatureList& features, bool superlevel,
+  std::size_t most, const ProgressCallback& progress = {});
 
 }
 

@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Core/TetrahedralMesh.h"
-#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,7 +18,7 @@ namespace isthmus
  * Length of the shortest path along edges of the mesh from each of its points to the nearest point
  * of `sources` (Dijkstra's algorithm). Infinity where there is none. O(n log n).
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
+std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
   const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});
 
 }

@@ -6,7 +6,6 @@
 #define isthmus_ExactOrthosphere_h
 
 #include "Core/Geometry.h"
-#include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 
 #include <array>
 
@@ -31,7 +30,7 @@ struct Orthosphere
  * Numerators and denominators are exact; the quotients are rounded. About 4 us; rational numbers,
  * which look for common divisors after each operation, take 14 times as long.
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT Orthosphere ExactOrthosphere(
+Orthosphere ExactOrthosphere(
   const std::array<Point3, 4>& centres, const std::array<double, 4>& squaredRadii);
 
 }

@@ -5,8 +5,6 @@
 #ifndef isthmus_FastMarching_h
 #define isthmus_FastMarching_h
 
-#include "vtkIsthmusFiltersPersistenceModule.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -19,9 +17,8 @@ namespace isthmus
  * PNAS 93, 1996). `values` holds the distances of the nodes in `known`; the others are computed,
  * up to `greatest`. Error O(spacing log spacing). O(n log n).
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT void FastMarch(const std::array<std::int64_t, 3>& dimensions,
-  double spacing, const std::vector<std::int64_t>& known, float greatest,
-  std::vector<float>& values);
+void FastMarch(const std::array<std::int64_t, 3>& dimensions, double spacing,
+  const std::vector<std::int64_t>& known, float greatest, std::vector<float>& values);
 
 }
 

@@ -134,7 +134,7 @@ private:
  * simplices that enter together are stored together. Nearly linear; 12 bytes for each
  * tetrahedron and 2 for each triangle in addition to the result.
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleId, TetrahedronId> VoidPairs(
+HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});
 
 /**

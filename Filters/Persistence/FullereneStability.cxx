@@ -1,5 +1,6 @@
 #include "Persistence/FullereneStability.h"
 
+#include "Core/RangeChecks.h"
 #include "Persistence/CubicalPersistence.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/FiltrationPairs.h"
@@ -110,6 +111,19 @@ void Sort(std::vector<DistanceBar>& bars)
     });
 }
 
+}
+
+void Check(const StabilityParameters& parameters)
+{
+  Check(static_cast<const GridDistanceParameters&>(parameters));
+  RequireChoice("Method", parameters.Method, StabilityMethod::Grid);
+  RequireRange(
+    "FilterDelta", parameters.FilterDelta, 0.0, LargestLength, "It is the length of a bar.");
+  if (parameters.ScaleByRadius && parameters.Method == StabilityMethod::Exact)
+  {
+    throw std::invalid_argument("ScaleByRadius needs the method Grid, since the exact alpha "
+                                "complex is for balls of equal size.");
+  }
 }
 
 std::vector<DistanceBar> AlphaBars(

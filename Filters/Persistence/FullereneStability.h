@@ -23,6 +23,21 @@ struct DistanceBar
   double Length() const { return this->Death - this->Birth; }
 };
 
+enum class StabilityMethod
+{
+  Exact = 0, ///< AlphaBars()
+  Grid = 1   ///< GridBars()
+};
+
+struct StabilityParameters : GridDistanceParameters
+{
+  StabilityMethod Method = StabilityMethod::Exact;
+  double FilterDelta = 0.2;   ///< shortest bar that counts
+  bool ScaleByRadius = false; ///< distances in units of each atom's radius; Grid only
+};
+
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Check(const StabilityParameters& parameters);
+
 /// One row of the table.
 struct FullereneStability
 {

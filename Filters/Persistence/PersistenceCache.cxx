@@ -4,6 +4,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkSOADataArrayTemplate.h>
 
 #include <stdexcept>
 #include <string>
@@ -19,6 +20,14 @@ VolumeView TypedView(const void* values, const std::array<std::int64_t, 3>& dime
   return VolumeView(static_cast<const T*>(values), dimensions);
 }
 
+/// Are the values in memory, in one buffer or in one for each component?
+template <typename T>
+bool IsStored(vtkDataArray* values)
+{
+  return values->HasStandardMemoryLayout() ||
+    vtkArrayDownCast<vtkSOADataArrayTemplate<T>>(values) != nullptr;
+}
+
 }
 
 VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image)
@@ -26,15 +35,12 @@ VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image)
   const int* n = image->GetDimensions();
   const std::array<std::int64_t, 3> dimensions{ n[0], n[1], n[2] };
   // GetVoidPointer copies arrays of one buffer for each component into another that they keep.
-  if (scalars->HasStandardMemoryLayout() ||
-    scalars->GetArrayType() == vtkAbstractArray::SoADataArrayTemplate)
+  switch (scalars->GetDataType())
   {
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro(return TypedView<VTK_TT>(scalars->GetVoidPointer(0), dimensions));
-      default:
-        break;
-    }
+    vtkTemplateMacro(if (IsStored<VTK_TT>(scalars)) return TypedView<VTK_TT>(
+      scalars->GetVoidPointer(0), dimensions));
+    default:
+      break;
   }
   throw std::invalid_argument("The scalars are stored as " + std::string(scalars->GetClassName()) +
     ", but a plain array of numbers is needed: copy them to one first (with the Calculator, for "
@@ -44,30 +50,19 @@ VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image)
 const VolumeStatistics& PersistenceCache::Statistics(
   vtkDataArray* scalars, const VolumeView& volume)
 {
-  // Times are unique, so another array at the same place in memory has another one.
-  if (this->Scalars != scalars || this->Time != scalars->GetMTime() ||
-    this->Dimensions != volume.Dimensions)
-  {
-    *this = PersistenceCache();
-    this->Known = MeasureVolume(volume);
-    this->Scalars = scalars;
-    this->Time = scalars->GetMTime();
-    this->Dimensions = volume.Dimensions;
-  }
-  return this->Known;
+  return this->OfVolume.Get({ StateOf(scalars), volume.Dimensions },
+    [&]
+    {
+      this->Diagram.Clear();
+      return MeasureVolume(volume);
+    });
 }
 
 const CubicalDiagram& PersistenceCache::Pairs(
   const VolumeView& volume, const CubicalParameters& parameters, const ProgressCallback& progress)
 {
-  if (!this->Diagram || this->Parameters.Superlevel != parameters.Superlevel ||
-    this->Parameters.Levels != parameters.Levels)
-  {
-    this->Diagram.reset();
-    this->Diagram = CubicalPersistence(volume, parameters, progress);
-    this->Parameters = parameters;
-  }
-  return *this->Diagram;
+  return this->Diagram.Get({ parameters.Superlevel, parameters.Levels },
+    [&] { return CubicalPersistence(volume, parameters, progress); });
 }
 
 }

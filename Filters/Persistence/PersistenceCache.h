@@ -5,14 +5,14 @@
 #ifndef isthmus_PersistenceCache_h
 #define isthmus_PersistenceCache_h
 
+#include "Core/Cached.h"
 #include "Core/Progress.h"
 #include "Persistence/CubicalDiagram.h"
 #include "Persistence/VolumeView.h"
 
-#include <vtkType.h>
-
 #include <array>
-#include <optional>
+#include <utility>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
@@ -38,12 +38,8 @@ public:
     const ProgressCallback& progress);
 
 private:
-  const void* Scalars = nullptr;
-  vtkMTimeType Time = 0;
-  std::array<std::int64_t, 3> Dimensions{ -1, -1, -1 };
-  VolumeStatistics Known;
-  CubicalParameters Parameters;
-  std::optional<CubicalDiagram> Diagram;
+  Cached<std::pair<ObjectState, std::array<std::int64_t, 3>>, VolumeStatistics> OfVolume;
+  Cached<std::pair<bool, std::vector<double>>, CubicalDiagram> Diagram; ///< of that volume
 };
 
 }

@@ -1,6 +1,6 @@
 #include "Persistence/ScalarFeatures.h"
 
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,22 +15,6 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-void Check(const FeatureParameters& parameters)
-{
-  if (!(parameters.Range[0] < parameters.Range[1]))
-  {
-    throw std::invalid_argument("The range of levels goes from " +
-      FormatNumber(parameters.Range[0]) + " to " + FormatNumber(parameters.Range[1]) +
-      ", but the first has to be below the second.");
-  }
-  if (!(parameters.MinimumPersistence >= 0.0) || std::isinf(parameters.MinimumPersistence))
-  {
-    throw std::invalid_argument("MinimumPersistence is " +
-      FormatNumber(parameters.MinimumPersistence) +
-      ", but it is a difference of levels: give 0 or a positive number.");
-  }
-}
 
 /// Numbers of the features that components and voids are joined to.
 void LinkElders(std::vector<ScalarFeature>& features)
@@ -159,6 +143,19 @@ void Count(const FeatureList& features, std::size_t used, int dimension, double 
 
 }
 
+void Check(const FeatureParameters& parameters)
+{
+  if (!(parameters.Range[0] < parameters.Range[1]))
+  {
+    throw std::invalid_argument("Range goes from " + FormatNumber(parameters.Range[0]) + " to " +
+      FormatNumber(parameters.Range[1]) + ", but the first has to be below the second.");
+  }
+  RequireRange("MinimumPersistence", parameters.MinimumPersistence, 0.0, Unlimited,
+    "It is a difference of levels.");
+  RequireChoice(
+    "PersistenceUnit", parameters.PersistenceUnit, static_cast<int>(FeatureParameters::LargestGap));
+}
+
 FeatureList ScalarFeatures(const VolumeView& volume, const VolumeStatistics& statistics,
   const CubicalDiagram& diagram, const FeatureParameters& parameters)
 {
@@ -226,11 +223,7 @@ BettiCurves CountBetti(
 
 void RequireLevels(std::int64_t count, const double* range)
 {
-  if (count < 2 || count > 1000000)
-  {
-    throw std::invalid_argument("NumberOfLevels is " + std::to_string(count) +
-      ", but a curve has from 2 to a million levels.");
-  }
+  RequireRange("NumberOfLevels", static_cast<double>(count), 2, 1e6);
   if (range && !(std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]))
   {
     throw std::invalid_argument("Range goes from " + FormatNumber(range[0]) + " to " +

@@ -36,6 +36,9 @@ struct FeatureParameters
   int PersistenceUnit = Absolute;
 };
 
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Check(const FeatureParameters& parameters);
+
 struct ScalarFeature
 {
   CubicalPair Pair;
@@ -56,7 +59,7 @@ struct FeatureList
   std::size_t Kept = 0;   ///< number of features that reach it
 };
 
-/// Throws std::invalid_argument for an invalid range or persistence.
+/// Throws as Check() does.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT FeatureList ScalarFeatures(const VolumeView& volume,
   const VolumeStatistics& statistics, const CubicalDiagram& diagram,
   const FeatureParameters& parameters);

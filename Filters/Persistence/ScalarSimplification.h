@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Persistence/ScalarFeatures.h"
-#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -24,9 +23,8 @@ namespace isthmus
  *
  * Serial, O(n log n): about 0.3 us and 12 bytes for each node.
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT void SimplifyScalar(const VolumeView& volume,
-  const FeatureList& features, bool superlevel, void* result,
-  const ProgressCallback& progress = {});
+void SimplifyScalar(const VolumeView& volume, const FeatureList& features, bool superlevel,
+  void* result, const ProgressCallback& progress = {});
 
 }
 

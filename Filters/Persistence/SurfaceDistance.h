@@ -55,8 +55,8 @@ VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid GridOfDistances(const SurfaceVi
  * it is exact: |grad d| = 1 solved to first order, error O(h log h), as the thesis has it where a
  * surface comes from an implicit function that is no signed distance (6.3.2).
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid MarchedDistances(const SurfaceView& surface,
-  const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
+DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
+  const ProgressCallback& progress = {});
 
 /// The numbers are vtkChokingLoops::MorseFunctionType's.
 enum class MorseFunction

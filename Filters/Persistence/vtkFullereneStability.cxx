@@ -2,8 +2,8 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
-#include "Persistence/FullereneStability.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -13,17 +13,16 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkTable.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkFullereneStability);
 
@@ -72,76 +71,71 @@ std::vector<double> RadiiOf(vtkDataSetAttributes* data, std::size_t atoms)
   return scales;
 }
 
-template <typename Array>
-Array* AddColumn(vtkTable* table, const char* name)
+/// What is written of a molecule.
+struct MoleculeRow
 {
-  vtkNew<Array> column;
-  column->SetName(name);
-  table->GetRowData()->AddArray(column);
-  return column;
-}
-
-}
-
-struct vtkFullereneStability::Tables
-{
-  Tables(vtkTable* rows, vtkTable* bars)
-    : Molecule(AddColumn<vtkIdTypeArray>(rows, "Molecule"))
-    , Atoms(AddColumn<vtkIdTypeArray>(rows, "Atoms"))
-    , Bars(AddColumn<vtkIdTypeArray>(rows, "Bars"))
-    , BarMolecule(AddColumn<vtkIdTypeArray>(bars, "Molecule"))
-    , FeatureId(AddColumn<vtkIdTypeArray>(bars, "FeatureId"))
-    , Dimension(AddColumn<vtkIntArray>(bars, "Dimension"))
-  {
-    const char* names[] = { "Integral", "FilteredIntegral", "Cavity", "BoxLength",
-      "IntegralPerAtom", "FilteredIntegralPerAtom", "FilteredIntegralPerBoxLength", "EnergyProxy" };
-    for (const char* name : names)
-    {
-      this->Numbers.push_back(AddColumn<vtkDoubleArray>(rows, name));
-    }
-    for (const char* name : { "Birth", "Death", "Persistence" })
-    {
-      this->BarNumbers.push_back(AddColumn<vtkDoubleArray>(bars, name));
-    }
-  }
-
-  void AddRow(vtkIdType molecule, const isthmus::FullereneStability& row)
-  {
-    this->Molecule->InsertNextValue(molecule);
-    this->Atoms->InsertNextValue(row.Atoms);
-    this->Bars->InsertNextValue(row.Bars);
-    const auto atoms = static_cast<double>(row.Atoms);
-    const double values[] = { row.Integral, row.FilteredIntegral, row.Cavity, row.BoxLength,
-      row.Integral / atoms, row.FilteredIntegral / atoms,
-      row.BoxLength > 0.0 ? row.FilteredIntegral / row.BoxLength : 0.0, row.EnergyProxy };
-    for (std::size_t i = 0; i < this->Numbers.size(); ++i)
-    {
-      this->Numbers[i]->InsertNextValue(values[i]);
-    }
-  }
-
-  void AddBars(vtkIdType molecule, const std::vector<isthmus::DistanceBar>& bars)
-  {
-    for (std::size_t i = 0; i < bars.size(); ++i)
-    {
-      this->BarMolecule->InsertNextValue(molecule);
-      this->FeatureId->InsertNextValue(static_cast<vtkIdType>(i));
-      this->Dimension->InsertNextValue(bars[i].Dimension);
-      this->BarNumbers[0]->InsertNextValue(bars[i].Birth);
-      this->BarNumbers[1]->InsertNextValue(bars[i].Death);
-      this->BarNumbers[2]->InsertNextValue(bars[i].Length());
-    }
-  }
-
-  vtkIdTypeArray* Molecule;
-  vtkIdTypeArray* Atoms;
-  vtkIdTypeArray* Bars;
-  std::vector<vtkDoubleArray*> Numbers;
-  vtkIdTypeArray* BarMolecule;
-  vtkIdTypeArray* FeatureId;
-  vtkIntArray* Dimension;
-  std::vector<vtkDoubleArray*> BarNumbers;
+  vtkIdType Molecule = 0;
+  isthmus::FullereneStability Stability;
+  std::vector<isthmus::DistanceBar> Bars;
 };
+
+void FillMolecules(const std::vector<MoleculeRow>& rows, vtkTable* table)
+{
+  using Row = isthmus::FullereneStability;
+  vtkFieldData* const data = table->GetRowData();
+  const auto add = [&](const char* name, double (*value)(const Row&, double))
+  {
+    isthmus::AddColumnOf<vtkDoubleArray>(data, name, rows,
+      [value](const MoleculeRow& row)
+      { return value(row.Stability, static_cast<double>(row.Stability.Atoms)); });
+  };
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Molecule", rows, [](const MoleculeRow& row) { return row.Molecule; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Atoms", rows, [](const MoleculeRow& row) { return row.Stability.Atoms; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Bars", rows, [](const MoleculeRow& row) { return row.Stability.Bars; });
+  add("Integral", [](const Row& row, double) { return row.Integral; });
+  add("FilteredIntegral", [](const Row& row, double) { return row.FilteredIntegral; });
+  add("Cavity", [](const Row& row, double) { return row.Cavity; });
+  add("BoxLength", [](const Row& row, double) { return row.BoxLength; });
+  add("IntegralPerAtom", [](const Row& row, double atoms) { return row.Integral / atoms; });
+  add("FilteredIntegralPerAtom",
+    [](const Row& row, double atoms) { return row.FilteredIntegral / atoms; });
+  add("FilteredIntegralPerBoxLength",
+    [](const Row& row, double)
+    { return row.BoxLength > 0.0 ? row.FilteredIntegral / row.BoxLength : 0.0; });
+  add("EnergyProxy", [](const Row& row, double) { return row.EnergyProxy; });
+}
+
+void FillBars(const std::vector<MoleculeRow>& rows, vtkTable* table)
+{
+  vtkFieldData* const data = table->GetRowData();
+  std::vector<vtkIdType> molecules, features;
+  std::vector<isthmus::DistanceBar> bars;
+  for (const MoleculeRow& row : rows)
+  {
+    for (std::size_t i = 0; i < row.Bars.size(); ++i)
+    {
+      molecules.push_back(row.Molecule);
+      features.push_back(static_cast<vtkIdType>(i));
+      bars.push_back(row.Bars[i]);
+    }
+  }
+  using Bar = isthmus::DistanceBar;
+  isthmus::AddColumn<vtkIdTypeArray>(data, "Molecule", molecules);
+  isthmus::AddColumn<vtkIdTypeArray>(data, "FeatureId", features);
+  isthmus::AddColumnOf<vtkIntArray>(
+    data, "Dimension", bars, [](const Bar& bar) { return bar.Dimension; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    data, "Birth", bars, [](const Bar& bar) { return bar.Birth; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    data, "Death", bars, [](const Bar& bar) { return bar.Death; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    data, "Persistence", bars, [](const Bar& bar) { return bar.Length(); });
+}
+
+}
 
 vtkFullereneStability::vtkFullereneStability()
 {
@@ -156,51 +150,37 @@ int vtkFullereneStability::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkFullereneStability::CheckParameters() const
-{
-  if (!(this->FilterDelta >= 0.0) || std::isinf(this->FilterDelta))
-  {
-    throw std::invalid_argument("FilterDelta is " + isthmus::FormatNumber(this->FilterDelta) +
-      ", but it is the length of a bar: give 0 or a positive number.");
-  }
-  if (this->ScaleByRadius && this->Method == Exact)
-  {
-    throw std::invalid_argument("ScaleByRadius needs the method Grid, since the exact alpha "
-                                "complex is for balls of equal size.");
-  }
-}
-
-void vtkFullereneStability::AddMolecule(vtkDataObject* input, vtkIdType number, Tables& tables)
+isthmus::FullereneStability vtkFullereneStability::Analyse(
+  vtkDataObject* input, std::vector<isthmus::DistanceBar>& bars)
 {
   vtkDataSetAttributes* data = nullptr;
   const std::vector<Point3> atoms = AtomsOf(input, data);
   if (atoms.empty())
   {
-    return;
+    return {};
   }
-  std::vector<isthmus::DistanceBar> bars;
   double theta = std::numeric_limits<double>::infinity();
-  if (this->Method == Grid)
+  const isthmus::StabilityParameters& parameters = this->Parameters;
+  if (parameters.Method == isthmus::StabilityMethod::Grid)
   {
-    theta = this->Theta;
-    const auto scales = this->ScaleByRadius ? RadiiOf(data, atoms.size()) : std::vector<double>();
-    bars = isthmus::GridBars(
-      atoms, scales, { this->Spacing, this->Theta, this->FastMarching }, isthmus::ProgressOf(this));
+    theta = parameters.Theta;
+    const auto scales =
+      parameters.ScaleByRadius ? RadiiOf(data, atoms.size()) : std::vector<double>();
+    bars = isthmus::GridBars(atoms, scales, parameters, isthmus::ProgressOf(this));
   }
   else
   {
     bars = isthmus::AlphaBars(atoms, isthmus::ProgressOf(this));
   }
   const isthmus::FullereneStability row =
-    isthmus::ComputeStability(atoms, bars, this->FilterDelta, theta);
+    isthmus::ComputeStability(atoms, bars, parameters.FilterDelta, theta);
   if (const auto all = static_cast<std::int64_t>(atoms.size()); row.Atoms < all)
   {
     vtkWarningMacro(<< isthmus::TextOf(all - row.Atoms, " of ", all,
                       " atoms lie exactly where another one lies and count once. Is the molecule "
                       "there twice, for instance in several models?"));
   }
-  tables.AddRow(number, row);
-  tables.AddBars(number, bars);
+  return row;
 }
 
 int vtkFullereneStability::RequestData(
@@ -212,23 +192,31 @@ int vtkFullereneStability::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
-      this->CheckParameters();
-      Tables tables(rows, bars);
+      isthmus::Check(this->Parameters);
+      std::vector<MoleculeRow> molecules;
       for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
       {
         isthmus::RequireOneRank(this, vtkDataObject::GetData(inputVector[0], i), "atoms");
-        this->AddMolecule(vtkDataObject::GetData(inputVector[0], i), i, tables);
+        MoleculeRow row;
+        row.Molecule = i;
+        row.Stability = this->Analyse(vtkDataObject::GetData(inputVector[0], i), row.Bars);
+        if (row.Stability.Atoms > 0)
+        {
+          molecules.push_back(std::move(row));
+        }
       }
+      FillMolecules(molecules, rows);
+      FillBars(molecules, bars);
     });
 }
 
 void vtkFullereneStability::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "FilterDelta: " << this->FilterDelta << "\n";
-  os << indent << "Theta: " << this->Theta << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "FastMarching: " << this->FastMarching << "\n";
-  os << indent << "ScaleByRadius: " << this->ScaleByRadius << "\n";
+  os << indent << "Method: " << this->GetMethod() << "\n";
+  os << indent << "FilterDelta: " << this->GetFilterDelta() << "\n";
+  os << indent << "Theta: " << this->GetTheta() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "FastMarching: " << this->GetFastMarching() << "\n";
+  os << indent << "ScaleByRadius: " << this->GetScaleByRadius() << "\n";
 }

@@ -42,8 +42,18 @@
 #ifndef vtkFullereneStability_h
 #define vtkFullereneStability_h
 
+#include "Core/FilterProperties.h"
+#include "Persistence/FullereneStability.h"
 #include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
+
+#include <vector>
+
+namespace isthmus
+{
+struct DistanceBar;
+struct FullereneStability;
+}
 
 class VTKISTHMUSFILTERSPERSISTENCE_EXPORT vtkFullereneStability : public vtkTableAlgorithm
 {
@@ -60,43 +70,35 @@ public:
 
   ///@{
   /// Exact (default) or Grid.
-  vtkSetClampMacro(Method, int, Exact, Grid);
-  vtkGetMacro(Method, int);
+  ISTHMUS_PARAMETER(Method, int);
   ///@}
 
   ///@{
   /// Shortest bar that counts, in the unit of the points; at least 0. Default 0.2.
-  vtkSetMacro(FilterDelta, double);
-  vtkGetMacro(FilterDelta, double);
+  ISTHMUS_PARAMETER(FilterDelta, double);
   ///@}
 
   ///@{
   /// Largest distance computed on the grid, in the unit of the points. Bars that reach it end there
   /// and count even if they are short. Default 2. Not used by Exact.
-  vtkSetMacro(Theta, double);
-  vtkGetMacro(Theta, double);
+  ISTHMUS_PARAMETER(Theta, double);
   ///@}
 
   ///@{
   /// Spacing of the grid, in the unit of the points. Default 0.2. Not used by Exact.
-  vtkSetMacro(Spacing, double);
-  vtkGetMacro(Spacing, double);
+  ISTHMUS_PARAMETER(Spacing, double);
   ///@}
 
   ///@{
   /// Compute distances on the grid by fast marching (first order, as in the thesis) instead of
   /// exactly. Default off. Not used by Exact.
-  vtkSetMacro(FastMarching, bool);
-  vtkGetMacro(FastMarching, bool);
-  vtkBooleanMacro(FastMarching, bool);
+  ISTHMUS_PARAMETER_SWITCH(FastMarching);
   ///@}
 
   ///@{
   /// Grow each ball in proportion to the radius of its atom (point array `Radius`): distances are
   /// then in units of it. Grid only. Default off.
-  vtkSetMacro(ScaleByRadius, bool);
-  vtkGetMacro(ScaleByRadius, bool);
-  vtkBooleanMacro(ScaleByRadius, bool);
+  ISTHMUS_PARAMETER_SWITCH(ScaleByRadius);
   ///@}
 
 protected:
@@ -111,16 +113,11 @@ private:
   vtkFullereneStability(const vtkFullereneStability&) = delete;
   void operator=(const vtkFullereneStability&) = delete;
 
-  struct Tables;
-  void CheckParameters() const;
-  void AddMolecule(vtkDataObject* input, vtkIdType number, Tables& tables);
+  /// The row of a molecule, without atoms for an empty one, and its bars.
+  isthmus::FullereneStability Analyse(
+    vtkDataObject* input, std::vector<isthmus::DistanceBar>& bars);
 
-  int Method = Exact;
-  double FilterDelta = 0.2;
-  double Theta = 2.0;
-  double Spacing = 0.2;
-  bool FastMarching = false;
-  bool ScaleByRadius = false;
+  isthmus::StabilityParameters Parameters;
 };
 
 #endif

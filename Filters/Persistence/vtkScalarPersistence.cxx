@@ -1,9 +1,10 @@
 #include "vtkScalarPersistence.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NamedColumns.h"
+#include "Core/RangeChecks.h"
 #include "Persistence/PersistenceCache.h"
 #include "Persistence/PersistenceTables.h"
 #include "Persistence/ScalarSimplification.h"
@@ -12,18 +13,12 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
 vtkStandardNewMacro(vtkScalarPersistence);
 
@@ -46,8 +41,9 @@ enum Port
 }
 
 /// What one run works with.
-struct vtkScalarPersistence::Work
+class vtkScalarPersistence::vtkInternals
 {
+public:
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr;
   VolumeView Volume;
@@ -58,7 +54,7 @@ struct vtkScalarPersistence::Work
 };
 
 vtkScalarPersistence::vtkScalarPersistence()
-  : Last(new isthmus::PersistenceCache)
+  : Cache(std::make_unique<isthmus::PersistenceCache>())
 {
   this->SetNumberOfOutputPorts(PortCount);
   this->SetInputArrayToProcess(
@@ -111,44 +107,39 @@ int vtkScalarPersistence::RequestUpdateExtent(
 void vtkScalarPersistence::CheckParameters() const
 {
   isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
-  if (this->MaximumNumberOfCycles < 1)
-  {
-    throw std::invalid_argument("MaximumNumberOfCycles is " +
-      std::to_string(this->MaximumNumberOfCycles) + ": give at least 1, or switch Cycles off.");
-  }
+  isthmus::Check(this->Parameters);
+  isthmus::RequireRange(
+    "MaximumNumberOfCycles", this->MaximumNumberOfCycles, 1, VTK_INT_MAX, "Or switch Cycles off.");
 }
 
-void vtkScalarPersistence::FindPairs(Work& work)
+void vtkScalarPersistence::FindPairs(vtkInternals& work)
 {
-  const auto& statistics = this->Last->Statistics(work.Scalars, work.Volume);
+  const auto& statistics = this->Cache->Statistics(work.Scalars, work.Volume);
   const double low = this->UseRange ? this->Range[0] : statistics.Minimum;
   const double high = this->UseRange ? this->Range[1] : statistics.Maximum;
   isthmus::CubicalParameters parameters;
-  parameters.Superlevel = this->Superlevel;
+  parameters.Superlevel = this->Parameters.Superlevel;
   if (low <= high) // a volume of infinities has no range
   {
     parameters.Levels = isthmus::EvenLevels(low, high, this->NumberOfLevels);
   }
-  const auto& diagram = this->Last->Pairs(
+  const auto& diagram = this->Cache->Pairs(
     work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
   work.Levels = parameters.Levels;
   work.EulerNumbers = diagram.EulerNumbers;
-  isthmus::FeatureParameters wanted;
-  wanted.Superlevel = this->Superlevel;
+  isthmus::FeatureParameters wanted = this->Parameters;
   if (this->UseRange)
   {
     wanted.Range = { this->Range[0], this->Range[1] };
   }
-  wanted.MinimumPersistence = this->MinimumPersistence;
-  wanted.PersistenceUnit = this->PersistenceUnit;
   work.Features = isthmus::ScalarFeatures(work.Volume, statistics, diagram, wanted);
-  work.End = this->Superlevel ? low : high;
+  work.End = this->Parameters.Superlevel ? low : high;
 }
 
-void vtkScalarPersistence::FillTables(const Work& work, vtkInformationVector* outputVector)
+void vtkScalarPersistence::FillTables(const vtkInternals& work, vtkInformationVector* outputVector)
 {
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.7, 0.9);
-  isthmus::FillCurves(isthmus::CountBetti(work.Features, this->Superlevel, work.Levels),
+  isthmus::FillCurves(isthmus::CountBetti(work.Features, this->Parameters.Superlevel, work.Levels),
     work.EulerNumbers, vtkTable::GetData(outputVector, CurvesPort));
   isthmus::FillDiagram(work.Features, work.End, vtkTable::GetData(outputVector, DiagramPort));
   isthmus::FillSaddles(work.Features, work.End, work.Image, work.Volume,
@@ -158,19 +149,19 @@ void vtkScalarPersistence::FillTables(const Work& work, vtkInformationVector* ou
     const double* spacing = work.Image->GetSpacing();
     isthmus::FillCycles(work.Features,
       isthmus::CubicalCycles(work.Volume, { spacing[0], spacing[1], spacing[2] }, work.Features,
-        this->Superlevel, static_cast<std::size_t>(this->MaximumNumberOfCycles), progress),
+        this->Parameters.Superlevel, static_cast<std::size_t>(this->MaximumNumberOfCycles),
+        progress),
       work.Image, vtkPolyData::GetData(outputVector, CyclesPort));
   }
 }
 
-void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector* outputVector)
+void vtkScalarPersistence::FillSimplified(
+  const vtkInternals& work, vtkInformationVector* outputVector)
 {
-  const auto values =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(work.Scalars->GetDataType()));
-  values->SetName(work.Scalars->GetName());
-  isthmus::SizeArray(values, work.Scalars->GetNumberOfTuples());
-  isthmus::SimplifyScalar(work.Volume, work.Features, this->Superlevel, values->GetVoidPointer(0),
-    isthmus::Between(isthmus::ProgressOf(this), 0.9, 1.0));
+  const auto values = isthmus::ArrayOfType(
+    work.Scalars->GetDataType(), work.Scalars->GetName(), work.Scalars->GetNumberOfTuples());
+  isthmus::SimplifyScalar(work.Volume, work.Features, this->Parameters.Superlevel,
+    values->GetVoidPointer(0), isthmus::Between(isthmus::ProgressOf(this), 0.9, 1.0));
   vtkImageData* output = vtkImageData::GetData(outputVector, SimplifiedPort);
   output->ShallowCopy(work.Image);
   if (values->GetName())
@@ -198,7 +189,7 @@ int vtkScalarPersistence::RequestData(
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
-      Work work;
+      vtkInternals work;
       work.Image = vtkImageData::GetData(inputVector[0], 0);
       if (!work.Image || work.Image->GetNumberOfPoints() == 0)
       {
@@ -252,9 +243,9 @@ vtkImageData* vtkScalarPersistence::GetSimplified()
 void vtkScalarPersistence::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Superlevel: " << this->Superlevel << "\n";
-  os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
-  os << indent << "PersistenceUnit: " << this->PersistenceUnit << "\n";
+  os << indent << "Superlevel: " << this->GetSuperlevel() << "\n";
+  os << indent << "MinimumPersistence: " << this->GetMinimumPersistence() << "\n";
+  os << indent << "PersistenceUnit: " << this->GetPersistenceUnit() << "\n";
   os << indent << "UseRange: " << this->UseRange << "\n";
   os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";

@@ -52,6 +52,8 @@
 #ifndef vtkScalarPersistence_h
 #define vtkScalarPersistence_h
 
+#include "Core/FilterProperties.h"
+#include "Persistence/ScalarFeatures.h"
 #include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
@@ -76,15 +78,12 @@ public:
   ///@{
   /// Let the set grow from the highest value down (density maps) instead of from the lowest value
   /// up. Default off.
-  vtkSetMacro(Superlevel, bool);
-  vtkGetMacro(Superlevel, bool);
-  vtkBooleanMacro(Superlevel, bool);
+  ISTHMUS_PARAMETER_SWITCH(Superlevel);
   ///@}
 
   ///@{
   /// Smallest persistence of the listed classes, in PersistenceUnit; at least 0. Default 0.
-  vtkSetMacro(MinimumPersistence, double);
-  vtkGetMacro(MinimumPersistence, double);
+  ISTHMUS_PARAMETER(MinimumPersistence, double);
   ///@}
 
   enum PersistenceUnits
@@ -98,8 +97,7 @@ public:
   /// MinimumPersistence is a difference of values (Absolute, default) or a number of standard
   /// deviations of the volume. With LargestGap it is not used; the classes above the widest gap are
   /// kept.
-  vtkSetClampMacro(PersistenceUnit, int, Absolute, LargestGap);
-  vtkGetMacro(PersistenceUnit, int);
+  ISTHMUS_PARAMETER(PersistenceUnit, int);
   ///@}
 
   ///@{
@@ -165,22 +163,20 @@ private:
   vtkScalarPersistence(const vtkScalarPersistence&) = delete;
   void operator=(const vtkScalarPersistence&) = delete;
 
-  struct Work;
+  class vtkInternals; ///< data of one execution
   void CheckParameters() const;
-  void FindPairs(Work& work);
-  void FillTables(const Work& work, vtkInformationVector* outputVector);
-  void FillSimplified(const Work& work, vtkInformationVector* outputVector);
+  void FindPairs(vtkInternals& work);
+  void FillTables(const vtkInternals& work, vtkInformationVector* outputVector);
+  void FillSimplified(const vtkInternals& work, vtkInformationVector* outputVector);
 
-  bool Superlevel = false;
-  double MinimumPersistence = 0.0;
-  int PersistenceUnit = Absolute;
+  isthmus::FeatureParameters Parameters; ///< Range only if UseRange is on
   bool UseRange = false;
   double Range[2] = { 0.0, 1.0 };
   int NumberOfLevels = 256;
   bool Cycles = false;
   int MaximumNumberOfCycles = 100;
   bool Simplify = false;
-  std::unique_ptr<isthmus::PersistenceCache> Last; ///< kept for the same input
+  std::unique_ptr<isthmus::PersistenceCache> Cache;
 };
 
 #endif

@@ -5,8 +5,6 @@
 #ifndef isthmus_Assignment_h
 #define isthmus_Assignment_h
 
-#include "vtkIsthmusFiltersPocketsModule.h"
-
 #include <vector>
 
 namespace isthmus
@@ -24,7 +22,7 @@ namespace isthmus
  * Boost.Graph is not used: its maximum_weighted_matching is for general graphs, took 70 times the
  * CPU time on 20 random rows and, with double weights, missed the optimum (Boost 1.74).
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> AssignAtLeastCost(
+std::vector<int> AssignAtLeastCost(
   const std::vector<std::vector<double>>& costs, std::size_t columns, double alone);
 
 }

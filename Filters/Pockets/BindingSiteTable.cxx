@@ -8,7 +8,6 @@
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
@@ -141,10 +140,7 @@ void FillSiteTable(
   }
   AddColumnOf<vtkIdTypeArray>(
     table->GetRowData(), "Points", sites.size(), [&](std::size_t i) { return sites[i].Points; });
-  vtkNew<vtkDoubleArray> threshold;
-  threshold->SetName("Threshold");
-  threshold->InsertNextValue(result.Threshold);
-  table->GetFieldData()->AddArray(threshold);
+  AddColumn<vtkDoubleArray>(table->GetFieldData(), "Threshold", { result.Threshold });
 }
 
 }

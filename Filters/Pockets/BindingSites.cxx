@@ -1,8 +1,8 @@
 #include "Pockets/BindingSites.h"
 
 #include "Core/DisjointSets.h"
-#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/HullDepth.h"
 #include "Surfaces/AreaQuantiles.h"
 
@@ -19,29 +19,6 @@ namespace isthmus
 {
 namespace
 {
-
-void Check(bool good, const char* what, double value, const char* range)
-{
-  if (!good)
-  {
-    throw std::invalid_argument(
-      std::string(what) + " is " + FormatNumber(value) + ", but must be " + range + ".");
-  }
-}
-
-void Check(const BindingSiteOptions& options)
-{
-  const auto notNegative = [](const char* what, double value)
-  {
-    Check(
-      value >= 0.0 && std::isfinite(value), what, value, "a finite number that is not negative");
-  };
-  Check(options.Quantile >= 0.0 && options.Quantile < 1.0, "Quantile", options.Quantile,
-    "at least 0 and below 1");
-  notNegative("Threshold", options.Threshold);
-  notNegative("MergeDistance", options.MergeDistance);
-  notNegative("MinimumArea", options.MinimumArea);
-}
 
 bool TakesPart(const SiteFields& fields, std::size_t i)
 {
@@ -263,6 +240,16 @@ Patches PatchesOf(const SurfaceView& mesh, const std::vector<unsigned char>& kin
 
 }
 
+void Check(const BindingSiteOptions& options)
+{
+  RequireThat(options.Quantile >= 0.0 && options.Quantile < 1.0, "Quantile", options.Quantile,
+    "it must be from 0 to below 1");
+  RequireRange("Threshold", options.Threshold, 0.0, Unlimited);
+  RequireRange("MergeDistance", options.MergeDistance, 0.0, LargestLength, "It is a length.");
+  RequireRange("MinimumArea", options.MinimumArea, 0.0, Unlimited, "It is an area.");
+  RequireChoice("RankBy", options.RankBy, SiteRanking::MeanPotential);
+}
+
 BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fields,
   const BindingSiteOptions& options, const ProgressCallback& progress)
 {
@@ -303,7 +290,7 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
   }
   std::stable_sort(ranked.begin(), ranked.end(),
     [&](const auto& a, const auto& b)
-    { return RankOf(a.first, options.Ranking) > RankOf(b.first, options.Ranking); });
+    { return RankOf(a.first, options.RankBy) > RankOf(b.first, options.RankBy); });
   for (const auto& [site, points] : ranked)
   {
     result.Sites.push_back(site);

@@ -42,11 +42,14 @@ struct BindingSiteOptions
 {
   bool UseQuantile = true;
   double Quantile = 0.93;     ///< in [0, 1)
-  double Threshold = 0.0;     ///< of the amplitude, if UseQuantile is off
+  double Threshold = 1.0;     ///< of the amplitude, if UseQuantile is off
   double MergeDistance = 1.0; ///< length; 0: patches are not merged
   double MinimumArea = 5.0;   ///< length^2; smaller patches are dropped
-  SiteRanking Ranking = SiteRanking::Score;
+  SiteRanking RankBy = SiteRanking::Score;
 };
+
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSFILTERSPOCKETS_EXPORT void Check(const BindingSiteOptions& options);
 
 /// One value for each point of the surface.
 struct SiteFields

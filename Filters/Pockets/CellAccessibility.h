@@ -6,7 +6,6 @@
 #define isthmus_CellAccessibility_h
 
 #include "Pockets/EmptySpace.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
@@ -34,8 +33,8 @@ struct CellAccessibility
 /// Dijkstra's algorithm, 1 us per tetrahedron. Symmetric molecules have equally wide paths. Of
 /// these, the path whose earliest triangle enters the filtration last is chosen, so that paths
 /// agree with the pairs of the filtration; then the lower id decides. @throws Cancelled
-VTKISTHMUSFILTERSPOCKETS_EXPORT CellAccessibility FindAccess(const RegularFiltration& f,
-  const FacesByCell& faces, double probe, const ProgressCallback& progress = {});
+CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -21,7 +21,6 @@
 #include "Atoms/BallOverlap.h"
 #include "Core/Progress.h"
 #include "Persistence/RegularFiltration.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
@@ -37,18 +36,16 @@ using FacesByCell = HandleVector<TetrahedronId, std::array<TriangleId, 4>>;
 
 /// The empty space of tetrahedron `cell`, which must not belong to K (its value is above 0). About
 /// 3 us.
-VTKISTHMUSFILTERSPOCKETS_EXPORT EmptyCell EmptySpaceOf(
-  const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
+EmptyCell EmptySpaceOf(const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
 
-VTKISTHMUSFILTERSPOCKETS_EXPORT FacesByCell FacesOfCells(const CellFiltration& complex);
+FacesByCell FacesOfCells(const CellFiltration& complex);
 
 /**
  * The area of a triangle outside the discs around its corners, by Green's theorem along its border:
  * exact also where a disc reaches across the opposite edge or contains another one. In the square
  * of the unit of `corners` and `radii`; a radius of 0 is no disc. Constant time.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT double OpenAreaOf(
-  const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);
+double OpenAreaOf(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);
 
 /// Volume and surface of the union of all balls.
 struct UnionMeasure
@@ -61,7 +58,7 @@ struct UnionMeasure
  * The union of the balls of `f`; `empty` holds EmptySpaceOf() each tetrahedron (zeros for those of
  * K). Needs at least one tetrahedron. @throws Cancelled
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(const RegularFiltration& f,
+UnionMeasure MeasureUnion(const RegularFiltration& f,
   const HandleVector<TetrahedronId, EmptyCell>& empty, const ProgressCallback& progress = {});
 
 /**
@@ -70,7 +67,7 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(const RegularFiltratio
  * tetrahedra. The triangulation includes six balls of radius 0 far away, which add nothing to the
  * union. @throws Cancelled
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureFlatUnion(
+UnionMeasure MeasureFlatUnion(
   std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});
 
 }

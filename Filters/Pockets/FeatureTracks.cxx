@@ -1,7 +1,7 @@
 #include "Pockets/FeatureTracks.h"
 
 #include "Core/Handles.h"
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/Assignment.h"
 
 #include <algorithm>
@@ -242,19 +242,16 @@ private:
 
 }
 
+void Check(const TrackOptions& options)
+{
+  RequireAbove("MaximumDistance", options.MaximumDistance, 0.0, LargestLength, "It is a length.");
+  RequireRange("MaximumGap", options.MaximumGap, 0, 1e6, "It is in time steps.");
+}
+
 FeatureTracks TrackFeatures(const std::vector<TrackFrame>& frames, const TrackOptions& options,
   const ProgressCallback& progress)
 {
-  if (!(options.MaximumDistance > 0.0) || std::isinf(options.MaximumDistance))
-  {
-    throw std::invalid_argument("MaximumDistance is " + FormatNumber(options.MaximumDistance) +
-      ", but it must be a positive length.");
-  }
-  if (options.MaximumGap < 0)
-  {
-    throw std::invalid_argument("MaximumGap is " + std::to_string(options.MaximumGap) +
-      ", but it must be a number of time steps, 0 or more.");
-  }
+  Check(options);
   Tracker tracker(frames, options);
   for (std::size_t i = 0; i < frames.size(); ++i)
   {

@@ -34,6 +34,9 @@ struct TrackOptions
   int MaximumGap = 25; ///< number of time steps that a track may miss
 };
 
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSFILTERSPOCKETS_EXPORT void Check(const TrackOptions& options);
+
 enum class TrackEventKind
 {
   Merge, ///< Track ended and continued in Other

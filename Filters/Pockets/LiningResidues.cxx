@@ -1,6 +1,9 @@
 #include "Pockets/LiningResidues.h"
 
+#include "Core/NamedColumns.h"
+
 #include <vtkCellArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
@@ -104,21 +107,6 @@ std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& at
   return text;
 }
 
-LiningTable::LiningTable(const char* featureName)
-{
-  this->Feature->SetName(featureName);
-  this->Chain->SetName("Chain");
-  this->ResidueId->SetName("ResidueId");
-  this->InsertionCode->SetName("InsertionCode");
-  this->ResidueName->SetName("ResidueName");
-  this->Names->SetName("Atoms");
-  this->Ids->SetName("AtomIds");
-  this->Count->SetName("NumberOfAtoms");
-  this->Area->SetName("Area");
-}
-
-LiningTable::~LiningTable() = default;
-
 void LiningTable::Add(
   int feature, const std::vector<LiningResidue>& residues, const MoleculeAtoms& atoms)
 {
@@ -132,34 +120,34 @@ void LiningTable::Add(
       names += (names.empty() ? "" : " ") + AtomAt(atoms, point).Name;
       ids += (ids.empty() ? "" : " ") + std::to_string(point);
     }
-    this->Feature->InsertNextValue(feature);
-    this->Chain->InsertNextValue(first.Chain);
-    this->ResidueId->InsertNextValue(first.ResidueId);
-    this->InsertionCode->InsertNextValue(first.InsertionCode);
-    this->ResidueName->InsertNextValue(first.Residue);
-    this->Names->InsertNextValue(names);
-    this->Ids->InsertNextValue(ids);
-    this->Count->InsertNextValue(static_cast<int>(residue.Points.size()));
-    this->Area->InsertNextValue(residue.Area);
+    this->Rows.push_back({ feature, first, names, ids, residue.Points.size(), residue.Area });
   }
 }
 
-void LiningTable::Fill(vtkTable* output)
+void LiningTable::Fill(vtkTable* output) const
 {
-  for (vtkAbstractArray* column :
-    std::initializer_list<vtkAbstractArray*>{ this->Feature, this->Chain, this->ResidueId,
-      this->InsertionCode, this->ResidueName, this->Names, this->Ids, this->Count, this->Area })
-  {
-    output->AddColumn(column);
-  }
+  using R = const Row&;
+  vtkFieldData* const data = output->GetRowData();
+  AddColumnOf<vtkIntArray>(data, this->FeatureName, this->Rows, [](R row) { return row.Feature; });
+  AddColumnOf<vtkStringArray>(data, "Chain", this->Rows, [](R row) { return row.First.Chain; });
+  AddColumnOf<vtkIntArray>(
+    data, "ResidueId", this->Rows, [](R row) { return row.First.ResidueId; });
+  AddColumnOf<vtkStringArray>(
+    data, "InsertionCode", this->Rows, [](R row) { return row.First.InsertionCode; });
+  AddColumnOf<vtkStringArray>(
+    data, "ResidueName", this->Rows, [](R row) { return row.First.Residue; });
+  AddColumnOf<vtkStringArray>(data, "Atoms", this->Rows, [](R row) { return row.Names; });
+  AddColumnOf<vtkStringArray>(data, "AtomIds", this->Rows, [](R row) { return row.Ids; });
+  AddColumnOf<vtkIntArray>(data, "NumberOfAtoms", this->Rows, [](R row) { return row.Count; });
+  AddColumnOf<vtkDoubleArray>(data, "Area", this->Rows, [](R row) { return row.Area; });
 }
 
 ResidueAtoms::ResidueAtoms(const MoleculeAtoms& atoms, vtkPointSet* input, const char* featureName)
   : Atoms(atoms)
   , Input(input)
+  , Feature(NamedArray<vtkIntArray>(featureName))
+  , Label(NamedArray<vtkStringArray>("ResidueLabel"))
 {
-  this->Feature->SetName(featureName);
-  this->Label->SetName("ResidueLabel");
   for (const vtkIdType point : atoms.Points)
   {
     this->OfResidue[KeyOf(AtomAt(atoms, point))].push_back(point);

@@ -12,10 +12,9 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
-class vtkDoubleArray;
-class vtkIdTypeArray;
 class vtkIntArray;
 class vtkPointSet;
 class vtkPolyData;
@@ -46,21 +45,24 @@ std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& at
 class LiningTable
 {
 public:
-  explicit LiningTable(const char* featureName);
-  ~LiningTable();
+  explicit LiningTable(std::string featureName)
+    : FeatureName(std::move(featureName))
+  {
+  }
   void Add(int feature, const std::vector<LiningResidue>& residues, const MoleculeAtoms& atoms);
-  void Fill(vtkTable* output);
+  void Fill(vtkTable* output) const;
 
 private:
-  vtkNew<vtkIntArray> Feature;
-  vtkNew<vtkIntArray> ResidueId;
-  vtkNew<vtkIntArray> Count;
-  vtkNew<vtkStringArray> Chain;
-  vtkNew<vtkStringArray> InsertionCode;
-  vtkNew<vtkStringArray> ResidueName;
-  vtkNew<vtkStringArray> Names;
-  vtkNew<vtkStringArray> Ids;
-  vtkNew<vtkDoubleArray> Area;
+  struct Row
+  {
+    int Feature;
+    NamedAtom First;
+    std::string Names, Ids;
+    std::size_t Count;
+    double Area;
+  };
+  std::string FeatureName;
+  std::vector<Row> Rows;
 };
 
 /// Whole residues as points with the input's arrays, and the input's bonds among them. The array

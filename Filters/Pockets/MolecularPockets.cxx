@@ -214,38 +214,6 @@ void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
   }
 }
 
-void CheckLength(const char* name, double value)
-{
-  if (!(value > 0.0 && value <= 1000.0))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
-      ", but it must be a length in angstrom, above 0 and at most 1000.");
-  }
-}
-
-void CheckOptions(const PocketOptions& options)
-{
-  CheckLength("InnerRadius", options.InnerRadius);
-  CheckLength("OuterRadius", options.OuterRadius);
-  CheckLength("BurialRadius", options.BurialRadius);
-  if (!(options.ProbeRadius >= 0.0 && options.ProbeRadius <= options.InnerRadius))
-  {
-    throw std::invalid_argument("ProbeRadius is " + FormatNumber(options.ProbeRadius) +
-      ", but it must lie between 0 and InnerRadius, " + FormatNumber(options.InnerRadius) + ".");
-  }
-  if (!(options.OuterRadius > options.InnerRadius))
-  {
-    throw std::invalid_argument("OuterRadius is " + FormatNumber(options.OuterRadius) +
-      ", but it must be larger than InnerRadius, " + FormatNumber(options.InnerRadius) +
-      ": a pocket has room for the inner ball and is not reached by the outer one.");
-  }
-  if (!(options.MinimumVolume >= 0.0) || std::isinf(options.MinimumVolume))
-  {
-    throw std::invalid_argument("MinimumVolume is " + FormatNumber(options.MinimumVolume) +
-      ", but it must be finite and not negative.");
-  }
-}
-
 /// The atoms sorted by position, which does not depend on their order in the file.
 std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
 {
@@ -617,10 +585,23 @@ void MeasureWhole(const Space& space, PocketResult& result, const ProgressCallba
 
 }
 
+void Check(const PocketOptions& options)
+{
+  constexpr double longest = 1000.0;
+  RequireAbove("InnerRadius", options.InnerRadius, 0.0, longest, "It is in angstrom.");
+  RequireAbove("OuterRadius", options.OuterRadius, options.InnerRadius, longest,
+    "It is larger than InnerRadius: a pocket has room for the inner ball and is not reached by the "
+    "outer one.");
+  RequireAbove("BurialRadius", options.BurialRadius, 0.0, longest, "It is in angstrom.");
+  RequireRange(
+    "ProbeRadius", options.ProbeRadius, 0.0, options.InnerRadius, "It is at most InnerRadius.");
+  RequireRange("MinimumVolume", options.MinimumVolume, 0.0, Unlimited, "It is in angstrom^3.");
+}
+
 PocketResult FindPockets(
   const std::vector<Ball>& atoms, const PocketOptions& options, const ProgressCallback& progress)
 {
-  CheckOptions(options);
+  Check(options);
   const std::vector<std::size_t> order = CanonicalOrder(atoms);
   Space space;
   space.Filtration = Enlarged(atoms, order, options, Between(progress, 0.0, 0.4));

@@ -20,7 +20,6 @@
 #include "Atoms/Ball.h"
 #include "Core/Progress.h"
 #include "Pockets/Pocket.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
@@ -33,8 +32,8 @@ namespace isthmus
  * The result is bitwise independent of the order of the atoms (except for atom numbers in it) and
  * of the number of threads. O(n log n): 60 us and 2 KB per atom.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT PocketResult FindPockets(const std::vector<Ball>& atoms,
-  const PocketOptions& options, const ProgressCallback& progress = {});
+PocketResult FindPockets(const std::vector<Ball>& atoms, const PocketOptions& options,
+  const ProgressCallback& progress = {});
 
 }
 

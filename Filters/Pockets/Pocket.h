@@ -6,6 +6,7 @@
 #define isthmus_Pocket_h
 
 #include "Core/Geometry.h"
+#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -34,6 +35,9 @@ struct PocketOptions
   /// Called with the predicted time of the triangulation in seconds (RegularFiltration.h).
   std::function<void(double)> Predicted;
 };
+
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSFILTERSPOCKETS_EXPORT void Check(const PocketOptions& options);
 
 /// An opening through which a ball can leave a pocket.
 struct PocketMouth

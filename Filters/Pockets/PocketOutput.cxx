@@ -9,6 +9,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
@@ -113,8 +114,7 @@ vtkSmartPointer<vtkFloatArray> DescriptorsOf(const std::vector<SitePlace>& place
   {
     names.push_back("Near " + residue);
   }
-  auto array = NamedArray<vtkFloatArray>("SiteDescriptors");
-  array->SetNumberOfComponents(static_cast<int>(names.size()));
+  auto array = NamedArray<vtkFloatArray>("SiteDescriptors", 0, static_cast<int>(names.size()));
   for (std::size_t k = 0; k < names.size(); ++k)
   {
     array->SetComponentName(static_cast<vtkIdType>(k), names[k].c_str());
@@ -187,30 +187,15 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
 
 void FillPocketTable(const PocketReport& report, vtkTable* output)
 {
-  auto rank = NamedArray<vtkIntArray>("Rank");
-  output->AddColumn(rank);
-  const auto add = [&](const char* name, auto&& value)
+  vtkFieldData* const data = output->GetRowData();
+  const auto add = [&](const char* name, const auto& value)
   {
-    auto column = NamedArray<vtkDoubleArray>(name);
-    for (std::size_t i = 0; i < report.Pockets.size(); ++i)
-    {
-      column->InsertNextValue(value(report.Pockets[i], i));
-    }
-    output->AddColumn(column);
+    AddColumnOf<vtkDoubleArray>(data, name, report.Pockets.size(),
+      [&](std::size_t i) { return value(report.Pockets[i], i); });
   };
-  const auto addCount = [&](const char* name, auto&& value)
-  {
-    auto column = NamedArray<vtkIntArray>(name);
-    for (const Pocket& pocket : report.Pockets)
-    {
-      column->InsertNextValue(static_cast<int>(value(pocket)));
-    }
-    output->AddColumn(column);
-  };
-  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
-  {
-    rank->InsertNextValue(NumberOf(i));
-  }
+  const auto addCount = [&](const char* name, const auto& value)
+  { AddColumnOf<vtkIntArray>(data, name, report.Pockets, value); };
+  AddColumnOf<vtkIntArray>(data, "Rank", report.Pockets.size(), NumberOf);
   using P = const Pocket&;
   add("Probability", [](P p, std::size_t) { return p.Probability; });
   add("Score", [](P p, std::size_t) { return p.Score; });
@@ -249,12 +234,8 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   { return report.Means.empty() ? unknown : report.Means[i].*member; };
   add("MeanPotential", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Potential); });
   add("MeanPolarized", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Polarized); });
-  auto residues = NamedArray<vtkStringArray>("Residues");
-  for (const Pocket& pocket : report.Pockets)
-  {
-    residues->InsertNextValue(NamesOf(LiningResiduesOf(pocket.Lining, report.Atoms), report.Atoms));
-  }
-  output->AddColumn(residues);
+  AddColumnOf<vtkStringArray>(data, "Residues", report.Pockets,
+    [&](P p) { return NamesOf(LiningResiduesOf(p.Lining, report.Atoms), report.Atoms); });
 }
 
 void FillMouths(const PocketReport& report, vtkPolyData* output)
@@ -340,9 +321,9 @@ void FillLiningResidues(const PocketReport& report, vtkTable* output)
 void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& places,
   vtkPolyData* surface, vtkPolyData* output)
 {
-  auto probability = NamedArray<vtkDoubleArray>("SiteProbability");
   if (!surface)
   {
+    auto probability = NamedArray<vtkDoubleArray>("SiteProbability");
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkCellArray> vertices;
@@ -363,17 +344,10 @@ void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& p
   }
   output->ShallowCopy(surface);
   const PolyDataTriangles triangles(surface);
-  for (const double value : SiteProbabilities(triangles.View(), places))
-  {
-    probability->InsertNextValue(value);
-  }
-  auto pocketId = NamedArray<vtkIntArray>("PocketId");
-  for (const int label : LabelPocketSurfaces(triangles.View(), report.Pockets))
-  {
-    pocketId->InsertNextValue(label);
-  }
-  output->GetPointData()->AddArray(pocketId);
-  output->GetPointData()->AddArray(probability);
+  AddColumn<vtkIntArray>(
+    output->GetPointData(), "PocketId", LabelPocketSurfaces(triangles.View(), report.Pockets));
+  AddColumn<vtkDoubleArray>(
+    output->GetPointData(), "SiteProbability", SiteProbabilities(triangles.View(), places));
   output->GetPointData()->SetActiveScalars("SiteProbability");
 }
 

@@ -19,7 +19,6 @@
 #include "Core/TriangleMesh.h"
 #include "Pockets/Pocket.h"
 #include "Pockets/PocketSurface.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <string>
 #include <tuple>
@@ -35,10 +34,10 @@ inline double BurialWeight(double atoms)
 }
 
 /// Fills in Score, Volume, Centre, Radius and Access of a pocket from its cells.
-VTKISTHMUSFILTERSPOCKETS_EXPORT void ScorePocket(Pocket& pocket);
+void ScorePocket(Pocket& pocket);
 
 /// The same for a site, except for its centre, which is its mode; limits the volumes of its cells.
-VTKISTHMUSFILTERSPOCKETS_EXPORT void ScoreSite(Pocket& site);
+void ScoreSite(Pocket& site);
 
 /// Chain, number, insertion code and name of a residue.
 using ResidueWord = std::tuple<std::string, int, std::string, std::string>;
@@ -51,20 +50,18 @@ using SiteName = std::vector<ResidueWord>;
  * by chain, then by name, since their order by density would depend on the molecule's orientation.
  * Sites and `names` are in the same order. Parents are renumbered.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT void OrderTiedSites(
-  const std::vector<SiteName>& names, std::vector<Pocket>& sites);
+void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sites);
 
 /// Sorts by descending score; equal ones keep their order.
-VTKISTHMUSFILTERSPOCKETS_EXPORT void RankPockets(std::vector<Pocket>& pockets);
+void RankPockets(std::vector<Pocket>& pockets);
 
 /**
  * Multiplies each score by the square root of the pocket's mean polarized curvature over that of
  * the whole surface (1 for a pocket without lining surface) and, with `rank`, ranks the pockets
  * again. `means` are then in the new order of the pockets.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT void WeightScoresByCurvature(const SurfaceView& surface,
-  const PocketSurfaceFields& fields, bool rank, std::vector<Pocket>& pockets,
-  std::vector<PocketSurfaceMeans>& means);
+void WeightScoresByCurvature(const SurfaceView& surface, const PocketSurfaceFields& fields,
+  bool rank, std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means);
 
 }
 

@@ -14,7 +14,6 @@
 #define isthmus_PocketSites_h
 
 #include "Core/Geometry.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <vector>
 
@@ -38,7 +37,7 @@ constexpr double SiteSpacing =
 constexpr double LeastDensity = 0.01; ///< fraction of the largest density
 
 /// Sites by descending density. A place belongs to at most one site. O(places x places nearby).
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSite> FindSites(
+std::vector<PocketSite> FindSites(
   const std::vector<Point3>& places, const std::vector<double>& probabilities);
 
 }

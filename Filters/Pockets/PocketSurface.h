@@ -8,7 +8,6 @@
 
 #include "Core/TriangleMesh.h"
 #include "Pockets/Pocket.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <vector>
 
@@ -34,21 +33,20 @@ struct PocketSurfaceFields
  * Surface within `reach` of a pocket's alpha balls (centres and clearances of its cells) counts as
  * lining the pocket. One entry for each pocket. O(n log n + cells x points nearby).
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(
-  const SurfaceView& surface, const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets,
-  double reach = 0.5);
+std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(const SurfaceView& surface,
+  const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets, double reach = 0.5);
 
 /// The same means over the whole surface.
-VTKISTHMUSFILTERSPOCKETS_EXPORT PocketSurfaceMeans MeasureWholeSurface(
+PocketSurfaceMeans MeasureWholeSurface(
   const SurfaceView& surface, const PocketSurfaceFields& fields);
 
 /// For each point of the surface, the mean probability of the places within 5 angstrom, with the
 /// weight (1 - d/5)^2; 0 if there are none.
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<double> SiteProbabilities(
+std::vector<double> SiteProbabilities(
   const SurfaceView& surface, const std::vector<SitePlace>& places);
 
 /// For each point of the surface 0, or 1 + the index of the first pocket that it lines.
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> LabelPocketSurfaces(
+std::vector<int> LabelPocketSurfaces(
   const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach = 0.5);
 
 }

@@ -58,9 +58,9 @@ void SamplePotential(const GridView<const T>& grid, const GridTransform& toGrid,
   ParallelFor(0, count, 4096, body, progress);
 }
 
-template VTKISTHMUSFILTERSPOCKETS_EXPORT void SamplePotential(const GridView<const float>&,
-  const GridTransform&, const double*, vtkIdType, double*, const ProgressCallback&);
-template VTKISTHMUSFILTERSPOCKETS_EXPORT void SamplePotential(const GridView<const double>&,
-  const GridTransform&, const double*, vtkIdType, double*, const ProgressCallback&);
+template void SamplePotential(const GridView<const float>&, const GridTransform&, const double*,
+  vtkIdType, double*, const ProgressCallback&);
+template void SamplePotential(const GridView<const double>&, const GridTransform&, const double*,
+  vtkIdType, double*, const ProgressCallback&);
 
 }

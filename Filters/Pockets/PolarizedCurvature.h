@@ -23,7 +23,6 @@
 
 #include "Core/GridView.h"
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 
 #include <vtkType.h>
 
@@ -45,7 +44,7 @@ enum class SiteClass : unsigned char
 constexpr unsigned char NumberOfSiteClasses = 5;
 
 /// For example "site for a negatively charged small ligand".
-VTKISTHMUSFILTERSPOCKETS_EXPORT const char* SiteClassName(SiteClass site);
+const char* SiteClassName(SiteClass site);
 
 /// The quantities at a point of a surface, see above.
 struct PolarizedPoint

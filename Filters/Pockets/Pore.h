@@ -6,6 +6,7 @@
 #define isthmus_Pore_h
 
 #include "Core/Geometry.h"
+#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -17,16 +18,19 @@ namespace isthmus
 /// Lengths in angstrom.
 struct PoreOptions
 {
-  double EndRadius = 5.0;        ///< a pore ends where it is wider than this
-  double Spacing = 0.25;         ///< distance between the planes
-  double MinimumRadius = 1.0;    ///< of automatically found pores
-  double MinimumSpan = 20.0;     ///< distance between their ends
-  std::size_t MaximumPores = 20; ///< maximum number of these; those with the longest spans are kept
+  double EndRadius = 5.0;     ///< a pore ends where it is wider than this
+  double Spacing = 0.25;      ///< distance between the planes
+  double MinimumRadius = 1.0; ///< of automatically found pores
+  double MinimumSpan = 20.0;  ///< distance between their ends
+  int MaximumPores = 20;      ///< maximum number of these; those with the longest spans are kept
   double MaximumOffset =
     10.0; ///< between two points: largest distance of the path from the straight line
   /// Called with the predicted time of the triangulation in seconds (RegularFiltration.h).
   std::function<void(double)> Predicted;
 };
+
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSFILTERSPOCKETS_EXPORT void Check(const PoreOptions& options);
 
 /// The largest ball in a plane across a pore.
 struct PoreSample

@@ -240,7 +240,7 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility&
   }
   std::stable_sort(channels.begin(), channels.end(),
     [](const Channel& a, const Channel& b) { return a.Span > b.Span; });
-  channels.resize(std::min(channels.size(), options.MaximumPores));
+  channels.resize(std::min(channels.size(), static_cast<std::size_t>(options.MaximumPores)));
   return channels;
 }
 

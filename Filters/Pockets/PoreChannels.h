@@ -7,7 +7,6 @@
 
 #include "Pockets/CellAccessibility.h"
 #include "Pockets/Pore.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
@@ -34,17 +33,16 @@ struct Channel
  * hull. The channel with the longest span comes first. Sorts `f`. O(n log n), plus the reduction of
  * FiltrationPairs.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f,
-  const CellAccessibility& access, double probe, const PoreOptions& options,
-  const ProgressCallback& progress = {});
+std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility& access,
+  double probe, const PoreOptions& options, const ProgressCallback& progress = {});
 
 /**
  * The path from `first` to `last` with the least integral of 1 / clearance^2 among paths no farther
  * than MaximumOffset from the straight line. Throws std::runtime_error if there is none.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT Channel PathBetween(const RegularFiltration& f,
-  const FacesByCell& faces, const CellAccessibility& access, const Point3& first,
-  const Point3& last, const PoreOptions& options, const ProgressCallback& progress = {});
+Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
+  const CellAccessibility& access, const Point3& first, const Point3& last,
+  const PoreOptions& options, const ProgressCallback& progress = {});
 
 }
 

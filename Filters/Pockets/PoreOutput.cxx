@@ -6,6 +6,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
@@ -139,53 +140,38 @@ void FillPoreLines(const PoreReport& report, vtkPolyData* output)
 void FillPoreSamples(const PoreReport& report, vtkTable* output)
 {
   SampleArrays arrays;
-  vtkNew<vtkDoubleArray> place[3];
+  std::vector<Point3> places;
   for (std::size_t p = 0; p < report.Pores.size(); ++p)
   {
     for (const PoreSample& sample : report.Pores[p].Samples)
     {
       arrays.Add(PoreNumber(p), sample, report.Atoms);
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        place[k]->InsertNextValue(sample.Centre[k]);
-      }
+      places.push_back(sample.Centre);
     }
   }
   arrays.Give([&](vtkAbstractArray* array) { output->AddColumn(array); });
   const char* names[] = { "X", "Y", "Z" };
   for (std::size_t k = 0; k < 3; ++k)
   {
-    place[k]->SetName(names[k]);
-    output->AddColumn(place[k]);
+    AddColumnOf<vtkDoubleArray>(
+      output->GetRowData(), names[k], places, [k](const Point3& place) { return place[k]; });
   }
 }
 
 void FillPoreTable(const PoreReport& report, vtkTable* output)
 {
-  auto poreId = NamedArray<vtkIntArray>("PoreId");
-  auto bottlenecks = NamedArray<vtkIntArray>("Bottlenecks");
-  const char* names[] = { "Radius", "Length", "Span", "BottleneckX", "BottleneckY", "BottleneckZ" };
-  std::vector<vtkNew<vtkDoubleArray>> columns(6);
-  for (std::size_t p = 0; p < report.Pores.size(); ++p)
-  {
-    const Pore& pore = report.Pores[p];
-    const PoreSample& narrow = Narrowest(pore);
-    const double values[] = { narrow.Radius, pore.Samples.back().ArcLength, pore.Span,
-      narrow.Centre[0], narrow.Centre[1], narrow.Centre[2] };
-    poreId->InsertNextValue(PoreNumber(p));
-    bottlenecks->InsertNextValue(static_cast<int>(pore.Bottlenecks.size()));
-    for (std::size_t k = 0; k < columns.size(); ++k)
-    {
-      columns[k]->InsertNextValue(values[k]);
-    }
-  }
-  output->AddColumn(poreId);
-  for (std::size_t k = 0; k < columns.size(); ++k)
-  {
-    columns[k]->SetName(names[k]);
-    output->AddColumn(columns[k]);
-  }
-  output->AddColumn(bottlenecks);
+  vtkFieldData* const data = output->GetRowData();
+  const auto add = [&](const char* name, const auto& of)
+  { AddColumnOf<vtkDoubleArray>(data, name, report.Pores, of); };
+  AddColumnOf<vtkIntArray>(data, "PoreId", report.Pores.size(), PoreNumber);
+  add("Radius", [](const Pore& pore) { return Narrowest(pore).Radius; });
+  add("Length", [](const Pore& pore) { return pore.Samples.back().ArcLength; });
+  add("Span", [](const Pore& pore) { return pore.Span; });
+  add("BottleneckX", [](const Pore& pore) { return Narrowest(pore).Centre[0]; });
+  add("BottleneckY", [](const Pore& pore) { return Narrowest(pore).Centre[1]; });
+  add("BottleneckZ", [](const Pore& pore) { return Narrowest(pore).Centre[2]; });
+  AddColumnOf<vtkIntArray>(
+    data, "Bottlenecks", report.Pores, [](const Pore& pore) { return pore.Bottlenecks.size(); });
 }
 
 void FillBottlenecks(const PoreReport& report, vtkPolyData* output)

@@ -1,7 +1,7 @@
 #include "Pockets/PoreProfile.h"
 
-#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PoreChannels.h"
 #include "Pockets/PoreRadius.h"
@@ -153,33 +153,6 @@ std::vector<PlaneBall> MarchAlong(const AtomField& atoms, const Course& course, 
 
 /// Weights of atoms as seen by a water probe.
 constexpr double Probe = 1.4;
-
-void CheckLength(const char* name, double value)
-{
-  if (!(value > 0.0 && value <= 1e4))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
-      ", but it must be a length in angstrom, above 0 and at most 10000.");
-  }
-}
-
-void CheckOptions(const PoreOptions& options)
-{
-  CheckLength("EndRadius", options.EndRadius);
-  CheckLength("Spacing", options.Spacing);
-  CheckLength("MaximumOffset", options.MaximumOffset);
-  CheckLength("MinimumRadius", options.MinimumRadius);
-  if (options.Spacing < 0.001)
-  {
-    throw std::invalid_argument("Spacing is " + FormatNumber(options.Spacing) +
-      ", but planes closer than 0.001 angstrom give no more detail: choose a larger Spacing.");
-  }
-  if (!(options.MinimumSpan >= 0.0 && options.MinimumSpan <= 1e6))
-  {
-    throw std::invalid_argument("MinimumSpan is " + FormatNumber(options.MinimumSpan) +
-      ", but it must be a length, 0 or more.");
-  }
-}
 
 void CheckPoint(const char* name, const Point3& p)
 {
@@ -338,10 +311,21 @@ std::vector<Pore> PoresOf(const AtomField& atoms, const std::vector<Channel>& ch
 
 }
 
+void Check(const PoreOptions& options)
+{
+  constexpr double longest = 1e4;
+  RequireAbove("EndRadius", options.EndRadius, 0.0, longest, "It is in angstrom.");
+  RequireRange("Spacing", options.Spacing, 0.001, longest, "It is in angstrom.");
+  RequireAbove("MinimumRadius", options.MinimumRadius, 0.0, longest, "It is in angstrom.");
+  RequireRange("MinimumSpan", options.MinimumSpan, 0.0, 1e6, "It is in angstrom.");
+  RequireRange("MaximumPores", options.MaximumPores, 0, 1e6);
+  RequireAbove("MaximumOffset", options.MaximumOffset, 0.0, longest, "It is in angstrom.");
+}
+
 std::vector<Pore> FindPores(
   const std::vector<Ball>& atoms, const PoreOptions& options, const ProgressCallback& progress)
 {
-  CheckOptions(options);
+  Check(options);
   RegularFiltration f = Enlarged(atoms, options, Between(progress, 0.0, 0.3));
   std::vector<Pore> pores;
   if (f.Complex.Tetrahedra.empty())
@@ -367,7 +351,7 @@ std::vector<Pore> FindPores(
 Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Point3& last,
   const PoreOptions& options, const ProgressCallback& progress)
 {
-  CheckOptions(options);
+  Check(options);
   CheckPoint("Point1", first);
   CheckPoint("Point2", last);
   if (Length(first - last) <= options.Spacing)
@@ -401,7 +385,7 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
 Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3& direction,
   const PoreOptions& options, const ProgressCallback& progress)
 {
-  CheckOptions(options);
+  Check(options);
   CheckPoint("Point", point);
   CheckPoint("Direction", direction);
   const double length = Length(direction);

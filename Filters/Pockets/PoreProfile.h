@@ -14,19 +14,17 @@
 #include "Atoms/Ball.h"
 #include "Core/Progress.h"
 #include "Pockets/Pore.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
 
 /// All channels through the molecule, the longest first (see PoreChannels.h for the criteria).
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Pore> FindPores(const std::vector<Ball>& atoms,
-  const PoreOptions& options, const ProgressCallback& progress = {});
+std::vector<Pore> FindPores(const std::vector<Ball>& atoms, const PoreOptions& options,
+  const ProgressCallback& progress = {});
 
 /// The pore from one point to another.
-VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreBetween(const std::vector<Ball>& atoms,
-  const Point3& first, const Point3& last, const PoreOptions& options,
-  const ProgressCallback& progress = {});
+Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Point3& last,
+  const PoreOptions& options, const ProgressCallback& progress = {});
 
 /**
  * The pore through `point` in planes perpendicular to `direction`, followed both ways from there.
@@ -35,8 +33,8 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreBetween(const std::vector<Ball>& atoms,
  * All three throw std::invalid_argument for options and atoms out of range, std::runtime_error if
  * there is no path; Cancelled. About 1 ms per plane.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point,
-  const Point3& direction, const PoreOptions& options, const ProgressCallback& progress = {});
+Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3& direction,
+  const PoreOptions& options, const ProgressCallback& progress = {});
 
 }
 

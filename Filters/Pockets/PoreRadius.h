@@ -19,7 +19,7 @@ namespace isthmus
 class AtomField
 {
 public:
-  VTKISTHMUSFILTERSPOCKETS_EXPORT explicit AtomField(const std::vector<Ball>& atoms);
+  explicit AtomField(const std::vector<Ball>& atoms);
 
   /// Distance of `place` from the nearest atom's surface, and that atom. The search is faster the
   /// closer the guess is to that distance.
@@ -31,11 +31,10 @@ public:
   VTKISTHMUSFILTERSPOCKETS_EXPORT Clearance At(const Point3& place, double guess = 0.0) const;
 
   /// The atoms whose surface is within `reach` of `place`.
-  VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
+  std::vector<Ball> Near(const Point3& place, double reach) const;
 
   /// The numbers of these atoms, unordered.
-  VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<std::int64_t> Touching(
-    const Point3& place, double reach) const;
+  std::vector<std::int64_t> Touching(const Point3& place, double reach) const;
 
 private:
   const std::vector<Ball>& Atoms;
@@ -72,13 +71,13 @@ struct Climb
  * models in a square whose size is adapted to the success of the step. The last steps converge
  * quadratically to a point where three atoms touch the ball. About 30 steps of 2 us.
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall ClimbInPlane(
+PlaneBall ClimbInPlane(
   const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);
 
 /// The best result of climbs from `starts` and from places around the first one within a ball of
 /// radius `width`.
-VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall LargestBallInPlane(const AtomField& atoms,
-  const Plane& plane, const std::vector<Point3>& starts, double width, double enough);
+PlaneBall LargestBallInPlane(const AtomField& atoms, const Plane& plane,
+  const std::vector<Point3>& starts, double width, double enough);
 
 }
 

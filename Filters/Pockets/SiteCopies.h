@@ -18,7 +18,6 @@
 
 #include "Pockets/PocketSites.h"
 #include "Pockets/SiteDescriptors.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <cstdint>
 #include <vector>
@@ -36,7 +35,7 @@ struct CopiedSite
 
 /// By descending density; copies of a site follow each other, ordered by chain. `sites`: the
 /// densest first. O(sites x residues around x sites with the same residues around).
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<CopiedSite> GroupCopies(
+std::vector<CopiedSite> GroupCopies(
   const std::vector<SiteAtom>& atoms, std::vector<PocketSite> sites);
 
 }

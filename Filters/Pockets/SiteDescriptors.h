@@ -28,7 +28,6 @@
 #include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Pockets/Pocket.h"
-#include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <array>
 #include <cstdint>
@@ -68,14 +67,14 @@ struct SiteAtom
 
 /// Kind, Residue and BindsMetals from names; force-field variants and common modifications count as
 /// the amino acid from which they are derived. Unknown atoms are Other.
-VTKISTHMUSFILTERSPOCKETS_EXPORT SiteAtom SiteAtomOf(
+SiteAtom SiteAtomOf(
   const Point3& place, int element, const std::string& residue, const std::string& name);
 
 /// Names of the descriptors, in their order.
-VTKISTHMUSFILTERSPOCKETS_EXPORT const std::vector<std::string>& SiteDescriptorNames();
+const std::vector<std::string>& SiteDescriptorNames();
 
 /// Number of values of SiteAtom::Residue.
-VTKISTHMUSFILTERSPOCKETS_EXPORT const std::vector<std::string>& SiteResidueNames();
+const std::vector<std::string>& SiteResidueNames();
 
 /// Rows of numbers, one row for each tetrahedron.
 struct SiteDescriptorTable
@@ -86,8 +85,8 @@ struct SiteDescriptorTable
 
 /// O(cells x atoms nearby). Deterministic for a given order of atoms and cells. `residues`: whether
 /// to compute the weights of residues, which the training needs. @throws Cancelled
-VTKISTHMUSFILTERSPOCKETS_EXPORT SiteDescriptorTable DescribeSites(
-  const std::vector<SiteAtom>& atoms, const std::vector<const PocketCell*>& cells, bool residues,
+SiteDescriptorTable DescribeSites(const std::vector<SiteAtom>& atoms,
+  const std::vector<const PocketCell*>& cells, bool residues,
   const ProgressCallback& progress = {});
 
 }

@@ -11,8 +11,6 @@
 #ifndef isthmus_SiteModel_h
 #define isthmus_SiteModel_h
 
-#include "vtkIsthmusFiltersPocketsModule.h"
-
 #include <cstddef>
 #include <cstdint>
 
@@ -42,21 +40,21 @@ struct SiteModelTable
   double Calibration[3];    ///< constant, factor of ln(density), factor of ln(share)
 };
 
-VTKISTHMUSFILTERSPOCKETS_EXPORT const SiteModelTable& FrozenSiteModel();
+const SiteModelTable& FrozenSiteModel();
 
 /// Enrichment of atoms of residue number `residue` (SiteAtom) around ligands compared with other
 /// places in pockets: natural logarithm of the ratio in the training set.
-VTKISTHMUSFILTERSPOCKETS_EXPORT double SitePropensity(int residue);
+double SitePropensity(int residue);
 
 /// Probability that a place with these descriptors lies within 3 angstrom of a ligand's atom.
-VTKISTHMUSFILTERSPOCKETS_EXPORT double PlaceProbability(const float* descriptors);
+double PlaceProbability(const float* descriptors);
 
 /**
  * Probability that a site's centre is within 4 angstrom of the ligand: logistic in the logarithms
  * of the site's density and of its share of the densities of all sites of the molecule (Platt's
  * calibration, fitted on families left out of the training).
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT double SiteProbability(double density, double share);
+double SiteProbability(double density, double share);
 
 }
 

@@ -1,4 +1,5 @@
 #include "Pockets/TrackedData.h"
+#include "Core/NamedColumns.h"
 
 #include "Pockets/FeatureInput.h"
 
@@ -22,14 +23,6 @@ namespace
 {
 
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-template <typename Array>
-Array* AddColumn(vtkTable* table, const std::string& name)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  table->AddColumn(array);
-  return array;
-}
 
 /// Whether any feature has a kind.
 bool AreLoops(const std::vector<TrackFrame>& frames)
@@ -63,18 +56,18 @@ void TrackedData::Clear()
 
 void TrackedData::FillTable(const Tracks& places, vtkTable* table) const
 {
-  auto* track = AddColumn<vtkIntArray>(table, "Track");
-  auto* time = AddColumn<vtkDoubleArray>(table, "Time");
-  auto* feature = AddColumn<vtkIntArray>(table, "FeatureId");
+  auto* track = AddArray<vtkIntArray>(table->GetRowData(), "Track", 0);
+  auto* time = AddArray<vtkDoubleArray>(table->GetRowData(), "Time", 0);
+  auto* feature = AddArray<vtkIntArray>(table->GetRowData(), "FeatureId", 0);
   std::array<vtkDoubleArray*, 6> numbers;
   const char* names[] = { "X", "Y", "Z", "Radius", "Volume", "Score" };
   for (std::size_t k = 0; k < numbers.size(); ++k)
   {
-    numbers[k] = AddColumn<vtkDoubleArray>(table, names[k]);
+    numbers[k] = AddArray<vtkDoubleArray>(table->GetRowData(), names[k], 0);
   }
   const bool areLoops = AreLoops(this->Frames);
-  auto* kind = areLoops ? AddColumn<vtkIntArray>(table, "Kind") : nullptr;
-  auto* side = areLoops ? AddColumn<vtkIntArray>(table, "Side") : nullptr;
+  auto* kind = areLoops ? AddArray<vtkIntArray>(table->GetRowData(), "Kind", 0) : nullptr;
+  auto* side = areLoops ? AddArray<vtkIntArray>(table->GetRowData(), "Side", 0) : nullptr;
   for (std::size_t n = 0; n < places.size(); ++n)
   {
     for (const Place& place : places[n])
@@ -100,15 +93,7 @@ void TrackedData::FillChart(
   const Tracks& places, const std::vector<std::size_t>& order, int charted, vtkTable* chart) const
 {
   const auto add = [&](const std::string& name, const std::vector<double>& values)
-  {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(name.c_str());
-    for (const double value : values)
-    {
-      column->InsertNextValue(value);
-    }
-    chart->AddColumn(column);
-  };
+  { AddColumn<vtkDoubleArray>(chart->GetRowData(), name, values); };
   std::vector<double> times;
   for (std::size_t t = 0; t < this->Frames.size(); ++t)
   {
@@ -133,12 +118,9 @@ void TrackedData::FillPaths(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> track;
-  vtkNew<vtkDoubleArray> time;
-  vtkNew<vtkDoubleArray> radius;
-  track->SetName("Track");
-  time->SetName("Time");
-  radius->SetName("Radius");
+  const auto track = NamedArray<vtkIntArray>("Track");
+  const auto time = NamedArray<vtkDoubleArray>("Time");
+  const auto radius = NamedArray<vtkDoubleArray>("Radius");
   for (const std::size_t n : order)
   {
     lines->InsertNextCell(static_cast<int>(places[n].size()));
@@ -160,10 +142,10 @@ void TrackedData::FillPaths(
 
 void TrackedData::FillEvents(const std::vector<TrackEvent>& events, vtkTable* table) const
 {
-  auto* kind = AddColumn<vtkStringArray>(table, "Event");
-  auto* time = AddColumn<vtkDoubleArray>(table, "Time");
-  auto* track = AddColumn<vtkIntArray>(table, "Track");
-  auto* other = AddColumn<vtkIntArray>(table, "Other");
+  auto* kind = AddArray<vtkStringArray>(table->GetRowData(), "Event", 0);
+  auto* time = AddArray<vtkDoubleArray>(table->GetRowData(), "Time", 0);
+  auto* track = AddArray<vtkIntArray>(table->GetRowData(), "Track", 0);
+  auto* other = AddArray<vtkIntArray>(table->GetRowData(), "Other", 0);
   for (const TrackEvent& event : events)
   {
     kind->InsertNextValue(event.Kind == TrackEventKind::Merge ? "merge" : "split");

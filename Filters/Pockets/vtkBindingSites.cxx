@@ -2,10 +2,11 @@
 
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/BindingSiteTable.h"
 #include "Pockets/BindingSites.h"
 #include "Pockets/HullDepth.h"
@@ -18,7 +19,6 @@
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -93,6 +93,9 @@ int vtkBindingSites::RequestData(
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
       isthmus::RequireOneRank(this, atoms, "atoms");
       output->ShallowCopy(surface);
+      isthmus::Check(this->Parameters);
+      isthmus::RequireRange("Classes", this->Classes, Ligands, AllPoints);
+      isthmus::RequireRange("Amplitude", this->Amplitude, AbsoluteValue, NegativePart);
       if (surface->GetNumberOfCells() > 0)
       {
         std::vector<std::string> notes;
@@ -107,11 +110,7 @@ int vtkBindingSites::RequestData(
         const isthmus::BindingSiteResult result = usesPockets
           ? this->Pockets(surface, triangles.View(), *chosen)
           : this->Patches(surface, triangles.View());
-        vtkNew<vtkIntArray> labels;
-        labels->SetName("BindingSite");
-        isthmus::SizeArray(labels, surface->GetNumberOfPoints());
-        std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
-        output->GetPointData()->AddArray(labels);
+        isthmus::AddColumn<vtkIntArray>(output->GetPointData(), "BindingSite", result.Labels);
         output->GetPointData()->SetActiveScalars("BindingSite");
         isthmus::FillSiteTable(result,
           chosen ? isthmus::ResiduesOfSites(
@@ -181,18 +180,13 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
   vtkPolyData* surface, const isthmus::SurfaceView& triangles)
 {
   const isthmus::SiteFields fields = this->Fields(surface);
-  isthmus::BindingSiteOptions options;
+  isthmus::BindingSiteOptions options = this->Parameters;
   options.UseQuantile = this->UseQuantile;
-  options.Quantile = this->Quantile;
-  options.Threshold = this->Threshold;
-  options.MergeDistance = this->MergeDistance;
-  options.MinimumArea = this->MinimumArea;
-  options.Ranking = static_cast<isthmus::SiteRanking>(this->RankBy);
   isthmus::BindingSiteResult result =
     isthmus::FindBindingSites(triangles, fields, options, isthmus::ProgressOf(this));
   if (result.Sites.empty())
   {
-    vtkWarningMacro(<< isthmus::TextOf("No patch of at least ", this->MinimumArea,
+    vtkWarningMacro(<< isthmus::TextOf("No patch of at least ", options.MinimumArea,
                       " (unit of length squared) has values above the threshold of ",
                       result.Threshold,
                       ". Is the array constant, or zero at the points of the chosen classes? Lower "
@@ -260,9 +254,9 @@ void vtkBindingSites::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Classes: " << this->Classes << "\n";
   os << indent << "Amplitude: " << this->Amplitude << "\n";
   os << indent << "UseQuantile: " << this->UseQuantile << "\n";
-  os << indent << "Quantile: " << this->Quantile << "\n";
-  os << indent << "Threshold: " << this->Threshold << "\n";
-  os << indent << "MergeDistance: " << this->MergeDistance << "\n";
-  os << indent << "MinimumArea: " << this->MinimumArea << "\n";
-  os << indent << "RankBy: " << this->RankBy << "\n";
+  os << indent << "Quantile: " << this->GetQuantile() << "\n";
+  os << indent << "Threshold: " << this->GetThreshold() << "\n";
+  os << indent << "MergeDistance: " << this->GetMergeDistance() << "\n";
+  os << indent << "MinimumArea: " << this->GetMinimumArea() << "\n";
+  os << indent << "RankBy: " << this->GetRankBy() << "\n";
 }

@@ -45,6 +45,8 @@
 #define vtkBindingSites_h
 
 #include "Core/ArrayProperty.h"
+#include "Core/FilterProperties.h"
+#include "Pockets/BindingSites.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -68,9 +70,8 @@ public:
   vtkTypeMacro(vtkBindingSites, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Point array of the amplitudes, as ParaView's panel sets it; see ArrayProperty.h. Default
-  /// `PolarizedCurvature`.
-  ISTHMUS_ARRAY_PROPERTY(RankedArray, 0);
+  /// Input array 0 is the point array of the amplitudes, `PolarizedCurvature` by default.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   ///@{
   /// The molecule's atoms, optional: input 1.
@@ -96,7 +97,7 @@ public:
   ///@{
   /// Which points may belong to sites: those of SiteClass 2 and 4 (Ligands, default), 1 and 3
   /// (Proteins), 1 to 4 (AllClasses), or all points as one class, without SiteClass (AllPoints).
-  vtkSetClampMacro(Classes, int, Ligands, AllPoints);
+  vtkSetMacro(Classes, int);
   vtkGetMacro(Classes, int);
   ///@}
 
@@ -109,7 +110,7 @@ public:
 
   ///@{
   /// Amplitude of a value v of the array: |v| (default), max(v, 0), or max(-v, 0).
-  vtkSetClampMacro(Amplitude, int, AbsoluteValue, NegativePart);
+  vtkSetMacro(Amplitude, int);
   vtkGetMacro(Amplitude, int);
   ///@}
 
@@ -122,28 +123,24 @@ public:
 
   ///@{
   /// The fraction of the area that lies at or below the threshold, in [0, 1). Default: 0.93.
-  vtkSetMacro(Quantile, double);
-  vtkGetMacro(Quantile, double);
+  ISTHMUS_PARAMETER(Quantile, double);
   ///@}
 
   ///@{
   /// Threshold of the amplitude in the array's unit, if UseQuantile is off. Default: 1 kT/(e
   /// angstrom).
-  vtkSetMacro(Threshold, double);
-  vtkGetMacro(Threshold, double);
+  ISTHMUS_PARAMETER(Threshold, double);
   ///@}
 
   ///@{
   /// Distance within which patches of one class are merged, in angstrom. Default: 1; 0: none are
   /// merged.
-  vtkSetMacro(MergeDistance, double);
-  vtkGetMacro(MergeDistance, double);
+  ISTHMUS_PARAMETER(MergeDistance, double);
   ///@}
 
   ///@{
   /// Area below which patches are dropped, in angstrom^2. Default: 5.
-  vtkSetMacro(MinimumArea, double);
-  vtkGetMacro(MinimumArea, double);
+  ISTHMUS_PARAMETER(MinimumArea, double);
   ///@}
 
   enum Rankings
@@ -157,8 +154,7 @@ public:
   ///@{
   /// Quantity by which sites are ranked, the largest first: Score (default), Area, MeanDepth, or
   /// |MeanPotential|.
-  vtkSetClampMacro(RankBy, int, ByScore, ByMeanPotential);
-  vtkGetMacro(RankBy, int);
+  ISTHMUS_PARAMETER(RankBy, int);
   ///@}
 
   /// Output 1.
@@ -173,15 +169,11 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  isthmus::BindingSiteOptions Parameters;
   bool UsePockets = true;
   int Classes = Ligands;
   int Amplitude = AbsoluteValue;
   bool UseQuantile = true;
-  double Quantile = 0.93;
-  double Threshold = 1.0;
-  double MergeDistance = 1.0;
-  double MinimumArea = 5.0;
-  int RankBy = ByScore;
 
 private:
   vtkBindingSites(const vtkBindingSites&) = delete;

@@ -2,6 +2,7 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/TrackedData.h"
 
 #include <vtkInformation.h>
@@ -12,15 +13,10 @@
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkFeatureTracks);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-struct vtkFeatureTracks::Collected : isthmus::TrackedData
-{
-};
 
 vtkFeatureTracks::vtkFeatureTracks()
 {
@@ -66,12 +62,12 @@ int vtkFeatureTracks::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkFeatureTracks::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Data = std::make_unique<Collected>();
+  this->Collected = std::make_unique<isthmus::TrackedData>();
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   if (input->Has(Pipeline::TIME_STEPS()))
   {
     const double* times = input->Get(Pipeline::TIME_STEPS());
-    this->Data->Times.assign(times, times + input->Length(Pipeline::TIME_STEPS()));
+    this->Collected->Times.assign(times, times + input->Length(Pipeline::TIME_STEPS()));
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
@@ -85,12 +81,12 @@ int vtkFeatureTracks::RequestInformation(
 int vtkFeatureTracks::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  const std::size_t next = this->Data ? this->Data->Frames.size() : 0;
-  for (int port = 0; this->Data && next < this->Data->Times.size() && port < 2; ++port)
+  const std::size_t next = this->Collected ? this->Collected->Frames.size() : 0;
+  for (int port = 0; this->Collected && next < this->Collected->Times.size() && port < 2; ++port)
   {
     if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
     {
-      input->Set(Pipeline::UPDATE_TIME_STEP(), this->Data->Times[next]);
+      input->Set(Pipeline::UPDATE_TIME_STEP(), this->Collected->Times[next]);
     }
   }
   return 1;
@@ -102,18 +98,18 @@ int vtkFeatureTracks::RequestData(
   const bool done = isthmus::Succeeds(this, outputVector,
     [&]()
     {
-      this->Data->Add(
+      this->Collected->Add(
         vtkDataObject::GetData(inputVector[0], 0), vtkTable::GetData(inputVector[1], 0));
-      const double seen = static_cast<double>(this->Data->Frames.size());
+      const double seen = static_cast<double>(this->Collected->Frames.size());
       isthmus::Report(isthmus::ProgressOf(this),
-        0.9 * seen / std::max(seen, static_cast<double>(this->Data->Times.size())));
-      if (this->Data->Frames.size() < this->Data->Times.size())
+        0.9 * seen / std::max(seen, static_cast<double>(this->Collected->Times.size())));
+      if (this->Collected->Frames.size() < this->Collected->Times.size())
       {
         request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
         return;
       }
       request->Remove(Pipeline::CONTINUE_EXECUTING());
-      const auto& frames = this->Data->Frames;
+      const auto& frames = this->Collected->Frames;
       const bool none =
         std::all_of(frames.begin(), frames.end(), [](const auto& frame) { return frame.empty(); });
       if (!none || isthmus::OnFirstRank()) // frames without features are reported once
@@ -121,11 +117,11 @@ int vtkFeatureTracks::RequestData(
         this->Finish(outputVector);
       }
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
-      this->Data->Clear();
+      this->Collected->Clear();
     });
   if (!done)
   {
-    this->Data->Clear();
+    this->Collected->Clear();
     request->Remove(Pipeline::CONTINUE_EXECUTING());
   }
   return 1;
@@ -133,15 +129,12 @@ int vtkFeatureTracks::RequestData(
 
 void vtkFeatureTracks::Finish(vtkInformationVector* outputs)
 {
-  if (this->MinimumLength < 0)
-  {
-    throw std::invalid_argument(
-      "MinimumLength is negative, but it must be a number of features, 0 or more.");
-  }
-  const Collected& data = *this->Data;
-  const auto tracks =
-    isthmus::TrackFeatures(data.Frames, { this->MaximumDistance, this->MaximumGap });
-  Collected::Tracks places(static_cast<std::size_t>(tracks.NumberOfTracks));
+  isthmus::RequireRange(
+    "MinimumLength", this->MinimumLength, 0, VTK_INT_MAX, "It is a number of features.");
+  isthmus::RequireRange("Charted", this->Charted, Radius, Score);
+  const isthmus::TrackedData& data = *this->Collected;
+  const auto tracks = isthmus::TrackFeatures(data.Frames, this->Parameters);
+  isthmus::TrackedData::Tracks places(static_cast<std::size_t>(tracks.NumberOfTracks));
   for (std::size_t t = 0; t < data.Frames.size(); ++t)
   {
     for (std::size_t i = 0; i < data.Frames[t].size(); ++i)
@@ -168,8 +161,8 @@ void vtkFeatureTracks::Finish(vtkInformationVector* outputs)
 void vtkFeatureTracks::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "MaximumGap: " << this->MaximumGap << "\n";
+  os << indent << "MaximumDistance: " << this->GetMaximumDistance() << "\n";
+  os << indent << "MaximumGap: " << this->GetMaximumGap() << "\n";
   os << indent << "Charted: " << this->Charted << "\n";
   os << indent << "MinimumLength: " << this->MinimumLength << "\n";
 }

@@ -29,13 +29,20 @@
 #ifndef vtkFeatureTracks_h
 #define vtkFeatureTracks_h
 
+#include "Core/FilterProperties.h"
+#include "Pockets/FeatureTracks.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
-#include <memory> // for the collected features
+#include <memory> // for the collected time steps
 
 class vtkAlgorithmOutput;
 class vtkPolyData;
+
+namespace isthmus
+{
+struct TrackedData;
+}
 
 class VTKISTHMUSFILTERSPOCKETS_EXPORT vtkFeatureTracks : public vtkTableAlgorithm
 {
@@ -49,14 +56,12 @@ public:
 
   ///@{
   /// Largest distance that a feature moves from one time step to the next. Default: 4 angstrom.
-  vtkSetMacro(MaximumDistance, double);
-  vtkGetMacro(MaximumDistance, double);
+  ISTHMUS_PARAMETER(MaximumDistance, double);
   ///@}
 
   ///@{
   /// Number of time steps that a track may miss. Default: 25.
-  vtkSetMacro(MaximumGap, int);
-  vtkGetMacro(MaximumGap, int);
+  ISTHMUS_PARAMETER(MaximumGap, int);
   ///@}
 
   enum ChartedValues
@@ -68,7 +73,7 @@ public:
 
   ///@{
   /// Quantity of each track in output 1. Default: Radius.
-  vtkSetClampMacro(Charted, int, Radius, Score);
+  vtkSetMacro(Charted, int);
   vtkGetMacro(Charted, int);
   ///@}
 
@@ -99,12 +104,10 @@ private:
   vtkFeatureTracks(const vtkFeatureTracks&) = delete;
   void operator=(const vtkFeatureTracks&) = delete;
 
-  struct Collected;
   void Finish(vtkInformationVector* outputs);
 
-  std::unique_ptr<Collected> Data;
-  double MaximumDistance = 4.0;
-  int MaximumGap = 25;
+  std::unique_ptr<isthmus::TrackedData> Collected; ///< of the time steps so far
+  isthmus::TrackOptions Parameters;
   int Charted = Radius;
   int MinimumLength = 1;
 };

@@ -1,7 +1,9 @@
 #include "vtkMolecularPockets.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/Cached.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
 #include "Pockets/LiningResidues.h"
 #include "Pockets/LongTriangulation.h"
@@ -15,7 +17,6 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -37,14 +37,6 @@ vtkStandardNewMacro(vtkMolecularPockets);
 
 namespace
 {
-
-void AddNumber(const char* name, double value, vtkDataObject* to)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  to->GetFieldData()->AddArray(array);
-}
 
 /// The heavy atoms with their properties for binding; empty without names and elements.
 std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
@@ -128,17 +120,107 @@ std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, boo
 
 }
 
-struct vtkMolecularPockets::Cache
+class vtkMolecularPockets::vtkInternals
 {
-  using Key = std::tuple<vtkDataObject*, vtkMTimeType, std::string, std::array<double, 4>,
+public:
+  using Key = std::tuple<isthmus::ObjectState, std::string, std::array<double, 4>,
     std::array<bool, 7>, std::string>;
-  Key MadeOf;
-  isthmus::PocketResult Result;
+  isthmus::Cached<Key, isthmus::PocketResult> Pockets;
 };
 
 vtkMolecularPockets::~vtkMolecularPockets() = default;
 
+const std::vector<isthmus::OutputArray>& vtkMolecularPockets::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "AtomId", 1, "", ArrayChoice::None, "the point of the input" },
+    { 0, ArrayPlace::Cells, "PocketId", 1, "", ArrayChoice::None,
+      "rank of the pocket; the best has 1" },
+    { 0, ArrayPlace::Cells, "Clearance", 1, "angstrom", ArrayChoice::None,
+      "radius of the ball there that touches no atom" },
+    { 0, ArrayPlace::Cells, "AccessRadius", 1, "angstrom", ArrayChoice::None,
+      "of the largest ball that gets there from outside" },
+    { 0, ArrayPlace::Cells, "Burial", 1, "", ArrayChoice::None, "atoms within BurialRadius" },
+    { 0, ArrayPlace::Cells, "EmptyVolume", 1, "angstrom^3", ArrayChoice::None,
+      "only sums are meaningful; at least 0 in a site" },
+    { 0, ArrayPlace::Cells, "SiteProbability", 1, "", ArrayChoice::None,
+      "probability that a ligand's atom is within 3 angstrom of the ball's centre; 0 without "
+      "sites" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None, "what was dropped from the input" },
+    { 1, ArrayPlace::Rows, "Rank", 1, "", ArrayChoice::None, "of the pocket; the best has 1" },
+    { 1, ArrayPlace::Rows, "Probability", 1, "", ArrayChoice::None,
+      "that the centre is within 4 angstrom of a ligand; NaN without sites" },
+    { 1, ArrayPlace::Rows, "Score", 1, "angstrom^3", ArrayChoice::None, "volume x (atoms/100)^2" },
+    { 1, ArrayPlace::Rows, "CenterX", 1, "angstrom", ArrayChoice::None, "centre of the pocket" },
+    { 1, ArrayPlace::Rows, "CenterY", 1, "angstrom", ArrayChoice::None, "centre of the pocket" },
+    { 1, ArrayPlace::Rows, "CenterZ", 1, "angstrom", ArrayChoice::None, "centre of the pocket" },
+    { 1, ArrayPlace::Rows, "Volume", 1, "angstrom^3", ArrayChoice::None,
+      "accessible to the probe's centre" },
+    { 1, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None,
+      "accessible to the probe's centre" },
+    { 1, ArrayPlace::Rows, "Mouths", 1, "", ArrayChoice::None, "their number; 0: a void" },
+    { 1, ArrayPlace::Rows, "MouthRadius", 1, "angstrom", ArrayChoice::None, "of the widest" },
+    { 1, ArrayPlace::Rows, "MouthArea", 1, "angstrom^2", ArrayChoice::None, "of all mouths" },
+    { 1, ArrayPlace::Rows, "Radius", 1, "angstrom", ArrayChoice::None, "of the largest ball" },
+    { 1, ArrayPlace::Rows, "PolarShare", 1, "", ArrayChoice::None, "fraction of Area on N and O" },
+    { 1, ArrayPlace::Rows, "ApolarShare", 1, "", ArrayChoice::None,
+      "fraction of Area on other atoms" },
+    { 1, ArrayPlace::Rows, "LiningAtoms", 1, "", ArrayChoice::None, "their number" },
+    { 1, ArrayPlace::Rows, "Cells", 1, "", ArrayChoice::None, "number of tetrahedra" },
+    { 1, ArrayPlace::Rows, "Parent", 1, "", ArrayChoice::None,
+      "pocket of a site; 0: in no pocket" },
+    { 1, ArrayPlace::Rows, "CopyOf", 1, "", ArrayChoice::None,
+      "rank of the first of the sites at this place in copies of the chain, or the site's own rank "
+      "if it is the first; 0 without sites" },
+    { 1, ArrayPlace::Rows, "MeanPotential", 1, "kT/e", ArrayChoice::None,
+      "mean of the surface's potential" },
+    { 1, ArrayPlace::Rows, "MeanPolarized", 1, "kT/(e angstrom)", ArrayChoice::None,
+      "mean of the absolute polarized curvature" },
+    { 1, ArrayPlace::Rows, "Residues", 1, "", ArrayChoice::None,
+      "names of the lining residues, those with the largest area first" },
+    { 1, ArrayPlace::Field, "AccessibleArea", 1, "angstrom^2", ArrayChoice::None,
+      "of the whole molecule" },
+    { 1, ArrayPlace::Field, "AccessibleVolume", 1, "angstrom^3", ArrayChoice::None,
+      "of the whole molecule" },
+    { 1, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None, "what was dropped from the input" },
+    { 2, ArrayPlace::Points, "AtomId", 1, "", ArrayChoice::None, "the point of the input" },
+    { 2, ArrayPlace::Cells, "PocketId", 1, "", ArrayChoice::None, "of the mouth" },
+    { 2, ArrayPlace::Cells, "MouthId", 1, "", ArrayChoice::None, "number of the mouth" },
+    { 2, ArrayPlace::Cells, "Clearance", 1, "angstrom", ArrayChoice::None, "of the triangle" },
+    { 3, ArrayPlace::Points, "PocketId", 1, "", ArrayChoice::None, "of the ball" },
+    { 3, ArrayPlace::Points, "Radius", 1, "angstrom", ArrayChoice::None, "of the ball" },
+    { 3, ArrayPlace::Points, "AccessRadius", 1, "angstrom", ArrayChoice::None,
+      "of the largest ball that gets there from outside" },
+    { 3, ArrayPlace::Points, "Burial", 1, "", ArrayChoice::None, "atoms within BurialRadius" },
+    { 4, ArrayPlace::Rows, "PocketId", 1, "", ArrayChoice::None,
+      "of the pocket that the residue lines" },
+    { 4, ArrayPlace::Rows, "Chain", 1, "", ArrayChoice::None, "of the residue" },
+    { 4, ArrayPlace::Rows, "ResidueId", 1, "", ArrayChoice::None, "number of the residue" },
+    { 4, ArrayPlace::Rows, "InsertionCode", 1, "", ArrayChoice::None, "of the residue" },
+    { 4, ArrayPlace::Rows, "ResidueName", 1, "", ArrayChoice::None, "of the residue" },
+    { 4, ArrayPlace::Rows, "Atoms", 1, "", ArrayChoice::None, "names of the lining atoms" },
+    { 4, ArrayPlace::Rows, "AtomIds", 1, "", ArrayChoice::None, "points of the input" },
+    { 4, ArrayPlace::Rows, "NumberOfAtoms", 1, "", ArrayChoice::None, "lining atoms" },
+    { 4, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None,
+      "of the residue in the pocket" },
+    { 5, ArrayPlace::Points, "PocketId", 1, "", ArrayChoice::None,
+      "of the pocket that the residue lines" },
+    { 5, ArrayPlace::Points, "ResidueLabel", 1, "", ArrayChoice::None,
+      "name and number of the residue, at one of its atoms" },
+    { 6, ArrayPlace::Points, "PocketId", 1, "", ArrayChoice::None, "0: none; with input 1" },
+    { 6, ArrayPlace::Points, "SiteProbability", 1, "", ArrayChoice::None,
+      "probability of a site at the point" },
+    { 6, ArrayPlace::Points, "SiteDescriptors", 83, "", ArrayChoice::Off,
+      "numbers from which the probability is computed; without input 1" },
+  };
+  return table;
+}
+
 vtkMolecularPockets::vtkMolecularPockets()
+  : OutputArrays(this, OutputArrayTable())
+  , Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(7);
@@ -204,6 +286,7 @@ int vtkMolecularPockets::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
+      this->OutputArrays.Check();
       isthmus::RequireOneRank(this, atoms, "atoms");
       if (atoms)
       {
@@ -217,18 +300,14 @@ void vtkMolecularPockets::Compute(
   vtkPointSet* input, vtkPolyData* surface, vtkInformationVector* outputs)
 {
   isthmus::PolymerOptions keep;
-  keep.Hydrogens = this->KeepHydrogens;
-  keep.Waters = this->KeepWaters;
-  keep.Ions = this->KeepIons;
-  keep.Ligands = this->KeepLigands;
-  keep.ProstheticGroups = this->KeepProstheticGroups;
-  keep.Residues = isthmus::NamesIn(this->KeepResidues);
-  isthmus::PocketOptions options;
-  options.ProbeRadius = this->ProbeRadius;
-  options.InnerRadius = this->InnerRadius;
-  options.OuterRadius = this->OuterRadius;
-  options.BurialRadius = this->BurialRadius;
-  options.MinimumVolume = this->MinimumVolume;
+  keep.Hydrogens = this->IncludeHydrogens;
+  keep.Waters = this->IncludeWaters;
+  keep.Ions = this->IncludeIons;
+  keep.Ligands = this->IncludeLigands;
+  keep.ProstheticGroups = this->IncludeProstheticGroups;
+  keep.Residues = isthmus::NamesIn(this->IncludeResidues);
+  isthmus::PocketOptions options = this->Parameters;
+  isthmus::Check(options);
   options.Predicted = isthmus::WarningOfLongTriangulation(this);
   const isthmus::MoleculeAtoms atoms =
     isthmus::ReadAtoms(input, isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep));
@@ -236,26 +315,21 @@ void vtkMolecularPockets::Compute(
   if (this->FindSites && !siteAtoms.empty())
   {
     options.SiteAtoms = &siteAtoms;
-    options.KeepDescriptors = this->KeepDescriptors;
+    options.KeepDescriptors = this->OutputArrays.Has("SiteDescriptors");
   }
   // Pockets of any volume are kept, so that changing the threshold of whole pockets is instant.
-  const double least = options.MinimumVolume;
-  options.MinimumVolume = least >= 0.0 && std::isfinite(least) ? 0.0 : least;
-  const Cache::Key key{ input, input->GetMTime(), isthmus::InputArrayName(this, 0),
-    { this->ProbeRadius, this->InnerRadius, this->OuterRadius, this->BurialRadius },
-    { this->FindSites, this->KeepDescriptors, keep.Hydrogens, keep.Waters, keep.Ions, keep.Ligands,
-      keep.ProstheticGroups },
-    this->KeepResidues };
-  if (!this->Kept || this->Kept->MadeOf != key || options.MinimumVolume != 0.0)
-  {
-    this->Kept.reset();
-    auto made = std::make_unique<Cache>();
-    made->MadeOf = key;
-    made->Result = isthmus::FindPockets(
-      atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
-    this->Kept = std::move(made);
-  }
-  isthmus::PocketResult result = this->Kept->Result;
+  const double least = std::exchange(options.MinimumVolume, 0.0);
+  const vtkInternals::Key key{ isthmus::StateOf(input), isthmus::InputArrayName(this, 0),
+    { options.ProbeRadius, options.InnerRadius, options.OuterRadius, options.BurialRadius },
+    { this->FindSites, options.KeepDescriptors, keep.Hydrogens, keep.Waters, keep.Ions,
+      keep.Ligands, keep.ProstheticGroups },
+    this->IncludeResidues };
+  isthmus::PocketResult result = this->Internals->Pockets.Get(key,
+    [&]
+    {
+      return isthmus::FindPockets(
+        atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+    });
   if (!options.SiteAtoms)
   {
     std::vector<isthmus::Pocket>& pockets = result.Pockets;
@@ -271,11 +345,11 @@ void vtkMolecularPockets::Compute(
   const bool hasSurface = surface && surface->GetNumberOfPoints() > 0;
   // A surface on which sites are shown need not have polarized curvature.
   if (hasSurface && this->UsePolarizedCurvature &&
-    (!options.SiteAtoms || surface->GetPointData()->HasArray(this->PolarizedArray.c_str())))
+    (!options.SiteAtoms || surface->GetPointData()->HasArray(this->PolarizedArrayName.c_str())))
   {
     const isthmus::PolyDataTriangles triangles(surface);
-    const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArray, surface, true),
-      NumbersOf(this->PotentialArray, surface, false) };
+    const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArrayName, surface, true),
+      NumbersOf(this->PotentialArrayName, surface, false) };
     isthmus::WeightScoresByCurvature(
       triangles.View(), fields, !options.SiteAtoms, result.Pockets, means);
   }
@@ -290,8 +364,9 @@ void vtkMolecularPockets::Compute(
   isthmus::FillLiningAtoms(report, input, this->ShownPocket, vtkPolyData::GetData(outputs, 5));
   isthmus::FillSiteSurface(
     report, result.SitePlaces, hasSurface ? surface : nullptr, vtkPolyData::GetData(outputs, 6));
-  AddNumber("AccessibleArea", result.UnionArea, table);
-  AddNumber("AccessibleVolume", result.UnionVolume, table);
+  isthmus::AddColumn<vtkDoubleArray>(table->GetFieldData(), "AccessibleArea", { result.UnionArea });
+  isthmus::AddColumn<vtkDoubleArray>(
+    table->GetFieldData(), "AccessibleVolume", { result.UnionVolume });
   isthmus::AddNotes(atoms.Notes, cells);
   isthmus::AddNotes(atoms.Notes, table);
   for (const std::string& warning : atoms.Warnings)
@@ -303,21 +378,21 @@ void vtkMolecularPockets::Compute(
 void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
-  os << indent << "InnerRadius: " << this->InnerRadius << "\n";
-  os << indent << "OuterRadius: " << this->OuterRadius << "\n";
-  os << indent << "BurialRadius: " << this->BurialRadius << "\n";
-  os << indent << "MinimumVolume: " << this->MinimumVolume << "\n";
+  os << indent << "ProbeRadius: " << this->GetProbeRadius() << "\n";
+  os << indent << "InnerRadius: " << this->GetInnerRadius() << "\n";
+  os << indent << "OuterRadius: " << this->GetOuterRadius() << "\n";
+  os << indent << "BurialRadius: " << this->GetBurialRadius() << "\n";
+  os << indent << "MinimumVolume: " << this->GetMinimumVolume() << "\n";
   os << indent << "FindSites: " << this->FindSites << "\n";
-  os << indent << "KeepDescriptors: " << this->KeepDescriptors << "\n";
+  this->OutputArrays.Print(os, indent);
   os << indent << "UsePolarizedCurvature: " << this->UsePolarizedCurvature << "\n";
-  os << indent << "PolarizedArray: " << this->PolarizedArray << "\n";
-  os << indent << "PotentialArray: " << this->PotentialArray << "\n";
-  os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "KeepIons: " << this->KeepIons << "\n";
-  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
-  os << indent << "KeepProstheticGroups: " << this->KeepProstheticGroups << "\n";
-  os << indent << "KeepResidues: " << this->KeepResidues << "\n";
+  os << indent << "PolarizedArrayName: " << this->PolarizedArrayName << "\n";
+  os << indent << "PotentialArrayName: " << this->PotentialArrayName << "\n";
+  os << indent << "IncludeHydrogens: " << this->IncludeHydrogens << "\n";
+  os << indent << "IncludeWaters: " << this->IncludeWaters << "\n";
+  os << indent << "IncludeIons: " << this->IncludeIons << "\n";
+  os << indent << "IncludeLigands: " << this->IncludeLigands << "\n";
+  os << indent << "IncludeProstheticGroups: " << this->IncludeProstheticGroups << "\n";
+  os << indent << "IncludeResidues: " << this->IncludeResidues << "\n";
   os << indent << "ShownPocket: " << this->ShownPocket << "\n";
 }

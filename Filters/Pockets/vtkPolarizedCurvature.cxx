@@ -1,8 +1,8 @@
 #include "vtkPolarizedCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
@@ -16,7 +16,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMatrix4x4.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -66,13 +65,8 @@ void SampleAs(vtkImageData* image, vtkDataArray* scalars, const double* points, 
 
 void AddSiteClassNames(vtkFieldData* fields)
 {
-  vtkNew<vtkStringArray> names;
-  names->SetName("SiteClassNames");
-  for (unsigned char site = 0; site < isthmus::NumberOfSiteClasses; ++site)
-  {
-    names->InsertNextValue(isthmus::SiteClassName(static_cast<isthmus::SiteClass>(site)));
-  }
-  fields->AddArray(names);
+  isthmus::AddColumnOf<vtkStringArray>(fields, "SiteClassNames", isthmus::NumberOfSiteClasses,
+    [](std::size_t site) { return isthmus::SiteClassName(static_cast<isthmus::SiteClass>(site)); });
 }
 
 void CheckScalar(vtkDataArray* array, vtkDataSet* data, const char* what)
@@ -88,11 +82,8 @@ void CheckScalar(vtkDataArray* array, vtkDataSet* data, const char* what)
 template <typename Array>
 Array* NewPointArray(vtkPolyData* output, const char* name)
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  isthmus::SizeArray(array, output->GetNumberOfPoints());
-  output->GetPointData()->AddArray(array);
-  return array;
+  return isthmus::AddArray<Array>(
+    output->GetPointData(), name, static_cast<std::size_t>(output->GetNumberOfPoints()));
 }
 
 }
@@ -156,16 +147,15 @@ int vtkPolarizedCurvature::RequestData(
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
       isthmus::RequirePlaces(surface, "the surface");
-      isthmus::RequireThat(!std::isnan(this->ClassThreshold), "ClassThreshold",
-        this->ClassThreshold, "it must be a number");
+      isthmus::RequireRange("ClassThreshold", this->ClassThreshold, 0.0, isthmus::Unlimited,
+        "It is in kT/(e angstrom).");
       output->ShallowCopy(surface);
       if (surface->GetNumberOfPoints() == 0)
       {
         return;
       }
-      vtkNew<vtkDoubleArray> potential;
-      potential->SetName("Potential");
-      isthmus::SizeArray(potential, surface->GetNumberOfPoints());
+      const auto potential = isthmus::NamedArray<vtkDoubleArray>(
+        "Potential", static_cast<std::size_t>(surface->GetNumberOfPoints()));
       image ? this->Sample(surface, image, potential) : this->Copy(surface, potential);
       this->AddProducts(surface, potential, output);
     });
@@ -185,12 +175,12 @@ void vtkPolarizedCurvature::Copy(vtkPolyData* surface, vtkDoubleArray* potential
 void vtkPolarizedCurvature::Sample(
   vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential)
 {
-  vtkDataArray* scalars = image->GetPointData()->GetArray(this->ImageArrayName.c_str());
+  vtkDataArray* scalars = image->GetPointData()->GetArray(this->PotentialArrayName.c_str());
   scalars = scalars ? scalars : image->GetPointData()->GetScalars();
   if (!scalars)
   {
-    throw std::invalid_argument("The image has neither a point array " + this->ImageArrayName +
-      " nor scalars: set ImageArrayName to one of the image's point arrays.");
+    throw std::invalid_argument("The image has neither a point array " + this->PotentialArrayName +
+      " nor scalars: set PotentialArrayName to one of the image's point arrays.");
   }
   CheckScalar(scalars, image, "potential");
   isthmus::RequireUsualValues(scalars);
@@ -258,6 +248,6 @@ void vtkPolarizedCurvature::AddProducts(
 void vtkPolarizedCurvature::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ImageArrayName: " << this->ImageArrayName << "\n";
+  os << indent << "PotentialArrayName: " << this->PotentialArrayName << "\n";
   os << indent << "ClassThreshold: " << this->ClassThreshold << "\n";
 }

@@ -5,9 +5,9 @@
  *
  * Input 0: a vtkPolyData with the point arrays `MaximumCurvature` and `MinimumCurvature` (input
  * arrays 0 and 1), as created by vtkSurfaceCurvature and vtkHessianCurvature. The potential comes
- * from input 1, a vtkImageData (its point array ImageArrayName), interpolated trilinearly at the
- * points in world coordinates; without that input, from a point array of the surface (input array
- * 2: `Potential`).
+ * from input 1, a vtkImageData (its point array PotentialArrayName), interpolated trilinearly at
+ * the points in world coordinates; without that input, from a point array of the surface (input
+ * array 2: `Potential`).
  *
  * **Output**: the surface with its arrays and, on points, double:
  * - `Potential` (kT/e, or the unit of the image): NaN at points off the grid;
@@ -60,9 +60,8 @@ public:
   vtkTypeMacro(vtkPolarizedCurvature, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Point array of the potential, as ParaView's panel sets it; see ArrayProperty.h. Default
-  /// `Potential`.
-  ISTHMUS_ARRAY_PROPERTY(PotentialArray, 2);
+  /// Input array 2 is the point array of the potential, `Potential` by default.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   ///@{
   /// The image of the potential, optional: input 1.
@@ -73,13 +72,14 @@ public:
   ///@{
   /// Point array of the image that contains the potential. Default: `Potential`. If the image has
   /// no array of that name, its active scalars are used.
-  vtkSetMacro(ImageArrayName, std::string);
-  vtkGetMacro(ImageArrayName, std::string);
+  vtkSetMacro(PotentialArrayName, std::string);
+  vtkGetMacro(PotentialArrayName, std::string);
   ///@}
 
   ///@{
-  /// Amplitude |Phi kappa| up to which a point has class 0, kT/(e angstrom). Default: 0.
-  vtkSetClampMacro(ClassThreshold, double, 0.0, VTK_DOUBLE_MAX);
+  /// Amplitude |Phi kappa| up to which a point has class 0, kT/(e angstrom); at least 0. Default:
+  /// 0.
+  vtkSetMacro(ClassThreshold, double);
   vtkGetMacro(ClassThreshold, double);
   ///@}
 
@@ -93,7 +93,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  std::string ImageArrayName = "Potential";
+  std::string PotentialArrayName = "Potential";
   double ClassThreshold = 0.0;
 
 private:

@@ -3,7 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/LongTriangulation.h"
 #include "Pockets/PoreOutput.h"
 #include "Pockets/PoreProfile.h"
@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkPoreProfile);
 
@@ -157,27 +156,18 @@ int vtkPoreProfile::RequestData(
 
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
 {
-  if (this->MaximumPores < 0)
-  {
-    throw std::invalid_argument(
-      "MaximumPores is negative, but it must be a number of pores, 0 or more.");
-  }
+  isthmus::Check(this->Parameters);
+  isthmus::RequireRange("Mode", this->Mode, Automatic, PointAndDirection);
   isthmus::PolymerOptions keep;
-  keep.Hydrogens = this->KeepHydrogens;
-  keep.Ions = this->KeepIons;
-  keep.Ligands = this->KeepLigands;
+  keep.Hydrogens = this->IncludeHydrogens;
+  keep.Ions = this->IncludeIons;
+  keep.Ligands = this->IncludeLigands;
   keep.ProstheticGroups = true;
   isthmus::AtomOptions which = isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep);
   which.SurfacePoints = true;
   isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
-  isthmus::PoreOptions options;
-  options.EndRadius = this->EndRadius;
-  options.Spacing = this->Spacing;
-  options.MinimumRadius = this->MinimumRadius;
-  options.MinimumSpan = this->MinimumSpan;
-  options.MaximumPores = static_cast<std::size_t>(this->MaximumPores);
+  isthmus::PoreOptions options = this->Parameters;
   options.Predicted = isthmus::WarningOfLongTriangulation(this);
-  options.MaximumOffset = this->MaximumOffset;
   if (atoms.IsSurface)
   {
     const double longest = LongestEdge(vtkPolyData::SafeDownCast(input));
@@ -208,13 +198,13 @@ void vtkPoreProfile::PrintSelf(ostream& os, vtkIndent indent)
   vector("Point2", this->Point2);
   vector("Point", this->Point);
   vector("Direction", this->Direction);
-  os << indent << "EndRadius: " << this->EndRadius << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
-  os << indent << "MinimumSpan: " << this->MinimumSpan << "\n";
-  os << indent << "MaximumPores: " << this->MaximumPores << "\n";
-  os << indent << "MaximumOffset: " << this->MaximumOffset << "\n";
-  os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
-  os << indent << "KeepIons: " << this->KeepIons << "\n";
-  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
+  os << indent << "EndRadius: " << this->GetEndRadius() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "MinimumRadius: " << this->GetMinimumRadius() << "\n";
+  os << indent << "MinimumSpan: " << this->GetMinimumSpan() << "\n";
+  os << indent << "MaximumPores: " << this->GetMaximumPores() << "\n";
+  os << indent << "MaximumOffset: " << this->GetMaximumOffset() << "\n";
+  os << indent << "IncludeHydrogens: " << this->IncludeHydrogens << "\n";
+  os << indent << "IncludeIons: " << this->IncludeIons << "\n";
+  os << indent << "IncludeLigands: " << this->IncludeLigands << "\n";
 }

@@ -42,6 +42,8 @@
 #define vtkPoreProfile_h
 
 #include "Core/ArrayProperty.h"
+#include "Core/FilterProperties.h"
+#include "Pockets/Pore.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -57,8 +59,8 @@ public:
   vtkTypeMacro(vtkPoreProfile, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Point array of the radii, as ParaView's panel sets it; see ArrayProperty.h. Default `Radius`.
-  ISTHMUS_ARRAY_PROPERTY(RadiusArray, 0);
+  /// Input array 0 is the point array of the radii, `Radius` by default.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   enum Modes
   {
@@ -69,7 +71,7 @@ public:
 
   ///@{
   /// Which pores to find. Default: Automatic.
-  vtkSetClampMacro(Mode, int, Automatic, PointAndDirection);
+  vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -92,52 +94,46 @@ public:
 
   ///@{
   /// Radius at which a pore ends. Default: 5 angstrom.
-  vtkSetMacro(EndRadius, double);
-  vtkGetMacro(EndRadius, double);
+  ISTHMUS_PARAMETER(EndRadius, double);
   ///@}
 
   ///@{
   /// Distance between the planes. Default: 0.25 angstrom.
-  vtkSetMacro(Spacing, double);
-  vtkGetMacro(Spacing, double);
+  ISTHMUS_PARAMETER(Spacing, double);
   ///@}
 
   ///@{
   /// Smallest radius of channels, for Automatic. Default: 1 angstrom.
-  vtkSetMacro(MinimumRadius, double);
-  vtkGetMacro(MinimumRadius, double);
+  ISTHMUS_PARAMETER(MinimumRadius, double);
   ///@}
 
   ///@{
   /// Smallest distance between the ends of a channel, for Automatic. Default: 20 angstrom.
-  vtkSetMacro(MinimumSpan, double);
-  vtkGetMacro(MinimumSpan, double);
+  ISTHMUS_PARAMETER(MinimumSpan, double);
   ///@}
 
   ///@{
   /// Maximum number of channels, for Automatic. Default: 20.
-  vtkSetMacro(MaximumPores, int);
-  vtkGetMacro(MaximumPores, int);
+  ISTHMUS_PARAMETER(MaximumPores, int);
   ///@}
 
   ///@{
   /// Largest distance of the path from the straight line, for TwoPoints. Default: 10 angstrom.
-  vtkSetMacro(MaximumOffset, double);
-  vtkGetMacro(MaximumOffset, double);
+  ISTHMUS_PARAMETER(MaximumOffset, double);
   ///@}
 
   ///@{
   /// Residues and atoms that count as part of the molecule in addition to its chains. Default:
   /// hydrogens.
-  vtkSetMacro(KeepHydrogens, bool);
-  vtkGetMacro(KeepHydrogens, bool);
-  vtkBooleanMacro(KeepHydrogens, bool);
-  vtkSetMacro(KeepIons, bool);
-  vtkGetMacro(KeepIons, bool);
-  vtkBooleanMacro(KeepIons, bool);
-  vtkSetMacro(KeepLigands, bool);
-  vtkGetMacro(KeepLigands, bool);
-  vtkBooleanMacro(KeepLigands, bool);
+  vtkSetMacro(IncludeHydrogens, bool);
+  vtkGetMacro(IncludeHydrogens, bool);
+  vtkBooleanMacro(IncludeHydrogens, bool);
+  vtkSetMacro(IncludeIons, bool);
+  vtkGetMacro(IncludeIons, bool);
+  vtkBooleanMacro(IncludeIons, bool);
+  vtkSetMacro(IncludeLigands, bool);
+  vtkGetMacro(IncludeLigands, bool);
+  vtkBooleanMacro(IncludeLigands, bool);
   ///@}
 
   vtkTable* GetProfile();
@@ -167,15 +163,10 @@ private:
   double Point2[3] = { 0.0, 0.0, 0.0 };
   double Point[3] = { 0.0, 0.0, 0.0 };
   double Direction[3] = { 0.0, 0.0, 1.0 };
-  double EndRadius = 5.0;
-  double Spacing = 0.25;
-  double MinimumRadius = 1.0;
-  double MinimumSpan = 20.0;
-  int MaximumPores = 20;
-  double MaximumOffset = 10.0;
-  bool KeepHydrogens = true;
-  bool KeepIons = false;
-  bool KeepLigands = false;
+  isthmus::PoreOptions Parameters;
+  bool IncludeHydrogens = true;
+  bool IncludeIons = false;
+  bool IncludeLigands = false;
 };
 
 #endif

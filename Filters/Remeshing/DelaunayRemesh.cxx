@@ -1,4 +1,4 @@
-#include "Remeshing/SuppressCGALDumps.h"
+#include "Remeshing/MeshRefinement.h"
 
 #include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
@@ -9,16 +9,11 @@
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // in boost/graph/detail/adjacency_list.hpp
-#endif
-
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,13 +114,13 @@ TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int
 }
 
 /// One connected part, facing as the old one where `made` lies on it.
-TriangleMesh RefinedPart(const SurfaceView& part, const DelaunayRemeshParameters& parameters,
+TriangleMesh RefinedPart(const SurfaceView& part, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
   if (LiesInAPlane(part))
   {
     return PlanarRemesh(
-      part, { parameters.EdgeLength, parameters.Angle, parameters.MaximumPoints }, progress);
+      part, { parameters.EdgeLength, parameters.MinimumAngle, parameters.MaximumPoints }, progress);
   }
   namespace params = CGAL::parameters;
   SurfaceMesh surface = cgal::ToSurfaceMesh(part);
@@ -134,19 +129,20 @@ TriangleMesh RefinedPart(const SurfaceView& part, const DelaunayRemeshParameters
   SurfaceDomain domain(std::vector<SurfaceMesh*>{ &surface }, 60.0 * triangles + 1e4, progress);
   domain.detect_features(parameters.FeatureAngle);
   const DelaunayCriteria criteria(params::edge_size = length,
-    params::facet_angle = parameters.Angle, params::facet_size = length / std::sqrt(3.0),
-    params::facet_distance = parameters.Distance > 0.0 ? parameters.Distance : length / 10.0);
-  CGAL::Mesh_error_code error{};
-  const auto options = params::mesh_3_options(
-    params::maximal_number_of_vertices = static_cast<std::size_t>(parameters.MaximumPoints),
-    params::pointer_to_error_code = &error);
+    params::facet_angle = parameters.MinimumAngle, params::facet_size = length / std::sqrt(3.0),
+    params::facet_distance =
+      parameters.MaximumDistance > 0.0 ? parameters.MaximumDistance : length / 10.0);
   const bool isClosed = FindDefects(part).BoundaryTriangles.empty();
-  const auto complex = isClosed
-    ? CGAL::make_mesh_3<DelaunayComplex>(
-        domain, criteria, params::no_perturb(), params::no_exude(), params::manifold(), options)
-    : CGAL::make_mesh_3<DelaunayComplex>(domain, criteria, params::no_perturb(), params::no_exude(),
-        params::manifold_with_boundary(), options);
-  if (error == CGAL::CGAL_MESH_3_MAXIMAL_NUMBER_OF_VERTICES_REACHED)
+  DelaunayComplex complex;
+  const auto maximumPoints = static_cast<std::size_t>(parameters.MaximumPoints);
+  bool isWithinLimit = cgal::ProtectEdges(complex, domain, criteria, maximumPoints);
+  if (isWithinLimit)
+  {
+    cgal::AddInitialPoints(complex, domain);
+    isWithinLimit = cgal::RefineMesh(complex, domain, criteria, maximumPoints,
+      isClosed ? CGAL::MANIFOLD : CGAL::MANIFOLD_WITH_BOUNDARY);
+  }
+  if (!isWithinLimit)
   {
     RefuseManyPoints(parameters.MaximumPoints);
   }
@@ -194,20 +190,20 @@ void FaceAlike(const SurfaceView& old, RemeshedSurface& part)
 
 }
 
-RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const DelaunayRemeshParameters& parameters,
+RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
-  if (mesh.Triangles.empty())
-  {
-    return {};
-  }
   SurfaceDefects defects = FindDefects(mesh);
   defects.BoundaryTriangles.clear();
   if (!defects.None())
   {
     throw std::invalid_argument(defects.Sentence() + " Repair the surface before remeshing it.");
   }
-  RequireAbove("The edge length", parameters.EdgeLength, 0.0, LargestLength, "It is a length.");
+  Check(parameters); // after the mesh, which the edge length may be derived from
+  if (mesh.Triangles.empty())
+  {
+    return {};
+  }
   const double points =
     0.5 * SurfaceArea(mesh) / (0.433 * parameters.EdgeLength * parameters.EdgeLength);
   if (points > static_cast<double>(parameters.MaximumPoints))
@@ -219,19 +215,15 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const DelaunayRemeshPara
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
-    DelaunayRemeshParameters scaled = parameters;
+    SurfaceRemeshParameters scaled = parameters;
     scaled.EdgeLength *= scale.Factor();
-    scaled.Distance *= scale.Factor();
+    scaled.MaximumDistance *= scale.Factor();
     TriangleMesh small = CopyOf(mesh);
     scale.Apply(small.Points);
     RemeshedSurface result = DelaunayRemesh(small, scaled, progress);
     scale.Undo(result.Mesh.Points);
     return result;
   }
-  RequireRange("MinimumAngle", parameters.Angle, 0.0, 30.0,
-    "It is an angle in degrees; above 30, refinement need not end.");
-  RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
-  RequireRange("Distance", parameters.Distance, 0.0, LargestLength, "It is a length.");
   return cgal::RethrowWithContext("remeshing the surface",
     [&]
     {

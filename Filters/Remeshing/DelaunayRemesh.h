@@ -11,21 +11,9 @@
 
 #include "Core/Progress.h"
 #include "Remeshing/SurfaceRemesh.h"
-#include "vtkIsthmusFiltersRemeshingModule.h"
-
-#include <cstdint>
 
 namespace isthmus
 {
-
-struct DelaunayRemeshParameters
-{
-  double EdgeLength = 1.0;    ///< bound on the edges, in units of the data
-  double Angle = 25.0;        ///< least angle of triangles away from features, degrees, at most 30
-  double Distance = 0.0;      ///< of triangles from the surface at most; 0: EdgeLength / 10
-  double FeatureAngle = 60.0; ///< edges whose triangles' normals differ by more, in degrees, stay
-  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
-};
 
 /**
  * Delaunay remeshing of `mesh`, each connected part by itself. New points lie on the old surface;
@@ -36,8 +24,8 @@ struct DelaunayRemeshParameters
  * below MaximumPoints, as at very sharp features, or loses a part: ask for a smaller EdgeLength.
  * Cost: about 0.2 ms a point of the result.
  */
-VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface DelaunayRemesh(const SurfaceView& mesh,
-  const DelaunayRemeshParameters& parameters, const ProgressCallback& progress = {});
+RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -8,6 +8,8 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
+#include <array>
+
 namespace isthmus
 {
 namespace
@@ -65,9 +67,17 @@ private:
   int Current = 0;
 };
 
-Origins AddOrigins(SurfaceMesh& mesh, const std::vector<int>& tags)
+/// The origins of the faces of `mesh`, added where it has none. CGAL's search for a property
+/// returns a pair before CGAL 6 and an optional since; adding an existing one returns it in all
+/// versions.
+Origins OriginsOf(SurfaceMesh& mesh)
 {
-  Origins map = mesh.add_property_map<Face, Origin>("f:origin").first;
+  return mesh.add_property_map<Face, Origin>("f:origin").first;
+}
+
+Origins SetOrigins(SurfaceMesh& mesh, const std::vector<int>& tags)
+{
+  Origins map = OriginsOf(mesh);
   std::size_t i = 0;
   for (const Face f : mesh.faces())
   {
@@ -82,7 +92,7 @@ SurfaceMesh Renumbered(SurfaceMesh& mesh, const Origins& origins)
 {
   const TriangleMesh triangles = cgal::FromSurfaceMesh(mesh);
   SurfaceMesh same = cgal::ToSurfaceMesh(triangles);
-  Origins copy = same.add_property_map<Face, Origin>("f:origin").first;
+  Origins copy = OriginsOf(same);
   auto to = same.faces().begin();
   for (const Face from : mesh.faces())
   {
@@ -114,19 +124,23 @@ TaggedSurface Combined(
     {
       SurfaceMesh first = cgal::ToSurfaceMesh(a.Mesh);
       SurfaceMesh second = cgal::ToSurfaceMesh(b.Mesh);
-      const Origins origins = AddOrigins(first, a.Tags);
-      const OriginVisitor visitor(first, origins, AddOrigins(second, b.Tags));
-      const auto how = CGAL::parameters::visitor(visitor);
-      const bool isManifold = operation == BooleanOperation::Union
-        ? PMP::corefine_and_compute_union(first, second, first, how)
-        : PMP::corefine_and_compute_difference(first, second, first, how);
+      const Origins origins = SetOrigins(first, a.Tags);
+      const OriginVisitor visitor(first, origins, SetOrigins(second, b.Tags));
+      // One call for both: CGAL's functions for a union and a difference instantiate it once each.
+      std::array<cgal::Optional<SurfaceMesh*>, 4> results;
+      const std::size_t wanted = operation == BooleanOperation::Union
+        ? PMP::Corefinement::UNION
+        : PMP::Corefinement::TM1_MINUS_TM2;
+      results[wanted] = &first;
+      const bool isManifold = PMP::corefine_and_compute_boolean_operations(
+        first, second, results, CGAL::parameters::visitor(visitor))[wanted];
       if (!isManifold)
       {
         throw std::runtime_error(
           "Two surfaces touch in such a way that their union is not a closed surface.");
       }
       SurfaceMesh joined = Renumbered(first, origins);
-      const Origins ofJoined = joined.property_map<Face, Origin>("f:origin").first;
+      const Origins ofJoined = OriginsOf(joined);
       RemoveSlivers(joined, ofJoined, finest);
       TaggedSurface result;
       result.Mesh = cgal::FromSurfaceMesh(joined);

@@ -67,7 +67,6 @@ struct Features
 /// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
 double ExpectedTriangles(const SurfaceView& mesh, double length)
 {
-  RequireAbove("The edge length", length, 0.0, LargestLength, "It is a length.");
   double edges = 0.0; // of needles: they have no area, and are split all the same
   double longest = 0.0;
   for (const Triangle& t : mesh.Triangles)
@@ -247,14 +246,27 @@ struct StopAtEdges
 
 }
 
+void Check(const SurfaceRemeshParameters& parameters)
+{
+  RequireAbove("EdgeLength", parameters.EdgeLength, 0.0, LargestLength, "It is a length.");
+  RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
+  RequireRange(
+    "NumberOfIterations", parameters.NumberOfIterations, 1, 100, "It is a number of rounds.");
+  RequireRange("MinimumAngle", parameters.MinimumAngle, 0.0, 30.0,
+    "It is an angle in degrees; above 30, refinement need not end.");
+  RequireRange("MaximumDistance", parameters.MaximumDistance, 0.0, LargestLength,
+    "It is a length; 0 stands for a tenth of the edge length.");
+}
+
 RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
+  RequireManifold(mesh); // before the edge length, which may be derived from it
+  Check(parameters);
   if (mesh.Triangles.empty())
   {
     return {};
   }
-  RequireManifold(mesh);
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
@@ -266,8 +278,6 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
   RequireResolved(mesh);
-  RequireRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
-  RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
   return cgal::RethrowWithContext("remeshing the surface",
     [&]
     {
@@ -279,8 +289,8 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
       };
       PMP::detect_sharp_edges(after, parameters.FeatureAngle, isFeature);
       const auto rest = Between(progress, 0.05, 0.95);
-      Projection projection(old, 0.5 * expected * std::max(1, parameters.Iterations), rest);
-      for (int i = 0; i < parameters.Iterations; ++i)
+      Projection projection(old, 0.5 * expected * parameters.NumberOfIterations, rest);
+      for (int i = 0; i < parameters.NumberOfIterations; ++i)
       {
         // Its own relaxation asks for edges that there are none of: Features.
         PMP::isotropic_remeshing(faces(after), length, after,
@@ -298,6 +308,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
 RemeshedSurface SimplifySurface(
   const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress)
 {
+  RequireRange("NumberOfTriangles", static_cast<double>(triangles), 1.0, Unlimited);
   if (mesh.Triangles.empty())
   {
     return {};
@@ -308,10 +319,6 @@ RemeshedSurface SimplifySurface(
   {
     return AtUnitScale(CopyOf(mesh), scale,
       [&](const SurfaceView& small) { return SimplifySurface(small, triangles, progress); });
-  }
-  if (triangles < 1)
-  {
-    throw std::invalid_argument("The number of triangles to keep must be positive.");
   }
   return cgal::RethrowWithContext("simplifying the surface",
     [&]

@@ -29,12 +29,21 @@ struct RemeshedSurface
   std::vector<SurfaceLocation> Locations; ///< for each point: the nearest on the old surface
 };
 
+/// For RemeshSurface() and DelaunayRemesh().
 struct SurfaceRemeshParameters
 {
-  double EdgeLength = 1.0;    ///< to strive for, in units of the data
-  int Iterations = 5;         ///< each: split, collapse, flip, relax, project
+  double EdgeLength = 1.0;    ///< to strive for; DelaunayRemesh(): bound; in units of the data
   double FeatureAngle = 60.0; ///< edges whose triangles' normals differ by more, in degrees, stay
+  int NumberOfIterations = 5; ///< of RemeshSurface(), each: split, collapse, flip, relax, project
+
+  // Of DelaunayRemesh().
+  double MinimumAngle = 25.0;             ///< of triangles away from features, degrees, at most 30
+  double MaximumDistance = 0.0;           ///< of triangles from the surface; 0: EdgeLength / 10
+  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
 };
+
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSREMESHING_EXPORT void Check(const SurfaceRemeshParameters& parameters);
 
 /**
  * Isotropic remeshing of `mesh`. New points lie on the old surface. Feature edges and boundary

@@ -8,26 +8,17 @@
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALVersions.h"
+#include "Remeshing/OrderedTraits.h"
 #include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMeasures.h"
 #include "Surfaces/SurfaceMending.h"
 
-// GCC 14 takes the copy of a polygon of one corner in it for a write beyond its end.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Warray-bounds"
-#pragma GCC diagnostic ignored "-Wstringop-overflow"
-#endif
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>

@@ -85,8 +85,8 @@ TriangleMesh WithoutThinTriangles(const SurfaceView& mesh)
         box.Add(p);
       }
       cgal::SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
-      cgal::RemoveNeedlesAndCaps(
-        surface.faces(), surface, FlattestCap, ThinnestNeedle, CollapseLength * box.Diagonal());
+      cgal::RemoveNeedlesAndCaps({ surface.faces().begin(), surface.faces().end() }, surface,
+        FlattestCap, ThinnestNeedle, CollapseLength * box.Diagonal());
       return cgal::FromSurfaceMesh(surface);
     });
 }

@@ -4,8 +4,8 @@
 #include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Remeshing/DelaunayRemesh.h"
-#include "Remeshing/SurfaceRemesh.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMending.h"
@@ -101,6 +101,17 @@ void DropUnusedPoints(isthmus::RemeshedSurface& surface)
 
 }
 
+void vtkSurfaceRemesh::CheckParameters() const
+{
+  isthmus::RequireChoice<int>("Target", this->Target, ByNumberOfTriangles);
+  isthmus::RequireAbove(
+    "RelativeEdgeLength", this->RelativeEdgeLength, 0.0, isthmus::LargestLength);
+  isthmus::RequireRange(
+    "NumberOfTriangles", static_cast<double>(this->NumberOfTriangles), 1.0, isthmus::Unlimited);
+  isthmus::RequireChoice<int>("Method", this->Method, Delaunay);
+  isthmus::Check(this->Parameters);
+}
+
 int vtkSurfaceRemesh::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -108,6 +119,7 @@ int vtkSurfaceRemesh::RequestData(
   return isthmus::Guarded(this, output,
     [&]
     {
+      this->CheckParameters();
       const auto before = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const auto progress = isthmus::ProgressOf(this);
       isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(before));
@@ -134,11 +146,13 @@ int vtkSurfaceRemesh::RequestData(
       }
       else
       {
-        const double length = this->Target == ByEdgeLength
-          ? this->EdgeLength
-          : this->RelativeEdgeLength * isthmus::MeanEdgeLength(mesh);
-        result = this->Method == Delaunay ? this->RefineDelaunay(mesh, length)
-                                          : this->RemeshIsotropic(mesh, length);
+        isthmus::SurfaceRemeshParameters parameters = this->Parameters;
+        if (this->Target == ByRelativeEdgeLength)
+        {
+          parameters.EdgeLength = this->RelativeEdgeLength * isthmus::MeanEdgeLength(mesh);
+        }
+        result = this->Method == Delaunay ? isthmus::DelaunayRemesh(mesh, parameters, progress)
+                                          : isthmus::RemeshSurface(mesh, parameters, progress);
       }
       DropUnusedPoints(result);
       isthmus::SetMesh(result.Mesh, after);
@@ -147,37 +161,16 @@ int vtkSurfaceRemesh::RequestData(
     });
 }
 
-isthmus::RemeshedSurface vtkSurfaceRemesh::RemeshIsotropic(
-  const isthmus::SurfaceView& mesh, double length)
-{
-  isthmus::SurfaceRemeshParameters parameters;
-  parameters.EdgeLength = length;
-  parameters.Iterations = this->NumberOfIterations;
-  parameters.FeatureAngle = this->FeatureAngle;
-  return isthmus::RemeshSurface(mesh, parameters, isthmus::ProgressOf(this));
-}
-
-isthmus::RemeshedSurface vtkSurfaceRemesh::RefineDelaunay(
-  const isthmus::SurfaceView& mesh, double length)
-{
-  isthmus::DelaunayRemeshParameters parameters;
-  parameters.EdgeLength = length;
-  parameters.Angle = this->MinimumAngle;
-  parameters.Distance = this->MaximumDistance;
-  parameters.FeatureAngle = this->FeatureAngle;
-  return isthmus::DelaunayRemesh(mesh, parameters, isthmus::ProgressOf(this));
-}
-
 void vtkSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Target: " << this->Target << "\n";
   os << indent << "RelativeEdgeLength: " << this->RelativeEdgeLength << "\n";
-  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "EdgeLength: " << this->Parameters.EdgeLength << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "Method: " << this->Method << "\n";
-  os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MinimumAngle: " << this->Parameters.MinimumAngle << "\n";
+  os << indent << "MaximumDistance: " << this->Parameters.MaximumDistance << "\n";
+  os << indent << "NumberOfIterations: " << this->Parameters.NumberOfIterations << "\n";
+  os << indent << "FeatureAngle: " << this->Parameters.FeatureAngle << "\n";
 }

@@ -15,15 +15,10 @@
 #ifndef vtkSurfaceRemesh_h
 #define vtkSurfaceRemesh_h
 
-#include "Core/Deprecation.h"
+#include "Core/FilterProperties.h"
+#include "Remeshing/SurfaceRemesh.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 #include "vtkPolyDataAlgorithm.h"
-
-namespace isthmus
-{
-struct RemeshedSurface;
-struct SurfaceView;
-}
 
 class VTKISTHMUSFILTERSREMESHING_EXPORT vtkSurfaceRemesh : public vtkPolyDataAlgorithm
 {
@@ -36,35 +31,28 @@ public:
   {
     ByRelativeEdgeLength,
     ByEdgeLength,
-    ByNumberOfTriangles,
-    RELATIVE_EDGE_LENGTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByRelativeEdgeLength") =
-      ByRelativeEdgeLength,
-    EDGE_LENGTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByEdgeLength") = ByEdgeLength,
-    NUMBER_OF_TRIANGLES ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByNumberOfTriangles") =
-      ByNumberOfTriangles
+    ByNumberOfTriangles
   };
 
   ///@{
-  /// ByRelativeEdgeLength, ByEdgeLength: remesh; ByNumberOfTriangles: simplify. Default
-  /// ByRelativeEdgeLength.
-  vtkSetClampMacro(Target, int, ByRelativeEdgeLength, ByNumberOfTriangles);
+  /// ByRelativeEdgeLength, ByEdgeLength: remesh; ByNumberOfTriangles: simplify.
+  vtkSetMacro(Target, int);
   vtkGetMacro(Target, int);
   ///@}
 
   ///@{
-  /// Edge length relative to the mean edge length of the input. Default 1.
+  /// Edge length relative to the mean edge length of the input.
   vtkSetMacro(RelativeEdgeLength, double);
   vtkGetMacro(RelativeEdgeLength, double);
   ///@}
 
   ///@{
-  /// Edge length in the unit of the surface. Default 1.
-  vtkSetMacro(EdgeLength, double);
-  vtkGetMacro(EdgeLength, double);
+  /// Edge length in the unit of the surface.
+  ISTHMUS_PARAMETER(EdgeLength, double);
   ///@}
 
   ///@{
-  /// Number of triangles to simplify to. Default 10,000. Where k triangles meet at a point,
+  /// Number of triangles to simplify to. Where k triangles meet at a point,
   /// simplifying takes a time that grows as k^3 (3 s for 500): remesh such surfaces first.
   vtkSetMacro(NumberOfTriangles, vtkIdType);
   vtkGetMacro(NumberOfTriangles, vtkIdType);
@@ -77,38 +65,34 @@ public:
   };
 
   ///@{
-  /// How edge lengths are reached. Isotropic (default): edges are split, collapsed and flipped
+  /// How edge lengths are reached. Isotropic: edges are split, collapsed and flipped
   /// until they have about the length. Delaunay: restricted Delaunay refinement, which bounds
   /// circumscribed circles by that of an equilateral triangle of the length (edges by 1.155 times
   /// the length), the angles by MinimumAngle and the distance from the old surface by
   /// MaximumDistance.
-  vtkSetClampMacro(Method, int, Isotropic, Delaunay);
+  vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /// Delaunay: least angle of triangles away from features, in degrees, 0 to 30. Default 25.
-  vtkSetClampMacro(MinimumAngle, double, 0.0, 30.0);
-  vtkGetMacro(MinimumAngle, double);
+  /// Delaunay: least angle of triangles away from features, in degrees, 0 to 30.
+  ISTHMUS_PARAMETER(MinimumAngle, double);
   ///@}
 
   ///@{
-  /// Delaunay: how far triangles may be from the old surface, in its unit. Default 0: a tenth of
+  /// Delaunay: how far triangles may be from the old surface, in its unit; 0: a tenth of
   /// the edge length.
-  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumDistance, double);
+  ISTHMUS_PARAMETER(MaximumDistance, double);
   ///@}
 
   ///@{
-  /// Number of rounds of isotropic remeshing. Default 5.
-  vtkSetClampMacro(NumberOfIterations, int, 1, 100);
-  vtkGetMacro(NumberOfIterations, int);
+  /// Number of rounds of isotropic remeshing, 1 to 100.
+  ISTHMUS_PARAMETER(NumberOfIterations, int);
   ///@}
 
   ///@{
-  /// Remeshing keeps edges sharper than this, in degrees between normals; 180: none. Default 60.
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
-  vtkGetMacro(FeatureAngle, double);
+  /// Remeshing keeps edges sharper than this, in degrees between normals; 180: none.
+  ISTHMUS_PARAMETER(FeatureAngle, double);
   ///@}
 
 protected:
@@ -121,18 +105,13 @@ private:
   vtkSurfaceRemesh(const vtkSurfaceRemesh&) = delete;
   void operator=(const vtkSurfaceRemesh&) = delete;
 
-  isthmus::RemeshedSurface RemeshIsotropic(const isthmus::SurfaceView& mesh, double length);
-  isthmus::RemeshedSurface RefineDelaunay(const isthmus::SurfaceView& mesh, double length);
+  void CheckParameters() const;
 
+  isthmus::SurfaceRemeshParameters Parameters;
   int Target = ByRelativeEdgeLength;
   double RelativeEdgeLength = 1.0;
-  double EdgeLength = 1.0;
   vtkIdType NumberOfTriangles = 10000;
   int Method = Isotropic;
-  double MinimumAngle = 25.0;
-  double MaximumDistance = 0.0;
-  int NumberOfIterations = 5;
-  double FeatureAngle = 60.0;
 };
 
 #endif

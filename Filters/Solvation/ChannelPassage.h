@@ -10,7 +10,6 @@
 #define isthmus_ChannelPassage_h
 
 #include "Solvation/TransportGrid.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -24,15 +23,15 @@ struct ChannelPassage
 
 /// The bottleneck of the widest path, from node to node. O(n log n).
 /// @throws std::runtime_error if the grid does not connect the baths at all.
-VTKISTHMUSFILTERSSOLVATION_EXPORT ChannelPassage FindPassage(const TransportGrid& grid);
+ChannelPassage FindPassage(const TransportGrid& grid);
 
 /// @throws std::runtime_error, with the place and what to do, where the channel is closed.
-VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireOpen(const ChannelPassage& passage);
+void RequireOpen(const ChannelPassage& passage);
 
 /// Closes the faces between nodes that are not connected to a bath by water, because the
 /// concentrations of ions in such pockets are undetermined.
 /// @throws std::runtime_error if no remaining faces connect the baths.
-VTKISTHMUSFILTERSSOLVATION_EXPORT void CloseIsolatedPockets(TransportGrid& grid);
+void CloseIsolatedPockets(TransportGrid& grid);
 
 }
 

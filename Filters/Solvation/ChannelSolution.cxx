@@ -1,4 +1,5 @@
 #include "Solvation/ChannelSolution.h"
+#include "Core/MemoryBudget.h"
 
 #include "Core/PolyDataTriangles.h"
 #include "MolecularSurfaces/AtomsInside.h"
@@ -74,7 +75,8 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   const TransportDomain room = problem.Moves ? MovingChannel::Padded(this->Domain) : this->Domain;
   if (problem.Moves)
   {
-    RequireMemory(room, MovingChannel::BytesPerNode);
+    MemoryBudget().RequireGrid(
+      room.Dimensions, MovingChannel::BytesPerNode, "choose a larger Spacing or a smaller Padding");
   }
   const auto first = Between(progress, 0.0, 0.15);
   const std::vector<float> distances = problem.Surface

@@ -1,7 +1,5 @@
 #include "Solvation/CoupledFlow.h"
 
-#include "Core/RangeChecks.h"
-
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 
@@ -22,19 +20,6 @@ constexpr int StepsToRedistance = 4;
 constexpr int StepsToMeasure = 8;
 constexpr double Rest = 1e-5; // relative change of the volume in StepsToMeasure
 
-}
-
-void CheckPolicy(const UpdatePolicy& p)
-{
-  const auto part = [](double x) { return x > 0.0 && x <= 1.0; };
-  RequireThat(p.UpdatePeriod > 0, "UpdatePeriod", p.UpdatePeriod, "at least one step is needed");
-  RequireThat(p.MaximumUpdates > 0, "MaximumUpdates", p.MaximumUpdates, "at least one is needed");
-  RequireThat(part(p.SurfaceRelaxation), "SurfaceRelaxation", p.SurfaceRelaxation,
-    "it is a part of each motion: above 0, at most 1");
-  RequireThat(part(p.FieldRelaxation), "FieldRelaxation", p.FieldRelaxation,
-    "it is a part of each new force: above 0, at most 1");
-  RequireThat(p.Tolerance > 0.0 && p.Tolerance < 1.0, "Tolerance", p.Tolerance,
-    "it is a part of what changes: above 0, below 1");
 }
 
 void RestoreDistances(FlowField& field)

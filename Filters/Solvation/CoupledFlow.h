@@ -19,26 +19,12 @@
 
 #include "Electrostatics/BoundaryForces.h"
 #include "MolecularSurfaces/FlowField.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
+#include "Solvation/SolvationParameters.h"
 
 #include <vector>
 
 namespace isthmus
 {
-
-/// How surface and field alternate.
-struct UpdatePolicy
-{
-  int UpdatePeriod = 50;          ///< steps of the flow between solutions
-  bool AdaptiveUpdate = true;     ///< end a period as soon as the volume has converged
-  double SurfaceRelaxation = 1.0; ///< alpha: the fraction of each period's motion that is used
-  double FieldRelaxation = 1.0;   ///< alpha': the fraction of each new field's force
-  double Tolerance = 1e-3;        ///< relative change of the monitored quantities, twice in a row
-  int MaximumUpdates = 20;
-};
-
-/// @throws std::invalid_argument for parameters out of range.
-void CheckPolicy(const UpdatePolicy& policy);
 
 /// Restores signed distances in the whole band, within the bounds.
 void RestoreDistances(FlowField& field);
@@ -62,7 +48,7 @@ void UpdatePull(FlowField& field, const std::vector<float>& steady, const std::v
  * layer by layer, so that values are extended to both sides of the surface. The volume of the level
  * is the grid without its margin. O(nodes), serial; 5 bytes for each node.
  */
-VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> ExtendOffSurface(const SolverBox& box,
+std::vector<float> ExtendOffSurface(const SolverBox& box,
   const std::vector<InterfaceCrossing>& crossings, const std::vector<double>& values,
   const FlowGrid& grid);
 

@@ -1,6 +1,5 @@
 #include "Solvation/IonTransportOutput.h"
 
-#include "Core/ArrayMemory.h"
 #include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 
@@ -23,23 +22,6 @@ namespace isthmus
 {
 namespace
 {
-
-template <typename Array>
-vtkSmartPointer<Array> Named(const std::string& name, std::int64_t tuples, int components = 1)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  SizeArray(array, tuples);
-  return array;
-}
-
-void AddNumbers(const std::string& name, const std::vector<double>& values, vtkDataObject* to)
-{
-  auto array = Named<vtkDoubleArray>(name, static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  to->GetFieldData()->AddArray(array);
-}
 
 /// Doubles that the solution holds may be more than floats do.
 void DemandFinite(vtkFloatArray* array)
@@ -118,9 +100,9 @@ void AddNodeArrays(
 {
   const TransportGrid& grid = solution.GetGrid();
   const std::int64_t nodes = grid.Domain.Size();
-  auto potential = Named<vtkDoubleArray>("Potential", nodes);
-  auto density = Named<vtkFloatArray>("CurrentDensity", nodes, 3);
-  auto distance = Named<vtkFloatArray>("SignedDistance", nodes);
+  auto potential = NamedArray<vtkDoubleArray>("Potential", nodes);
+  auto density = NamedArray<vtkFloatArray>("CurrentDensity", nodes, 3);
+  auto distance = NamedArray<vtkFloatArray>("SignedDistance", nodes);
   std::copy(
     solution.GetPotential().begin(), solution.GetPotential().end(), potential->GetPointer(0));
   std::copy(grid.Distance.begin(), grid.Distance.end(), distance->GetPointer(0));
@@ -129,8 +111,8 @@ void AddNodeArrays(
   std::vector<float*> fluxes;
   for (const TransportSpecies& s : solution.GetParameters().Species)
   {
-    auto concentration = Named<vtkFloatArray>("Concentration_" + s.Name, nodes);
-    auto flux = Named<vtkFloatArray>("Flux_" + s.Name, nodes, 3);
+    auto concentration = NamedArray<vtkFloatArray>("Concentration_" + s.Name, nodes);
+    auto flux = NamedArray<vtkFloatArray>("Flux_" + s.Name, nodes, 3);
     concentrations.push_back(concentration->GetPointer(0));
     fluxes.push_back(flux->GetPointer(0));
     to->AddArray(concentration);
@@ -220,7 +202,7 @@ template <typename Array>
 vtkSmartPointer<Array> Interpolated(
   const TransportDomain& grid, Array* from, const TransportDomain& box)
 {
-  auto to = Named<Array>(from->GetName(), box.Size(), from->GetNumberOfComponents());
+  auto to = NamedArray<Array>(from->GetName(), box.Size(), from->GetNumberOfComponents());
   Interpolate(grid, from, box, to.Get());
   return to;
 }
@@ -258,18 +240,19 @@ void FillTransportImage(
 void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
   const ChannelPassage& passage, vtkImageData* image)
 {
-  AddNumbers("Voltage", { point.Voltage }, image);
+  vtkFieldData* const data = image->GetFieldData();
+  AddColumn<vtkDoubleArray>(data, "Voltage", { point.Voltage });
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddNumbers("Current_" + species[k].Name, { point.Profile.Mean(k) }, image);
+    AddColumn<vtkDoubleArray>(data, "Current_" + species[k].Name, { point.Profile.Mean(k) });
   }
-  AddNumbers("Current", { point.Profile.Mean() }, image);
-  AddNumbers("CurrentSpread", { point.Profile.Spread() }, image);
-  AddNumbers("Converged", { point.Report.Converged ? 1.0 : 0.0 }, image);
-  AddNumbers("Changes", point.Report.Changes, image);
-  AddNumbers("BottleneckRadius", { passage.Radius }, image);
+  AddColumn<vtkDoubleArray>(data, "Current", { point.Profile.Mean() });
+  AddColumn<vtkDoubleArray>(data, "CurrentSpread", { point.Profile.Spread() });
+  AddColumn<vtkDoubleArray>(data, "Converged", { point.Report.Converged ? 1.0 : 0.0 });
+  AddColumn<vtkDoubleArray>(data, "Changes", point.Report.Changes);
+  AddColumn<vtkDoubleArray>(data, "BottleneckRadius", { passage.Radius });
   const Point3& at = passage.Bottleneck;
-  AddNumbers("BottleneckPosition", { at[0], at[1], at[2] }, image);
+  AddColumn<vtkDoubleArray>(data, "BottleneckPosition", { at[0], at[1], at[2] });
 }
 
 void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
@@ -279,8 +262,9 @@ void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>
   {
     return;
   }
-  AddNumbers("Rests", { moving->HasConverged() ? 1.0 : 0.0 }, image);
-  AddNumbers("ShownUpdate", { static_cast<double>(moving->GetShown() + 1) }, image);
+  vtkFieldData* const data = image->GetFieldData();
+  AddColumn<vtkDoubleArray>(data, "Rests", { moving->HasConverged() ? 1.0 : 0.0 });
+  AddColumn<vtkDoubleArray>(data, "ShownUpdate", { moving->GetShown() + 1 });
   const std::vector<ChannelUpdate>& updates = moving->GetUpdates();
   using Update = ChannelUpdate;
   AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Update", updates,

@@ -53,7 +53,7 @@ void CheckNeutral(
 
 }
 
-void CheckTransport(const IonTransportParameters& p)
+void Check(const IonTransportParameters& p)
 {
   if (p.Species.empty())
   {
@@ -65,20 +65,19 @@ void CheckTransport(const IonTransportParameters& p)
   }
   CheckNeutral(p.Species, &TransportSpecies::Below, "below");
   CheckNeutral(p.Species, &TransportSpecies::Above, "above");
-  const MembraneSlab& m = p.Membrane;
-  const double length = std::hypot(m.Normal[0], m.Normal[1], m.Normal[2]);
+  const double length = std::hypot(p.MembraneNormal[0], p.MembraneNormal[1], p.MembraneNormal[2]);
   if (!(length >= SmallestLength && length <= LargestLength))
   {
     throw std::invalid_argument(
       "The normal of the membrane has no direction: set a vector along the axis of the channel.");
   }
-  for (const double x : m.Centre)
+  for (const double x : p.MembraneCenter)
   {
     RequireRange("MembraneCenter", x, -1e6, 1e6, "It is a position in angstrom.");
   }
-  RequireAbove(
-    "MembraneThickness", m.Thickness, 0.0, 1e3, "It is in angstrom; a bilayer has 24 to 40.");
-  RequireRange("LumenRadius", m.LumenRadius, 0.0, 1e3, "It is in angstrom.");
+  RequireAbove("MembraneThickness", p.MembraneThickness, 0.0, 1e3,
+    "It is in angstrom; a bilayer has 24 to 40.");
+  RequireRange("LumenRadius", p.LumenRadius, 0.0, 1e3, "It is in angstrom.");
   RequireRange("Voltage", p.Voltage, -1000.0, 1000.0, "It is in mV.");
   RequireRange("ProbeRadius", p.ProbeRadius, 0.0, 10.0, "It is in angstrom.");
   RequireAbove("Spacing", p.Spacing, 0.0, 10.0, "It is in angstrom.");

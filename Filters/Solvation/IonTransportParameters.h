@@ -29,23 +29,24 @@ struct TransportSpecies
 /// A flat membrane, closed except for a round hole around the channel.
 struct MembraneSlab
 {
-  Point3 Centre{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom
-  Point3 Normal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
-  double Thickness = 24.0;        ///< angstrom
-  double LumenRadius = 5.0;       ///< of the hole: nearer to the axis there is no membrane
+  Point3 MembraneCenter{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom
+  Point3 MembraneNormal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
+  double MembraneThickness = 24.0;        ///< angstrom
+  double LumenRadius = 5.0;               ///< of the hole: nearer to the axis there is no membrane
 
   /// A quantity that decreases linearly across the membrane, from 1 in the bath below to 0 in the
   /// bath above.
   double PartBelow(double along) const
   {
-    return std::clamp(0.5 - along / this->Thickness, 0.0, 1.0);
+    return std::clamp(0.5 - along / this->MembraneThickness, 0.0, 1.0);
   }
 };
 
-struct IonTransportParameters
+struct IonTransportParameters : MembraneSlab
 {
-  std::vector<TransportSpecies> Species;
-  MembraneSlab Membrane;
+  /// By default potassium and chloride.
+  std::vector<TransportSpecies> Species{ { "K", 1.0, 0.1, 0.1, 1.96, 1.0 },
+    { "Cl", -1.0, 0.1, 0.1, 2.03, 1.0 } };
   double Voltage = 100.0; ///< mV: potential Below less that Above; drives cations along the normal
   double ProbeRadius = 1.0; ///< of the solvent-excluded surface, angstrom; 0: the atoms themselves
   double Spacing = 0.5;     ///< angstrom
@@ -68,7 +69,7 @@ struct IonTransportReport
 
 /// @throws std::invalid_argument for values out of their range, a membrane
 /// without a normal, species without a valence, and baths that carry a charge.
-VTKISTHMUSFILTERSSOLVATION_EXPORT void CheckTransport(const IonTransportParameters& parameters);
+VTKISTHMUSFILTERSSOLVATION_EXPORT void Check(const IonTransportParameters& parameters);
 
 /// Names each species from a list separated by blanks, commas or semicolons, or `Ion` and its
 /// number.

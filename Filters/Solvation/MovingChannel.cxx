@@ -25,7 +25,7 @@ double ToMembrane(
   const TransportDomain& d, const MembraneSlab& membrane, const std::array<double, 2>& alongAndOff)
 {
   const auto [along, off] = alongAndOff;
-  const double across = std::abs(along) - 0.5 * membrane.Thickness;
+  const double across = std::abs(along) - 0.5 * membrane.MembraneThickness;
   const double within = std::max(membrane.LumenRadius - off, off - (d.Radius + Rim * d.Spacing));
   return std::hypot(std::max(across, 0.0), std::max(within, 0.0)) +
     std::min(std::max(across, within), 0.0) - MembraneExcess * d.Spacing;
@@ -116,12 +116,8 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
   , Field(FlowGrid(GridOf(this->Room)))
   , ForceFraction(parameters.Policy.FieldRelaxation)
 {
-  CheckTransport(transport);
-  CheckPolicy(parameters.Policy);
-  RequireAbove("SurfaceTension", parameters.Solvent.SurfaceTension, 0.0, 1e3,
-    "It is an energy per square angstrom.");
-  RequireRange(
-    "Pressure", parameters.Solvent.Pressure, -1e3, 1e3, "It is an energy per cubic angstrom.");
+  Check(transport);
+  Check(parameters);
   this->Start(obstacle);
   this->Steady.assign(this->Field.Distance.size(), 0.0F);
   SolventPull(InAxes(this->Room, atoms), parameters.Solvent)(this->Field.Grid, this->Steady);
@@ -141,8 +137,8 @@ void MovingChannel::Start(const std::vector<float>& obstacle)
   for (std::int64_t node = 0; node < this->Room.Size(); ++node)
   {
     const std::array<std::int64_t, 3> at = this->Room.Indices(node);
-    const double membrane = ToMembrane(
-      this->Domain, this->Transport.Membrane, this->Room.AxialAndRadial(this->Room.Place(node)));
+    const double membrane =
+      ToMembrane(this->Domain, this->Transport, this->Room.AxialAndRadial(this->Room.Place(node)));
     const double solute =
       obstacle.empty() ? membrane : static_cast<double>(obstacle[static_cast<std::size_t>(node)]);
     const auto to = static_cast<std::size_t>(this->Field.Grid.Index(at[0], at[1], at[2]));
@@ -212,8 +208,8 @@ void MovingChannel::Record()
   double water = 0.0;
   for (std::size_t p = 0; p < this->Grid->Water.size(); ++p)
   {
-    const bool within = std::abs(static_cast<double>(this->Grid->Along[p])) <
-      0.5 * this->Transport.Membrane.Thickness;
+    const bool within =
+      std::abs(static_cast<double>(this->Grid->Along[p])) < 0.5 * this->Transport.MembraneThickness;
     water += within ? static_cast<double>(this->Grid->Water[p]) : 0.0;
   }
   update.LumenVolume = water * std::pow(this->Domain.Spacing, 3);
@@ -258,7 +254,7 @@ double MovingChannel::LastChange() const
 bool MovingChannel::HasConverged() const
 {
   const std::size_t n = this->Updates.size();
-  const double tolerance = this->Parameters.Policy.Tolerance;
+  const double tolerance = this->Parameters.UpdateTolerance;
   return n > 2 && this->Change(n - 1) <= tolerance && this->Change(n - 2) <= tolerance;
 }
 

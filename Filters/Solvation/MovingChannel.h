@@ -13,9 +13,9 @@
  * for a period of steps with the pull fixed (CoupledFlow.h); then potential and ions are solved
  * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is
  * computed again, and so on until the currents, and the water in the membrane's hole, change by
- * less than Tolerance twice in a row. If a change undoes the previous one (e.g. a crease that the
- * field opens and tension closes alternately), the fraction of new forces that is used is halved
- * from then on.
+ * less than UpdateTolerance twice in a row. If a change undoes the previous one (e.g. a crease that
+ * the field opens and tension closes alternately), the fraction of new forces that is used is
+ * halved from then on.
  *
  * The surface starts on its obstacle, the surface of the molecule without motion, so the first
  * update is ion transport without motion. From then on, the tension may close creases and pores,
@@ -28,20 +28,14 @@
 #include "MolecularSurfaces/Dispersion.h"
 #include "Solvation/ChannelPassage.h"
 #include "Solvation/CoupledFlow.h"
+#include "Solvation/SolvationParameters.h"
 #include "Solvation/TransportCurrents.h"
 #include "Solvation/WallForce.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <memory>
 
 namespace isthmus
 {
-
-struct MovingChannelParameters
-{
-  SolventParameters Solvent; ///< tension, pressure, dispersion
-  UpdatePolicy Policy;       ///< of the currents and the hole's water
-};
 
 /// After each solution.
 struct ChannelUpdate
@@ -61,7 +55,7 @@ struct ChannelUpdate
 /// each node of the band between them. Memory: twice that of the solution (the next one starts from
 /// the last), and 40 bytes for each node for the flow. The result is bitwise the same on any number
 /// of threads.
-class VTKISTHMUSFILTERSSOLVATION_EXPORT MovingChannel
+class MovingChannel
 {
 public:
   static constexpr double BytesPerNode = 500.0;

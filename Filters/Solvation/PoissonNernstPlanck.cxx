@@ -51,7 +51,7 @@ PoissonNernstPlanck::PoissonNernstPlanck(
   , Field(grid.Domain.Dimensions, grid.Baths)
   , Ions(grid.Domain.Dimensions, grid.Baths)
 {
-  CheckTransport(parameters);
+  Check(parameters);
   const std::array<std::int64_t, 3> steps = grid.Domain.Steps();
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -87,8 +87,7 @@ void PoissonNernstPlanck::SetBaths(double voltage, double concentrationFactor)
   this->Factor = concentrationFactor;
   for (std::size_t p = 0; p < this->Phi.size(); ++p)
   {
-    this->Phi[p] +=
-      more * this->Parameters.Membrane.PartBelow(static_cast<double>(this->Grid.Along[p]));
+    this->Phi[p] += more * this->Parameters.PartBelow(static_cast<double>(this->Grid.Along[p]));
     if (this->Grid.Baths[p] != 0)
     {
       for (const SpeciesId k : this->V.Keys())
@@ -244,7 +243,7 @@ double PoissonNernstPlanck::Mobility(SpeciesId species, std::int64_t node) const
 {
   const TransportSpecies& s = this->Parameters.Species[species.Index()];
   const auto along = static_cast<double>(this->Grid.Along[static_cast<std::size_t>(node)]);
-  const bool slow = std::abs(along) < 0.5 * this->Parameters.Membrane.Thickness;
+  const bool slow = std::abs(along) < 0.5 * this->Parameters.MembraneThickness;
   return s.Diffusion * (slow ? s.ChannelFraction : 1.0);
 }
 

@@ -35,7 +35,6 @@
 #include "Core/Progress.h"
 #include "Solvation/ResistorNetwork.h"
 #include "Solvation/TransportGrid.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <cmath>
 #include <cstdint>
@@ -64,7 +63,7 @@ using SpeciesId = Handle<struct SpeciesKind, std::size_t>;
 
 /// Memory for each node: 160 bytes for two networks, 40 for phi and work arrays, 8 for each
 /// species. Parallel, with results that are bitwise the same on any number of threads.
-class VTKISTHMUSFILTERSSOLVATION_EXPORT PoissonNernstPlanck
+class PoissonNernstPlanck
 {
 public:
   /// The object refers to `grid`.

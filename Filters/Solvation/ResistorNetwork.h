@@ -19,7 +19,6 @@
 #define isthmus_ResistorNetwork_h
 
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <array>
 #include <cstdint>
@@ -31,7 +30,7 @@ namespace isthmus
 
 /// Memory: 80 bytes a node. Time: about 20 ns for each node and iteration on one thread; parallel
 /// for more than 130,000 nodes, with results that are bitwise the same on any number of threads.
-class VTKISTHMUSFILTERSSOLVATION_EXPORT ResistorNetwork
+class ResistorNetwork
 {
 public:
   /// `held`, one value a node, is referred to: not 0 where u is given.

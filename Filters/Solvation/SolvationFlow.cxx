@@ -1,7 +1,5 @@
 #include "Solvation/SolvationFlow.h"
 
-#include "Core/RangeChecks.h"
-
 #include "Atoms/NearestBall.h"
 #include "Electrostatics/ElectrostaticUnits.h"
 #include "MolecularSurfaces/BallDistance.h"
@@ -24,16 +22,6 @@ namespace isthmus
 {
 namespace
 {
-
-void CheckSolvation(const SolvationParameters& p)
-{
-  CheckPolicy(p.Policy);
-  RequireThat(p.Solvent.SurfaceTension > 0.0 && std::isfinite(p.Solvent.SurfaceTension),
-    "SurfaceTension", p.Solvent.SurfaceTension,
-    "it is an energy for each square angstrom: give a positive number");
-  RequireThat(std::isfinite(p.Solvent.Pressure), "Pressure", p.Solvent.Pressure,
-    "it is an energy for each cubic angstrom: give a finite number");
-}
 
 void CheckCharges(const SolvationAtoms& atoms)
 {
@@ -62,12 +50,11 @@ void CheckCharges(const SolvationAtoms& atoms)
 SolvationFlow::SolvationFlow(SolvationAtoms atoms, const SolvationParameters& parameters)
   : Atoms(std::move(atoms))
   , Parameters(parameters)
-  , Ions(parameters.Potential.Ions, parameters.Potential.Temperature)
+  , Ions(parameters.Potential.AllIons(), parameters.Potential.Temperature)
   , Equation(parameters.Potential)
 {
   CheckFlow(this->Atoms.Balls, parameters.Flow);
-  CheckSolvation(parameters);
-  CheckParameters(parameters.Potential);
+  Check(parameters);
   if (this->Atoms.Balls.empty())
   {
     throw std::invalid_argument("There are no atoms for which a surface could be computed.");
@@ -180,7 +167,7 @@ bool SolvationFlow::IsStill() const
   {
     const double total = this->Updates[i].Total();
     return std::abs(total - this->Updates[i - 1].Total()) <=
-      this->Parameters.Policy.Tolerance * std::abs(total);
+      this->Parameters.EnergyTolerance * std::abs(total);
   };
   return n > 2 && still(n - 1) && still(n - 2);
 }
@@ -204,9 +191,9 @@ void SolvationFlow::Run(const ProgressCallback& progress)
     }
     this->Pull(field);
   }
-  if (this->Equation.Dielectric == DielectricModel::SmoothDielectric)
+  if (this->Equation.DielectricModel == DielectricModel::SmoothDielectric)
   {
-    this->Equation.Dielectric = DielectricModel::SharpInterface;
+    this->Equation.DielectricModel = DielectricModel::SharpInterface;
     this->Solve(field, {});
     this->Record(field);
   }

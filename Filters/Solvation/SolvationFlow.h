@@ -15,10 +15,10 @@
  *
  *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
  *
- * changes by less than Tolerance twice in a row. With Potential.Dielectric SmoothDielectric (one
- * permittivity for each edge, InterfaceExtrapolation.h) the iteration is that of the thesis, and
- * the energy of the last surface is computed again with the jump, which adds one row to the
- * updates.
+ * changes by less than EnergyTolerance twice in a row. With Potential.DielectricModel
+ * SmoothDielectric (one permittivity for each edge, InterfaceExtrapolation.h) the iteration is that
+ * of the thesis, and the energy of the last surface is computed again with the jump, which adds one
+ * row to the updates.
  *
  * **What stops the surface.** The field always pulls towards the charges, many times more strongly
  * than the tension resists. Without further measures, the surface of a protein collapses onto its
@@ -31,12 +31,11 @@
 
 #include "Core/Progress.h"
 #include "Electrostatics/PoissonBoltzmann.h"
-#include "Electrostatics/PoissonBoltzmannParameters.h"
 #include "MolecularSurfaces/Dispersion.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
 #include "Solvation/CoupledFlow.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
+#include "Solvation/SolvationParameters.h"
 
 #include <memory>
 
@@ -49,14 +48,6 @@ struct SolvationAtoms
   std::vector<Ball> Balls;                ///< angstrom
   std::vector<DispersionAtom> Dispersion; ///< one for each ball
   std::vector<ChargedAtom> Charges;       ///< in the frame of the balls; each within one of them
-};
-
-struct SolvationParameters
-{
-  SurfaceFlowParameters Flow;           ///< EvolutionTime, Steady and CoarseToFine are not used
-  SolventParameters Solvent;            ///< tension, pressure, dispersion
-  PoissonBoltzmannParameters Potential; ///< Boundary and Start are not used
-  UpdatePolicy Policy;                  ///< its Tolerance is the total energy's
 };
 
 /// After each solution. Energies in kcal/mol.
@@ -83,7 +74,7 @@ struct SolvationUpdate
 /// UpdatePeriod steps at 3 ns for each node of the band. Memory: that of the solution (120 bytes
 /// for each node, including the potential and the crossings of the last surface) and of the flow.
 /// The result is bitwise the same on any number of threads.
-class VTKISTHMUSFILTERSSOLVATION_EXPORT SolvationFlow
+class SolvationFlow
 {
 public:
   /// @throws std::invalid_argument for lists of different lengths, parameters out of range, charges

@@ -1,10 +1,12 @@
 #include "Solvation/SolvationOutput.h"
 
 #include "Atoms/MoleculeAtoms.h"
+#include "Core/NamedColumns.h"
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 #include "Electrostatics/SoluteVolume.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -38,31 +40,13 @@ constexpr Column Columns[] = {
 
 void FillTable(const std::vector<SolvationUpdate>& updates, vtkTable* table)
 {
-  vtkNew<vtkDoubleArray> number;
-  number->SetName("Update");
-  for (std::size_t i = 0; i < updates.size(); ++i)
-  {
-    number->InsertNextValue(static_cast<double>(i + 1));
-  }
-  table->AddColumn(number);
+  vtkFieldData* const data = table->GetRowData();
+  AddColumnOf<vtkDoubleArray>(
+    data, "Update", updates.size(), [](std::size_t row) { return row + 1; });
   for (const Column& column : Columns)
   {
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(column.Name);
-    for (const SolvationUpdate& update : updates)
-    {
-      values->InsertNextValue(column.Value(update));
-    }
-    table->AddColumn(values);
+    AddColumnOf<vtkDoubleArray>(data, column.Name, updates, column.Value);
   }
-}
-
-void AddNumber(const char* name, double value, vtkDataObject* to)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  to->GetFieldData()->AddArray(array);
 }
 
 }
@@ -91,7 +75,7 @@ void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& no
     {
       AddNotes(notes, made);
     }
-    AddNumber("Rests", flow.HasConverged() ? 1.0 : 0.0, made);
+    AddColumn<vtkDoubleArray>(made->GetFieldData(), "Rests", { flow.HasConverged() ? 1.0 : 0.0 });
   }
   outputs.Surface->ShallowCopy(surface);
   outputs.Image->ShallowCopy(image);

@@ -7,7 +7,6 @@
 #define isthmus_TransportCurrents_h
 
 #include "Solvation/PoissonNernstPlanck.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -31,15 +30,14 @@ struct CurrentProfile
  * Inflow and outflow of each node are equal, so the currents through all sections are the same up
  * to the accuracy of the solution. O(nodes).
  */
-VTKISTHMUSFILTERSSOLVATION_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
+CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
 
 /// The flux of a species at a node, in ions per nanosecond and square angstrom: the mean over its
 /// faces.
-VTKISTHMUSFILTERSSOLVATION_EXPORT Point3 FluxAt(
-  const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
+Point3 FluxAt(const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
 
 /// pA for an ion of 1 e a nanosecond.
-VTKISTHMUSFILTERSSOLVATION_EXPORT double PicoamperePerIon();
+double PicoamperePerIon();
 
 /// The stored result for one point.
 struct TransportPoint
@@ -52,20 +50,18 @@ struct TransportPoint
 
 /// Voltages in equal steps, the factor 1.
 /// @throws std::invalid_argument for ends out of range or fewer than two points.
-VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptVoltages(
-  double from, double to, int points);
+std::vector<TransportPoint> SweptVoltages(double from, double to, int points);
 
 /// Factors in equal ratios, at one voltage.
 /// @throws std::invalid_argument for ends out of range or fewer than two points.
-VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptFactors(
-  double from, double to, int points, double voltage);
+std::vector<TransportPoint> SweptFactors(double from, double to, int points, double voltage);
 
 /// The current state of a solution.
-VTKISTHMUSFILTERSSOLVATION_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
+TransportPoint PointOf(const PoissonNernstPlanck& solution);
 
 /// Solves for the voltage and factor of `point`, starting from `solution`, and stores the result.
 /// @throws the exceptions of PoissonNernstPlanck::Solve.
-VTKISTHMUSFILTERSSOLVATION_EXPORT void SolveAt(
+void SolveAt(
   TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress = {});
 
 }

@@ -23,19 +23,6 @@ constexpr double BytesPerNode = 220.0; // grid, potential, two species, network,
 
 }
 
-void RequireMemory(const TransportDomain& d, double bytesPerNode)
-{
-  double nodes = 1.0;
-  for (const std::int64_t n : d.Dimensions)
-  {
-    nodes *= static_cast<double>(n);
-  }
-  MemoryBudget().Require(bytesPerNode * nodes,
-    "A grid of " + std::to_string(d.Dimensions[0]) + " x " + std::to_string(d.Dimensions[1]) +
-      " x " + std::to_string(d.Dimensions[2]) + " nodes (Spacing " + FormatNumber(d.Spacing) + ")",
-    "choose a larger Spacing or a smaller Padding");
-}
-
 std::array<double, 2> TransportDomain::AxialAndRadial(const Point3& place) const
 {
   const Point3 from{ place[0] - this->Centre[0], place[1] - this->Centre[1],
@@ -114,15 +101,15 @@ std::array<Point3, 3> AxesAlong(const Point3& normal, std::size_t next)
 TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters)
 {
-  CheckTransport(parameters);
-  const MembraneSlab& membrane = parameters.Membrane;
+  Check(parameters);
+  const MembraneSlab& membrane = parameters;
   TransportDomain d;
   d.Spacing = parameters.Spacing;
-  d.Centre = membrane.Centre;
-  const Point3& n = membrane.Normal;
+  d.Centre = membrane.MembraneCenter;
+  const Point3& n = membrane.MembraneNormal;
   const double length = std::hypot(n[0], n[1], n[2]);
   d.Normal = { n[0] / length, n[1] / length, n[2] / length };
-  double far = 0.5 * membrane.Thickness;
+  double far = 0.5 * membrane.MembraneThickness;
   double wide = membrane.LumenRadius;
   for (const Ball& ball : atoms)
   {
@@ -151,7 +138,8 @@ TransportDomain DomainAround(
   }
   const Point3 half = d.Turned(before);
   d.Origin = { d.Centre[0] - half[0], d.Centre[1] - half[1], d.Centre[2] - half[2] };
-  RequireMemory(d, BytesPerNode);
+  MemoryBudget().RequireGrid(
+    d.Dimensions, BytesPerNode, "choose a larger Spacing or a smaller Padding");
   return d;
 }
 
@@ -232,8 +220,9 @@ void Builder::FillNode(std::int64_t node, double solute)
   const auto n = static_cast<std::size_t>(node);
   const double h = this->Domain.Spacing;
   const auto [along, off] = this->Domain.AxialAndRadial(this->Domain.Place(node));
-  const MembraneSlab& m = this->Parameters.Membrane;
-  const double membrane = std::max(std::abs(along) - 0.5 * m.Thickness, m.LumenRadius - off);
+  const MembraneSlab& m = this->Parameters;
+  const double membrane =
+    std::max(std::abs(along) - 0.5 * m.MembraneThickness, m.LumenRadius - off);
   const double distance = std::min(solute, membrane - MembraneExcess * h);
   this->Grid.Distance[n] = static_cast<float>(distance);
   this->Grid.Along[n] = static_cast<float>(along);

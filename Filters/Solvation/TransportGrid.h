@@ -24,7 +24,6 @@
 #include "Atoms/Ball.h"
 #include "Core/Progress.h"
 #include "Solvation/IonTransportParameters.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <array>
 #include <cstdint>
@@ -79,20 +78,15 @@ struct TransportDomain
 
 /// @throws std::invalid_argument for parameters out of range, std::runtime_error with the size
 /// where the memory for it is not there.
-VTKISTHMUSFILTERSSOLVATION_EXPORT TransportDomain DomainAround(
+TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
-
-/// @throws std::runtime_error with the domain's size if this number of bytes for each node is not
-/// available.
-VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
-  const TransportDomain& domain, double bytesPerNode);
 
 /// The distance from each node to the solvent-excluded surface of atoms
 /// (SolventExcludedSurface.h), or for ProbeRadius 0 to the atoms, in angstrom, negative inside, and
 /// clamped to 4.5 spacings. Parallel.
 /// @throws Cancelled.
-VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,
-  const std::vector<Ball>& atoms, double probeRadius, const ProgressCallback& progress = {});
+std::vector<float> DistanceToAtoms(const TransportDomain& domain, const std::vector<Ball>& atoms,
+  double probeRadius, const ProgressCallback& progress = {});
 
 /// Spacings by which walls of the membrane are further out than asked, so that nodes on them are in
 /// the membrane however a turned grid rounds their places.
@@ -135,15 +129,14 @@ struct TransportGrid
 /// `solute` are distances as of DistanceToAtoms(), or nothing where there is a
 /// membrane only; charges are spread over eight nodes each. O(nodes). Parallel.
 /// @throws Cancelled.
-VTKISTHMUSFILTERSSOLVATION_EXPORT TransportGrid MakeTransportGrid(const TransportDomain& domain,
-  const std::vector<float>& solute, const std::vector<ChargedAtom>& charges,
-  const IonTransportParameters& parameters,
+TransportGrid MakeTransportGrid(const TransportDomain& domain, const std::vector<float>& solute,
+  const std::vector<ChargedAtom>& charges, const IonTransportParameters& parameters,
   PermittivityMean permittivity = PermittivityMean::OverFace,
   const ProgressCallback& progress = {});
 
 /// The fraction of a unit square on which distance + g1 u + g2 v is positive, with u and v in
 /// [-1/2, 1/2].
-VTKISTHMUSFILTERSSOLVATION_EXPORT double PositiveFraction(double distance, double g1, double g2);
+double PositiveFraction(double distance, double g1, double g2);
 
 }
 

@@ -131,7 +131,7 @@ double Wall::IonPressure(std::int64_t water, double phi) const
   const IonTransportParameters& p = this->Solution.GetParameters();
   const auto along =
     static_cast<double>(this->Solution.GetGrid().Along[static_cast<std::size_t>(water)]);
-  const double below = p.Membrane.PartBelow(along);
+  const double below = p.PartBelow(along);
   double excess = 0.0;
   for (std::size_t k = 0; k < p.Species.size() && this->Solution.IsWater(water); ++k)
   {

@@ -23,7 +23,6 @@
 
 #include "Electrostatics/InterfaceGeometry.h"
 #include "Solvation/PoissonNernstPlanck.h"
-#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -40,8 +39,8 @@ struct WallValues
  * nodes more on each side. Crossings at the border of the domain, and those where no field can be
  * fitted, are dropped. O(crossings), parallel.
  */
-VTKISTHMUSFILTERSSOLVATION_EXPORT WallValues ForceAtWall(const PoissonNernstPlanck& solution,
-  const LevelFunction& level, const SolverBox& box, std::int64_t margin);
+WallValues ForceAtWall(const PoissonNernstPlanck& solution, const LevelFunction& level,
+  const SolverBox& box, std::int64_t margin);
 
 }
 

@@ -98,15 +98,11 @@ std::vector<std::string> Warnings(const isthmus::MoleculeAtoms& atoms,
 
 }
 
-struct vtkIonTransport::Salt
-{
-  std::vector<isthmus::TransportSpecies> All;
-};
-
 /// What one execution works with.
-struct vtkIonTransport::Internals
+class vtkIonTransport::vtkInternals
 {
-  explicit Internals(vtkIonTransport* self)
+public:
+  explicit vtkInternals(vtkIonTransport* self)
     : Self(self)
   {
   }
@@ -114,13 +110,12 @@ struct vtkIonTransport::Internals
   isthmus::MoleculeAtoms Balls(vtkDataObject* input) const
   {
     isthmus::AtomOptions options = isthmus::WholeMolecule(
-      isthmus::InputArrayName(this->Self, 0), this->Self->KeepWaters, this->Self->UnitedAtoms);
+      isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms);
     options.Missing = isthmus::MissingRadius::Refuse; // it has a charge
     return isthmus::ReadAtoms(input, options);
   }
 
-  isthmus::IonTransportParameters Parameters() const;
-  isthmus::MovingChannelParameters Motion() const;
+  isthmus::IonTransportParameters Named() const;
   isthmus::ChannelProblem Problem(
     vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms) const;
   std::vector<TransportPoint> Points() const;
@@ -130,31 +125,18 @@ struct vtkIonTransport::Internals
   vtkIonTransport* Self;
 };
 
-isthmus::IonTransportParameters vtkIonTransport::Internals::Parameters() const
+/// With the names of the species.
+isthmus::IonTransportParameters vtkIonTransport::vtkInternals::Named() const
 {
-  const vtkIonTransport* self = this->Self;
-  isthmus::IonTransportParameters p;
-  p.Species = self->Species->All;
-  isthmus::NameSpecies(self->SpeciesNames, p.Species);
-  std::copy_n(self->MembraneCenter, 3, p.Membrane.Centre.begin());
-  std::copy_n(self->MembraneNormal, 3, p.Membrane.Normal.begin());
-  p.Membrane.Thickness = self->MembraneThickness;
-  p.Membrane.LumenRadius = self->LumenRadius;
-  p.Voltage = self->Voltage;
-  p.ProbeRadius = self->ProbeRadius;
-  p.Spacing = self->Spacing;
-  p.Padding = self->Padding;
-  p.SoluteDielectric = self->SoluteDielectric;
-  p.SolventDielectric = self->SolventDielectric;
-  p.Temperature = self->Temperature;
-  p.Tolerance = self->Tolerance;
-  p.MaximumIterations = self->MaximumIterations;
+  isthmus::IonTransportParameters p = this->Self->Parameters;
+  isthmus::NameSpecies(this->Self->SpeciesNames, p.Species);
   return p;
 }
 
-std::vector<TransportPoint> vtkIonTransport::Internals::Points() const
+std::vector<TransportPoint> vtkIonTransport::vtkInternals::Points() const
 {
   const vtkIonTransport* self = this->Self;
+  isthmus::RequireRange("SweepOf", self->SweepOf, NoSweep, Concentrations);
   switch (self->SweepOf)
   {
     case Voltages:
@@ -162,27 +144,13 @@ std::vector<TransportPoint> vtkIonTransport::Internals::Points() const
         self->SweepVoltages[0], self->SweepVoltages[1], self->SweepPoints);
     case Concentrations:
       return isthmus::SweptFactors(
-        self->SweepFactors[0], self->SweepFactors[1], self->SweepPoints, self->Voltage);
+        self->SweepFactors[0], self->SweepFactors[1], self->SweepPoints, self->Parameters.Voltage);
     default:
       return {};
   }
 }
 
-isthmus::MovingChannelParameters vtkIonTransport::Internals::Motion() const
-{
-  const vtkIonTransport* self = this->Self;
-  isthmus::MovingChannelParameters m;
-  m.Solvent.SurfaceTension = self->SurfaceTension;
-  m.Solvent.Pressure = self->Pressure;
-  m.Policy.UpdatePeriod = self->UpdatePeriod;
-  m.Policy.SurfaceRelaxation = self->SurfaceRelaxation;
-  m.Policy.FieldRelaxation = self->FieldRelaxation;
-  m.Policy.Tolerance = self->UpdateTolerance;
-  m.Policy.MaximumUpdates = self->MaximumUpdates;
-  return m;
-}
-
-isthmus::ChannelProblem vtkIonTransport::Internals::Problem(
+isthmus::ChannelProblem vtkIonTransport::vtkInternals::Problem(
   vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms) const
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
@@ -190,17 +158,17 @@ isthmus::ChannelProblem vtkIonTransport::Internals::Problem(
   problem.Balls = atoms.Balls;
   problem.Charges = isthmus::ChargedAtomsOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
   problem.Surface = vtkPolyData::GetData(inputs[1], 0);
-  problem.Transport = this->Parameters();
+  problem.Transport = this->Named();
   problem.Moves = this->Self->MovingSurface;
   if (problem.Moves)
   {
     problem.Attracting = isthmus::DispersionAtomsOf(input, atoms);
-    problem.Motion = this->Motion();
+    problem.Motion = this->Self->Motion;
   }
   return problem;
 }
 
-void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,
+void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
   const isthmus::MoleculeAtoms& atoms, vtkInformationVector* outputs) const
 {
   const auto progress = isthmus::ProgressOf(this->Self);
@@ -236,48 +204,35 @@ void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,
 }
 
 vtkIonTransport::vtkIonTransport()
-  : Species(std::make_unique<Salt>())
-  , Advance(std::make_unique<isthmus::InputInAdvance>(this))
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Charge");
-  this->AddSpecies(1.0, 0.1, 0.1, 1.96);
-  this->AddSpecies(-1.0, 0.1, 0.1, 2.03);
 }
 
 vtkIonTransport::~vtkIonTransport() = default;
 
-void vtkIonTransport::SetChargeArrayName(const char* name)
-{
-  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-}
-
-void vtkIonTransport::SetRadiusArrayName(const char* name)
-{
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-}
-
 void vtkIonTransport::AddSpecies(
   double valence, double below, double above, double diffusion, double channelFraction)
 {
-  this->Species->All.push_back({ "", valence, below, above, diffusion, channelFraction });
+  this->Parameters.Species.push_back({ "", valence, below, above, diffusion, channelFraction });
   this->Modified();
 }
 
 void vtkIonTransport::ClearSpecies()
 {
-  if (!this->Species->All.empty())
+  if (!this->Parameters.Species.empty())
   {
-    this->Species->All.clear();
+    this->Parameters.Species.clear();
     this->Modified();
   }
 }
 
 int vtkIonTransport::GetNumberOfSpecies()
 {
-  return static_cast<int>(this->Species->All.size());
+  return static_cast<int>(this->Parameters.Species.size());
 }
 
 vtkTable* vtkIonTransport::GetSections()
@@ -325,12 +280,12 @@ int vtkIonTransport::RequestInformation(
     [&](vtkImageData* image)
     {
       this->Advance->RequireOneRank(0, "atoms");
-      const Internals internals(this);
+      const vtkInternals internals(this);
       const isthmus::MoleculeAtoms atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
-          isthmus::ImageBox(isthmus::DomainAround(atoms.Balls, internals.Parameters())), image);
+          isthmus::ImageBox(isthmus::DomainAround(atoms.Balls, this->Parameters)), image);
       }
     });
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_DOUBLE, 1);
@@ -350,7 +305,7 @@ int vtkIonTransport::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
-      const Internals internals(this);
+      const vtkInternals internals(this);
       this->Advance->RequireOneRank(0, "atoms");
       this->Advance->RequireOneRank(1, "points of the surface");
       const isthmus::MoleculeAtoms atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
@@ -370,31 +325,31 @@ void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
     std::for_each(values, values + count, [&os](double value) { os << " " << value; });
     os << "\n";
   };
-  os << indent << "Species: " << this->Species->All.size() << "\n";
+  os << indent << "Species: " << this->Parameters.Species.size() << "\n";
   os << indent << "SpeciesNames: " << this->SpeciesNames << "\n";
-  os << indent << "Voltage: " << this->Voltage << "\n";
-  list("MembraneCenter", this->MembraneCenter, 3);
-  list("MembraneNormal", this->MembraneNormal, 3);
-  os << indent << "MembraneThickness: " << this->MembraneThickness << "\n";
-  os << indent << "LumenRadius: " << this->LumenRadius << "\n";
-  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
-  os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
-  os << indent << "Temperature: " << this->Temperature << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Voltage: " << this->GetVoltage() << "\n";
+  list("MembraneCenter", this->GetMembraneCenter(), 3);
+  list("MembraneNormal", this->GetMembraneNormal(), 3);
+  os << indent << "MembraneThickness: " << this->GetMembraneThickness() << "\n";
+  os << indent << "LumenRadius: " << this->GetLumenRadius() << "\n";
+  os << indent << "ProbeRadius: " << this->GetProbeRadius() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "Padding: " << this->GetPadding() << "\n";
+  os << indent << "SoluteDielectric: " << this->GetSoluteDielectric() << "\n";
+  os << indent << "SolventDielectric: " << this->GetSolventDielectric() << "\n";
+  os << indent << "Temperature: " << this->GetTemperature() << "\n";
+  os << indent << "Tolerance: " << this->GetTolerance() << "\n";
+  os << indent << "MaximumIterations: " << this->GetMaximumIterations() << "\n";
   os << indent << "SweepOf: " << this->SweepOf << "\n";
   os << indent << "SweepPoints: " << this->SweepPoints << "\n";
   list("SweepVoltages", this->SweepVoltages, 2);
   list("SweepFactors", this->SweepFactors, 2);
   os << indent << "MovingSurface: " << this->MovingSurface << "\n";
   this->PrintSolventProperties(os, indent);
-  os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";
-  os << indent << "SurfaceRelaxation: " << this->SurfaceRelaxation << "\n";
-  os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
-  os << indent << "UpdateTolerance: " << this->UpdateTolerance << "\n";
-  os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
+  os << indent << "UpdatePeriod: " << this->GetUpdatePeriod() << "\n";
+  os << indent << "SurfaceRelaxation: " << this->GetSurfaceRelaxation() << "\n";
+  os << indent << "FieldRelaxation: " << this->GetFieldRelaxation() << "\n";
+  os << indent << "UpdateTolerance: " << this->GetUpdateTolerance() << "\n";
+  os << indent << "MaximumUpdates: " << this->GetMaximumUpdates() << "\n";
   this->PrintAtomProperties(os, indent);
 }

@@ -55,7 +55,10 @@
 #define vtkIonTransport_h
 
 #include "Atoms/AtomProperties.h"
+#include "Core/ArrayProperty.h"
 #include "MolecularSurfaces/SolventProperties.h"
+#include "Solvation/IonTransportParameters.h"
+#include "Solvation/SolvationParameters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 
@@ -76,11 +79,9 @@ public:
   vtkTypeMacro(vtkIonTransport, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /// The point arrays of charges and radii. Defaults `Charge` and `Radius`.
-  void SetChargeArrayName(const char* name);
-  void SetRadiusArrayName(const char* name);
-  ///@}
+  /// Input array 0 is the point array of the radii, `Radius` by default, input array 1 that of the
+  /// charges, `Charge`.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   ///@{
   /// The ions: valence, concentrations (mol/l) in the bath below (that the normal points away from)
@@ -103,65 +104,52 @@ public:
   ///@{
   /// Potential of the bath below minus that of the bath above, in mV. A positive voltage drives
   /// cations along the normal. Default 100.
-  vtkSetMacro(Voltage, double);
-  vtkGetMacro(Voltage, double);
+  ISTHMUS_PARAMETER(Voltage, double);
   ///@}
 
   ///@{
   /// A point in the middle of the membrane and on the channel's axis, the axis' direction (of any
   /// length), the thickness of the membrane, and the radius of the hole in it around the axis; in
   /// angstrom. Defaults (0, 0, 0), (0, 0, 1), 24, 5.
-  vtkSetVector3Macro(MembraneCenter, double);
-  vtkGetVector3Macro(MembraneCenter, double);
-  vtkSetVector3Macro(MembraneNormal, double);
-  vtkGetVector3Macro(MembraneNormal, double);
-  vtkSetMacro(MembraneThickness, double);
-  vtkGetMacro(MembraneThickness, double);
-  vtkSetMacro(LumenRadius, double);
-  vtkGetMacro(LumenRadius, double);
+  ISTHMUS_PARAMETER_VECTOR3(MembraneCenter, double);
+  ISTHMUS_PARAMETER_VECTOR3(MembraneNormal, double);
+  ISTHMUS_PARAMETER(MembraneThickness, double);
+  ISTHMUS_PARAMETER(LumenRadius, double);
   ///@}
 
   ///@{
   /// Radius of the probe for the solvent-excluded surface, in angstrom; 0 for the atoms themselves.
   /// Default 1, because the radius 1.4 of water closes the pore of gramicidin.
-  vtkSetMacro(ProbeRadius, double);
-  vtkGetMacro(ProbeRadius, double);
+  ISTHMUS_PARAMETER(ProbeRadius, double);
   ///@}
 
   ///@{
   /// Spacing of the grid, in angstrom. Default 0.5.
-  vtkSetMacro(Spacing, double);
-  vtkGetMacro(Spacing, double);
+  ISTHMUS_PARAMETER(Spacing, double);
   ///@}
 
   ///@{
   /// Extent of the baths beyond atoms and membrane, along the axis and away from it, in angstrom;
   /// at least two spacings. Default 8.
-  vtkSetMacro(Padding, double);
-  vtkGetMacro(Padding, double);
+  ISTHMUS_PARAMETER(Padding, double);
   ///@}
 
   ///@{
   /// Dielectric constants, the first of atoms and membrane. Defaults 2 and 80.
-  vtkSetMacro(SoluteDielectric, double);
-  vtkGetMacro(SoluteDielectric, double);
-  vtkSetMacro(SolventDielectric, double);
-  vtkGetMacro(SolventDielectric, double);
+  ISTHMUS_PARAMETER(SoluteDielectric, double);
+  ISTHMUS_PARAMETER(SolventDielectric, double);
   ///@}
 
   ///@{
   /// Temperature in kelvin. Default 298.15.
-  vtkSetMacro(Temperature, double);
-  vtkGetMacro(Temperature, double);
+  ISTHMUS_PARAMETER(Temperature, double);
   ///@}
 
   ///@{
   /// The iteration has converged when the potential changes by less than this value (kT/e)
   /// everywhere in the water; it always ends after MaximumIterations. Defaults 1e-4 and 100.
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
+  ISTHMUS_PARAMETER(Tolerance, double);
+  ISTHMUS_PARAMETER(MaximumIterations, int);
   ///@}
 
   enum SweepKind
@@ -174,7 +162,7 @@ public:
   ///@{
   /// The quantity to sweep, the number of points (at least two), and the ends of the sweep:
   /// voltages in mV, or factors. Defaults NoSweep, 9, -100 to 100, 0.1 to 10.
-  vtkSetClampMacro(SweepOf, int, NoSweep, Concentrations);
+  vtkSetMacro(SweepOf, int);
   vtkGetMacro(SweepOf, int);
   vtkSetMacro(SweepPoints, int);
   vtkGetMacro(SweepPoints, int);
@@ -199,16 +187,11 @@ public:
   /// applied (above 0, at most 1); the relative change of the currents and of the water in the hole
   /// of the membrane below which, twice in a row, the surface has converged; and the maximum number
   /// of updates. Defaults 20, 1, 1, 1e-3, 10.
-  vtkSetMacro(UpdatePeriod, int);
-  vtkGetMacro(UpdatePeriod, int);
-  vtkSetMacro(SurfaceRelaxation, double);
-  vtkGetMacro(SurfaceRelaxation, double);
-  vtkSetMacro(FieldRelaxation, double);
-  vtkGetMacro(FieldRelaxation, double);
-  vtkSetMacro(UpdateTolerance, double);
-  vtkGetMacro(UpdateTolerance, double);
-  vtkSetMacro(MaximumUpdates, int);
-  vtkGetMacro(MaximumUpdates, int);
+  ISTHMUS_PARAMETER_OF(Motion.Policy, UpdatePeriod, int);
+  ISTHMUS_PARAMETER_OF(Motion.Policy, SurfaceRelaxation, double);
+  ISTHMUS_PARAMETER_OF(Motion.Policy, FieldRelaxation, double);
+  ISTHMUS_PARAMETER_OF(Motion, UpdateTolerance, double);
+  ISTHMUS_PARAMETER_OF(Motion.Policy, MaximumUpdates, int);
   ///@}
 
   /// Output 1, 2 and 3.
@@ -216,12 +199,12 @@ public:
   vtkTable* GetSweep();
   vtkTable* GetUpdates();
 
-  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
   /// SurfaceTension, above 0, and Pressure are used if the surface moves; see SolventProperties.h.
   /// Well depths are as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
-  ISTHMUS_SOLVENT_PROPERTIES();
+  ISTHMUS_SOLVENT_PROPERTIES(Motion.Solvent);
 
 protected:
   vtkIonTransport();
@@ -239,35 +222,16 @@ private:
   vtkIonTransport(const vtkIonTransport&) = delete;
   void operator=(const vtkIonTransport&) = delete;
 
-  struct Internals;
-  friend struct Internals;
-  struct Salt;
+  class vtkInternals; ///< functions of one execution
 
-  std::unique_ptr<Salt> Species;
   std::string SpeciesNames = "K Cl";
-  double Voltage = 100.0;
-  double MembraneCenter[3] = { 0.0, 0.0, 0.0 };
-  double MembraneNormal[3] = { 0.0, 0.0, 1.0 };
-  double MembraneThickness = 24.0;
-  double LumenRadius = 5.0;
-  double ProbeRadius = 1.0;
-  double Spacing = 0.5;
-  double Padding = 8.0;
-  double SoluteDielectric = 2.0;
-  double SolventDielectric = 80.0;
-  double Temperature = 298.15;
-  double Tolerance = 1e-4;
-  int MaximumIterations = 100;
+  isthmus::IonTransportParameters Parameters;
+  isthmus::MovingChannelParameters Motion; ///< used if the surface moves
   int SweepOf = NoSweep;
   int SweepPoints = 9;
   double SweepVoltages[2] = { -100.0, 100.0 };
   double SweepFactors[2] = { 0.1, 10.0 };
   bool MovingSurface = false;
-  int UpdatePeriod = 20;
-  double SurfaceRelaxation = 1.0;
-  double FieldRelaxation = 1.0;
-  double UpdateTolerance = 1e-3;
-  int MaximumUpdates = 10;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

@@ -16,13 +16,11 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -31,9 +29,10 @@ vtkStandardNewMacro(vtkSolvationSurface);
 using isthmus::SolvationUpdate;
 
 /// What one execution works with.
-struct vtkSolvationSurface::Internals
+class vtkSolvationSurface::vtkInternals
 {
-  explicit Internals(vtkSolvationSurface* self)
+public:
+  explicit vtkInternals(vtkSolvationSurface* self)
     : Self(self)
   {
   }
@@ -41,12 +40,11 @@ struct vtkSolvationSurface::Internals
   isthmus::MoleculeAtoms Balls(vtkDataObject* input) const
   {
     isthmus::AtomOptions options = isthmus::WholeMolecule(
-      isthmus::InputArrayName(this->Self, 0), this->Self->KeepWaters, this->Self->UnitedAtoms);
+      isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms);
     options.Missing = isthmus::MissingRadius::Refuse; // it has a charge
     return isthmus::ReadAtoms(input, options);
   }
 
-  isthmus::SolvationParameters Parameters() const;
   std::vector<isthmus::ChargedAtom> Charges(
     vtkDataObject* input, const isthmus::MoleculeAtoms& atoms) const;
   void Warn(const isthmus::SolvationFlow& flow, const isthmus::MoleculeAtoms& atoms) const;
@@ -54,39 +52,7 @@ struct vtkSolvationSurface::Internals
   vtkSolvationSurface* Self;
 };
 
-isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
-{
-  const vtkSolvationSurface* self = this->Self;
-  isthmus::SolvationParameters p;
-  p.Flow.Enlargement = self->Enlargement;
-  p.Flow.ProbeRadius = self->ProbeRadius;
-  p.Flow.Spacing = self->Spacing;
-  p.Solvent.SurfaceTension = self->SurfaceTension;
-  p.Solvent.Pressure = self->Pressure;
-  p.Potential.SoluteDielectric = self->SoluteDielectric;
-  p.Potential.SolventDielectric = self->SolventDielectric;
-  p.Potential.Dielectric = static_cast<isthmus::DielectricModel>(self->DielectricModel);
-  p.Potential.Temperature = self->Temperature;
-  p.Potential.Padding = self->Padding;
-  if (!(self->IonicStrength >= 0.0) || std::isinf(self->IonicStrength))
-  {
-    throw std::invalid_argument("IonicStrength is " + isthmus::FormatNumber(self->IonicStrength) +
-      " mol/l, but it is 0 or more: 0.15 is physiological.");
-  }
-  if (self->IonicStrength > 0.0)
-  {
-    p.Potential.Ions = { { 1.0, self->IonicStrength }, { -1.0, self->IonicStrength } };
-  }
-  p.Policy.UpdatePeriod = self->UpdatePeriod;
-  p.Policy.AdaptiveUpdate = self->AdaptiveUpdate;
-  p.Policy.SurfaceRelaxation = self->SurfaceRelaxation;
-  p.Policy.FieldRelaxation = self->FieldRelaxation;
-  p.Policy.Tolerance = self->EnergyTolerance;
-  p.Policy.MaximumUpdates = self->MaximumUpdates;
-  return p;
-}
-
-std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
+std::vector<isthmus::ChargedAtom> vtkSolvationSurface::vtkInternals::Charges(
   vtkDataObject* input, const isthmus::MoleculeAtoms& atoms) const
 {
   std::vector<isthmus::ChargedAtom> charges =
@@ -101,7 +67,7 @@ std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
   return charges;
 }
 
-void vtkSolvationSurface::Internals::Warn(
+void vtkSolvationSurface::vtkInternals::Warn(
   const isthmus::SolvationFlow& flow, const isthmus::MoleculeAtoms& atoms) const
 {
   constexpr double nearlyAll = 0.9;
@@ -118,7 +84,8 @@ void vtkSolvationSurface::Internals::Warn(
            last.Total(), " kcal/mol, the one before ", flow.GetUpdates()[n > 1 ? n - 2 : 0].Total(),
            ". The last surface is shown: choose more MaximumUpdates or a larger EnergyTolerance."));
   }
-  if (this->Self->ProbeRadius == 0.0 && last.OnObstacle > nearlyAll && atoms.Balls.size() > 1)
+  if (this->Self->Parameters.Flow.ProbeRadius == 0.0 && last.OnObstacle > nearlyAll &&
+    atoms.Balls.size() > 1)
   {
     vtkWarningWithObjectMacro(this->Self,
       << isthmus::TextOf("The field has drawn the surface onto the atoms (",
@@ -136,16 +103,6 @@ vtkSolvationSurface::vtkSolvationSurface()
 }
 
 vtkSolvationSurface::~vtkSolvationSurface() = default;
-
-void vtkSolvationSurface::SetChargeArrayName(const char* name)
-{
-  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-}
-
-void vtkSolvationSurface::SetRadiusArrayName(const char* name)
-{
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
-}
 
 vtkImageData* vtkSolvationSurface::GetImage()
 {
@@ -179,12 +136,12 @@ int vtkSolvationSurface::RequestInformation(
     [&](vtkImageData* image)
     {
       this->Advance->RequireOneRank(0, "atoms");
-      const Internals internals(this);
+      const vtkInternals internals(this);
       const isthmus::MoleculeAtoms atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
-          isthmus::FlowResultGrid(atoms.Balls, internals.Parameters().Flow), image);
+          isthmus::FlowResultGrid(atoms.Balls, this->Parameters.Flow), image);
       }
     });
   return 1;
@@ -203,8 +160,8 @@ int vtkSolvationSurface::RequestData(
   return isthmus::Guarded(this, outputVector,
     [&]()
     {
-      const Internals internals(this);
-      const isthmus::SolvationParameters parameters = internals.Parameters();
+      const vtkInternals internals(this);
+      isthmus::Check(this->Parameters);
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       this->Advance->RequireOneRank(0, "atoms");
       const isthmus::MoleculeAtoms atoms = internals.Balls(input);
@@ -215,7 +172,7 @@ int vtkSolvationSurface::RequestData(
       const auto progress = isthmus::ProgressOf(this);
       isthmus::SolvationFlow flow(
         { atoms.Balls, isthmus::DispersionAtomsOf(input, atoms), internals.Charges(input, atoms) },
-        parameters);
+        this->Parameters);
       flow.Run(isthmus::Between(progress, 0.0, 0.9));
       isthmus::FillSolvation(flow, atoms.Notes,
         { vtkPolyData::GetData(outputVector, 0), vtkImageData::GetData(outputVector, 1),
@@ -228,21 +185,21 @@ int vtkSolvationSurface::RequestData(
 void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Enlargement: " << this->Enlargement << "\n";
-  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
-  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "Enlargement: " << this->GetEnlargement() << "\n";
+  os << indent << "ProbeRadius: " << this->GetProbeRadius() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "Padding: " << this->GetPadding() << "\n";
   this->PrintSolventProperties(os, indent);
-  os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
-  os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
-  os << indent << "DielectricModel: " << this->DielectricModel << "\n";
-  os << indent << "IonicStrength: " << this->IonicStrength << "\n";
-  os << indent << "Temperature: " << this->Temperature << "\n";
-  os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";
-  os << indent << "AdaptiveUpdate: " << this->AdaptiveUpdate << "\n";
-  os << indent << "SurfaceRelaxation: " << this->SurfaceRelaxation << "\n";
-  os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
-  os << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n";
-  os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
+  os << indent << "SoluteDielectric: " << this->GetSoluteDielectric() << "\n";
+  os << indent << "SolventDielectric: " << this->GetSolventDielectric() << "\n";
+  os << indent << "DielectricModel: " << this->GetDielectricModel() << "\n";
+  os << indent << "IonicStrength: " << this->GetIonicStrength() << "\n";
+  os << indent << "Temperature: " << this->GetTemperature() << "\n";
+  os << indent << "UpdatePeriod: " << this->GetUpdatePeriod() << "\n";
+  os << indent << "AdaptiveUpdate: " << this->GetAdaptiveUpdate() << "\n";
+  os << indent << "SurfaceRelaxation: " << this->GetSurfaceRelaxation() << "\n";
+  os << indent << "FieldRelaxation: " << this->GetFieldRelaxation() << "\n";
+  os << indent << "EnergyTolerance: " << this->GetEnergyTolerance() << "\n";
+  os << indent << "MaximumUpdates: " << this->GetMaximumUpdates() << "\n";
   this->PrintAtomProperties(os, indent);
 }

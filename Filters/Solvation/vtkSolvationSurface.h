@@ -37,7 +37,9 @@
 #define vtkSolvationSurface_h
 
 #include "Atoms/AtomProperties.h"
+#include "Core/ArrayProperty.h"
 #include "MolecularSurfaces/SolventProperties.h"
+#include "Solvation/SolvationParameters.h"
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -58,45 +60,37 @@ public:
   vtkTypeMacro(vtkSolvationSurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /// The point arrays of charges and radii. Defaults `Charge` and `Radius`.
-  void SetChargeArrayName(const char* name);
-  void SetRadiusArrayName(const char* name);
-  ///@}
+  /// Input array 0 is the point array of the radii, `Radius` by default, input array 1 that of the
+  /// charges, `Charge`.
+  ISTHMUS_NAMED_INPUT_ARRAYS();
 
   ///@{
   /// The factor by which the radii are multiplied at the start of the flow, at least 1. Default
   /// 1.3.
-  vtkSetMacro(Enlargement, double);
-  vtkGetMacro(Enlargement, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Flow, Enlargement, double);
   ///@}
 
   ///@{
   /// Radius of the probe, in angstrom; there is no solvent where the probe does not fit. 0: no
   /// probe. Default 1.4.
-  vtkSetMacro(ProbeRadius, double);
-  vtkGetMacro(ProbeRadius, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Flow, ProbeRadius, double);
   ///@}
 
   ///@{
   /// Spacing of the grid, in angstrom. Default 0.5.
-  vtkSetMacro(Spacing, double);
-  vtkGetMacro(Spacing, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Flow, Spacing, double);
   ///@}
 
   ///@{
   /// Thickness of the solvent around the surface in which the potential is computed, in angstrom.
   /// Default 10.
-  vtkSetMacro(Padding, double);
-  vtkGetMacro(Padding, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Potential, Padding, double);
   ///@}
 
   ///@{
   /// Dielectric constants. Defaults 2 and 80.
-  vtkSetMacro(SoluteDielectric, double);
-  vtkGetMacro(SoluteDielectric, double);
-  vtkSetMacro(SolventDielectric, double);
-  vtkGetMacro(SolventDielectric, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Potential, SoluteDielectric, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Potential, SolventDielectric, double);
   ///@}
 
   enum DielectricModels
@@ -109,60 +103,50 @@ public:
   /// Treatment of the surface in the field during the iteration: as a jump, or by one permittivity
   /// for each edge of the grid. The last update always uses the jump; with SmoothDielectric, this
   /// is an additional row. Default SharpInterface.
-  vtkSetClampMacro(DielectricModel, int, SharpInterface, SmoothDielectric);
-  vtkGetMacro(DielectricModel, int);
+  ISTHMUS_PARAMETER_OF(Parameters.Potential, DielectricModel, int);
   ///@}
 
   ///@{
   /// Ionic strength of a 1:1 salt, in mol/l. Default 0.
-  vtkSetMacro(IonicStrength, double);
-  vtkGetMacro(IonicStrength, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Potential, IonicStrength, double);
   ///@}
 
   ///@{
   /// Temperature in kelvin. Default 298.15.
-  vtkSetMacro(Temperature, double);
-  vtkGetMacro(Temperature, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Potential, Temperature, double);
   ///@}
 
   ///@{
   /// Number of steps of the flow between two solutions, at least 1; with AdaptiveUpdate fewer if
   /// the volume converges before. Defaults 50 and on.
-  vtkSetMacro(UpdatePeriod, int);
-  vtkGetMacro(UpdatePeriod, int);
-  vtkSetMacro(AdaptiveUpdate, bool);
-  vtkGetMacro(AdaptiveUpdate, bool);
-  vtkBooleanMacro(AdaptiveUpdate, bool);
+  ISTHMUS_PARAMETER_OF(Parameters.Policy, UpdatePeriod, int);
+  ISTHMUS_PARAMETER_SWITCH_OF(Parameters.Policy, AdaptiveUpdate);
   ///@}
 
   ///@{
   /// alpha and alpha': the fractions of each period's motion, and of each new field's force, that
   /// are applied; above 0, at most 1. The defaults are 1; smaller values take more updates and are
   /// not needed.
-  vtkSetMacro(SurfaceRelaxation, double);
-  vtkGetMacro(SurfaceRelaxation, double);
-  vtkSetMacro(FieldRelaxation, double);
-  vtkGetMacro(FieldRelaxation, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Policy, SurfaceRelaxation, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Policy, FieldRelaxation, double);
   ///@}
 
   ///@{
   /// The surface has converged when the relative change of the energy is below this value twice in
   /// a row; the iteration always ends after MaximumUpdates. Defaults 1e-3 and 20.
-  vtkSetMacro(EnergyTolerance, double);
-  vtkGetMacro(EnergyTolerance, double);
-  vtkSetMacro(MaximumUpdates, int);
-  vtkGetMacro(MaximumUpdates, int);
+  ISTHMUS_PARAMETER(EnergyTolerance, double);
+  ISTHMUS_PARAMETER_OF(Parameters.Policy, MaximumUpdates, int);
   ///@}
 
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetUpdates();
 
-  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
   /// SurfaceTension, above 0, and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
-  ISTHMUS_SOLVENT_PROPERTIES();
+  ISTHMUS_SOLVENT_PROPERTIES(Parameters.Solvent);
 
 protected:
   vtkSolvationSurface();
@@ -180,24 +164,9 @@ private:
   vtkSolvationSurface(const vtkSolvationSurface&) = delete;
   void operator=(const vtkSolvationSurface&) = delete;
 
-  struct Internals;
-  friend struct Internals;
+  class vtkInternals; ///< functions of one execution
 
-  double Enlargement = 1.3;
-  double ProbeRadius = 1.4;
-  double Spacing = 0.5;
-  double Padding = 10.0;
-  double SoluteDielectric = 2.0;
-  double SolventDielectric = 80.0;
-  int DielectricModel = SharpInterface;
-  double IonicStrength = 0.0;
-  double Temperature = 298.15;
-  int UpdatePeriod = 50;
-  bool AdaptiveUpdate = true;
-  double SurfaceRelaxation = 1.0;
-  double FieldRelaxation = 1.0;
-  double EnergyTolerance = 1e-3;
-  int MaximumUpdates = 20;
+  isthmus::SolvationParameters Parameters;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

@@ -1,5 +1,7 @@
 #include "Surfaces/AreaQuantiles.h"
 
+#include "Core/RangeChecks.h"
+
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -40,10 +42,7 @@ double WeightedQuantile(const std::vector<WeightedValue>& sorted, double fractio
   {
     throw std::invalid_argument("None of the values has an area.");
   }
-  if (!(fraction >= 0.0) || !(fraction <= 1.0))
-  {
-    throw std::invalid_argument("A quantile must be from 0 to 1.");
-  }
+  RequireRange("The fraction", fraction, 0.0, 1.0);
   double below = 0.0;
   for (const WeightedValue& value : sorted)
   {

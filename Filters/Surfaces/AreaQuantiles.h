@@ -18,8 +18,7 @@ namespace isthmus
 using WeightedValue = std::pair<double, double>;
 
 /// Of one triangle.
-VTKISTHMUSFILTERSSURFACES_EXPORT double TriangleArea(
-  const SurfaceView& surface, vtkIdType triangle);
+double TriangleArea(const SurfaceView& surface, vtkIdType triangle);
 
 /// The area assigned to each point of `surface`: a third of that of its triangles.
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> PointAreas(const SurfaceView& surface);
@@ -27,8 +26,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> PointAreas(const SurfaceVie
 /// The smallest value such that at least `fraction` of the weight lies at or below it; sorts by
 /// value.
 /// @throws std::invalid_argument if there is no weight or the fraction is not from 0 to 1.
-VTKISTHMUSFILTERSSURFACES_EXPORT double WeightedQuantile(
-  const std::vector<WeightedValue>& sorted, double fraction);
+double WeightedQuantile(const std::vector<WeightedValue>& sorted, double fraction);
 
 }
 

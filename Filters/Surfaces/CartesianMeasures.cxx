@@ -1,10 +1,9 @@
 #include "Surfaces/CartesianMeasures.h"
 
-#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace isthmus
@@ -61,11 +60,8 @@ template <typename T>
 CartesianMeasures MeasureOnGrid(const LevelView<T>& level, double insideValue, double outsideValue,
   const ProgressCallback& progress)
 {
-  if (insideValue == outsideValue)
-  {
-    throw std::invalid_argument("InsideValue and OutsideValue are both " +
-      FormatNumber(insideValue) + ": the smeared measures need two different values.");
-  }
+  RequireThat(insideValue != outsideValue, "InsideValue", insideValue,
+    "it must differ from OutsideValue: the smeared measures scale by the difference");
   return ParallelReduce(
     level.Grid.Dimensions[2], 1, CartesianMeasures{},
     [&](CartesianMeasures& sum, std::int64_t first, std::int64_t last)

@@ -19,7 +19,6 @@
 
 #include "Core/Progress.h"
 #include "Surfaces/LevelCrossings.h"
-#include "vtkIsthmusFiltersSurfacesModule.h"
 
 namespace isthmus
 {
@@ -38,8 +37,8 @@ struct CartesianMeasures
 /// no additional memory.
 /// @throws std::invalid_argument if the two values are equal, and Cancelled.
 template <typename T>
-VTKISTHMUSFILTERSSURFACES_EXPORT CartesianMeasures MeasureOnGrid(const LevelView<T>& level,
-  double insideValue, double outsideValue, const ProgressCallback& progress = {});
+CartesianMeasures MeasureOnGrid(const LevelView<T>& level, double insideValue, double outsideValue,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -1,13 +1,12 @@
 #include "Surfaces/GridDistance.h"
 
-#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Surfaces/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace isthmus
@@ -283,11 +282,8 @@ private:
 std::vector<double> DistanceToSurface(
   const SurfaceView& mesh, const GridShape& grid, double band, const ProgressCallback& progress)
 {
-  if (!(band > 0.0) || std::isinf(band))
-  {
-    throw std::invalid_argument("The band around the surface is " + FormatNumber(band) +
-      " wide, but exact distances need a positive width: choose about two spacings.");
-  }
+  RequireAbove(
+    "The width of the band", band, 0.0, Unlimited, "About two grid spacings are sufficient.");
   const double spacing = *std::max_element(grid.Spacing.begin(), grid.Spacing.end());
   band = std::max(band, spacing);
   std::vector<double> squared = Band(mesh, grid).Run(band, Between(progress, 0.0, 0.5));

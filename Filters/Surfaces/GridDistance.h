@@ -43,7 +43,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> DistanceToSurface(const Sur
  * any number of threads.
  * @throws Cancelled.
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> ExactDistanceToSurface(
+std::vector<double> ExactDistanceToSurface(
   const SurfaceView& mesh, const GridShape& grid, const ProgressCallback& progress = {});
 
 }

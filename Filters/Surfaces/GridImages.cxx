@@ -4,6 +4,7 @@
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
 #include "Surfaces/ShellNesting.h"
 
@@ -20,7 +21,6 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -99,18 +99,6 @@ bool BoxOfPolygons(vtkPolyData* surface, double box[6])
   return true;
 }
 
-void RequireGridMemory(const GridShape& grid, double bytes, const std::string& remedy)
-{
-  double needed = bytes;
-  std::string size;
-  for (const std::int64_t n : grid.Dimensions)
-  {
-    needed *= static_cast<double>(n);
-    size += (size.empty() ? "" : " x ") + std::to_string(n);
-  }
-  MemoryBudget().Require(needed, "A grid of " + size + " nodes", remedy);
-}
-
 namespace
 {
 
@@ -152,22 +140,14 @@ vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
 
 void AddFlags(vtkImageData* output, const char* name, const std::vector<unsigned char>& flags)
 {
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(name);
-  SizeArray(array, static_cast<vtkIdType>(flags.size()));
-  std::copy(flags.begin(), flags.end(), array->GetPointer(0));
-  output->GetPointData()->AddArray(array);
+  AddColumn<vtkUnsignedCharArray>(output->GetPointData(), name, flags);
 }
 
 void AddSignedDistance(vtkImageData* output, const std::vector<unsigned char>& inside,
   const std::vector<double>& distance)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("SignedDistance");
-  SizeArray(array, static_cast<vtkIdType>(distance.size()));
-  std::transform(distance.begin(), distance.end(), inside.begin(), array->GetPointer(0),
-    [](double value, unsigned char isInside) { return isInside ? -value : value; });
-  output->GetPointData()->AddArray(array);
+  AddColumnOf<vtkDoubleArray>(output->GetPointData(), "SignedDistance", distance.size(),
+    [&](std::size_t i) { return inside[i] ? -distance[i] : distance[i]; });
   output->GetPointData()->SetActiveScalars(
     "SignedDistance"); // SetScalars would drop a volume's own
 }
@@ -182,20 +162,10 @@ void FillCrossings(
 {
   const auto count = static_cast<vtkIdType>(crossings.size());
   vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> normals, fractions;
-  vtkNew<vtkIdTypeArray> nodes, offsets, corners;
-  vtkNew<vtkIntArray> axes;
+  vtkNew<vtkIdTypeArray> offsets, corners;
+  const auto normals = NamedArray<vtkDoubleArray>("Normals", crossings.size(), 3);
   points->SetDataTypeToDouble();
   SizePoints(points, count);
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  SizeArray(normals, count);
-  fractions->SetName("Fraction");
-  SizeArray(fractions, count);
-  nodes->SetName("Node");
-  SizeArray(nodes, count);
-  axes->SetName("Axis");
-  SizeArray(axes, count);
   SizeArray(corners, count);
   SizeArray(offsets, count + 1); // vtkCellArray makes them where they are left out, and may abort
   const int* const size = grid->GetDimensions();
@@ -213,9 +183,6 @@ void FillCrossings(
     TurnToWorld(grid->GetDirectionMatrix(), crossing.Normal, normal);
     points->SetPoint(i, position);
     normals->SetTuple(i, normal);
-    fractions->SetValue(i, crossing.Fraction);
-    nodes->SetValue(i, crossing.Node);
-    axes->SetValue(i, crossing.Axis);
     corners->SetValue(i, i);
     offsets->SetValue(i, i);
   }
@@ -224,10 +191,13 @@ void FillCrossings(
   vertices->SetData(offsets, corners);
   output->SetPoints(points);
   output->SetVerts(vertices);
-  output->GetPointData()->SetNormals(normals);
-  output->GetPointData()->AddArray(nodes);
-  output->GetPointData()->AddArray(axes);
-  output->GetPointData()->AddArray(fractions);
+  vtkPointData* const data = output->GetPointData();
+  data->SetNormals(normals);
+  AddColumnOf<vtkIdTypeArray>(
+    data, "Node", crossings, [](const GridCrossing& c) { return c.Node; });
+  AddColumnOf<vtkIntArray>(data, "Axis", crossings, [](const GridCrossing& c) { return c.Axis; });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Fraction", crossings, [](const GridCrossing& c) { return c.Fraction; });
 }
 
 }

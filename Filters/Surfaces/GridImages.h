@@ -36,9 +36,6 @@ PlaceInWorld WorldOf(vtkImageData* grid);
 /// none.
 bool BoxOfPolygons(vtkPolyData* surface, double box[6]);
 
-/// Throws unless a grid fits that needs `bytes` for each node, with `remedy` (MemoryBudget).
-void RequireGridMemory(const GridShape& grid, double bytes, const std::string& remedy);
-
 /// The isosurface of the image, in lengths along its axes from its first node. Scalars of any type.
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   vtkImageData* image, vtkDataArray* scalars, double level);

@@ -16,7 +16,6 @@
 #define isthmus_LevelCrossings_h
 
 #include "Core/GridView.h"
-#include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
@@ -51,13 +50,13 @@ struct GridCrossing
 
 /// Gradient at a node, in value per length. The component along an axis with a single node is 0.
 template <typename T>
-VTKISTHMUSFILTERSSURFACES_EXPORT std::array<double, 3> GradientAtNode(
+std::array<double, 3> GradientAtNode(
   const GridView<const T>& grid, std::int64_t i, std::int64_t j, std::int64_t k);
 
 /// Appends the crossings on edges that start in layer `k`, ordered by node, then axis. T is float
 /// or double. Where the interpolated gradient vanishes, the normal is along the line. O(layer).
 template <typename T>
-VTKISTHMUSFILTERSSURFACES_EXPORT void AppendLevelCrossings(
+void AppendLevelCrossings(
   const LevelView<T>& level, std::int64_t k, std::vector<GridCrossing>& crossings);
 
 }

@@ -67,7 +67,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
  * @pre corners exist and are finite, and no two points are at one place (MergePoints).
  * O(n log n) for each layer of flat triangles on top of each other; up to 16 layers are processed.
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh RemoveFlatTriangles(TriangleMesh surface);
+TriangleMesh RemoveFlatTriangles(TriangleMesh surface);
 
 }
 

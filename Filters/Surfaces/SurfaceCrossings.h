@@ -71,7 +71,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<unsigned char> NodesInside(
 
 /// 1 for each node with at least one of its six neighbours on the other side (irregular nodes),
 /// otherwise 0.
-VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<unsigned char> IrregularNodes(
+std::vector<unsigned char> IrregularNodes(
   const std::vector<unsigned char>& inside, const GridShape& grid);
 
 }

@@ -56,8 +56,7 @@ struct SurfaceMeasures
  * their corners irregular. Time O(triangles), memory about 60 bytes a triangle.
  * @throws Cancelled.
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceMeasures MeasureSurface(
-  const SurfaceView& mesh, const ProgressCallback& progress = {});
+SurfaceMeasures MeasureSurface(const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 /**
  * A sentence for the message of a repair if it changed the number of components or the genus:

@@ -21,8 +21,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT double SquaredDistanceToSegment(
 
 /// Squared distance of x from a triangle: to its plane if the projection is inside, otherwise to
 /// its border.
-VTKISTHMUSFILTERSSURFACES_EXPORT double SquaredDistanceToTriangle(
-  const Point3& x, const std::array<Point3, 3>& corners);
+double SquaredDistanceToTriangle(const Point3& x, const std::array<Point3, 3>& corners);
 
 /**
  * A tree of cylinders over the triangles, which are halved three times at each level, at the median

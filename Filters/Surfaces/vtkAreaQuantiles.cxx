@@ -1,7 +1,9 @@
 #include "vtkAreaQuantiles.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Surfaces/AreaQuantiles.h"
 
 #include <vtkDataArray.h>
@@ -10,7 +12,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -71,6 +72,8 @@ int vtkAreaQuantiles::RequestData(
   return isthmus::Guarded(this, output,
     [&]
     {
+      isthmus::RequireRange("Lower", this->Lower, 0.0, 1.0);
+      isthmus::RequireRange("Upper", this->Upper, 0.0, 1.0);
       if (data->GetNumberOfPoints() == 0)
       {
         return;
@@ -104,11 +107,9 @@ int vtkAreaQuantiles::RequestData(
         return;
       }
       std::sort(values.begin(), values.end());
-      vtkNew<vtkDoubleArray> range;
-      range->SetName("Range");
-      range->InsertNextValue(isthmus::WeightedQuantile(values, this->Lower));
-      range->InsertNextValue(isthmus::WeightedQuantile(values, this->Upper));
-      table->AddColumn(range);
+      isthmus::AddColumn<vtkDoubleArray>(table->GetRowData(), "Range",
+        { isthmus::WeightedQuantile(values, this->Lower),
+          isthmus::WeightedQuantile(values, this->Upper) });
     });
 }
 

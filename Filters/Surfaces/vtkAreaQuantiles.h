@@ -26,7 +26,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Fractions of the area, 0 to 1. Default 0.02 and 0.98.
+  /// Fractions of the area, 0 to 1.
   vtkSetMacro(Lower, double);
   vtkGetMacro(Lower, double);
   vtkSetMacro(Upper, double);

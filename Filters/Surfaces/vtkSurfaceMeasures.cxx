@@ -34,25 +34,16 @@ namespace
 
 using isthmus::SurfaceMeasure;
 
-template <typename Array, typename Value>
-void AddNumber(vtkFieldData* fields, const char* name, Value value)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  fields->AddArray(array);
-}
-
 void AddFields(vtkFieldData* fields, const SurfaceMeasure& whole, vtkIdType components)
 {
-  AddNumber<vtkDoubleArray>(fields, "Area", whole.Area);
-  AddNumber<vtkDoubleArray>(fields, "Volume", whole.Volume);
-  AddNumber<vtkIdTypeArray>(fields, "Genus", whole.Genus);
-  AddNumber<vtkIdTypeArray>(fields, "Components", components);
-  AddNumber<vtkIdTypeArray>(fields, "EulerNumber", whole.EulerNumber());
-  AddNumber<vtkIdTypeArray>(fields, "OpenEdges", whole.OpenEdges);
-  AddNumber<vtkIdTypeArray>(fields, "BoundaryLoops", whole.BoundaryLoops);
-  AddNumber<vtkIdTypeArray>(fields, "IrregularPoints", whole.IrregularPoints);
+  isthmus::AddColumn<vtkDoubleArray>(fields, "Area", { whole.Area });
+  isthmus::AddColumn<vtkDoubleArray>(fields, "Volume", { whole.Volume });
+  isthmus::AddColumn<vtkIdTypeArray>(fields, "Genus", { whole.Genus });
+  isthmus::AddColumn<vtkIdTypeArray>(fields, "Components", { components });
+  isthmus::AddColumn<vtkIdTypeArray>(fields, "EulerNumber", { whole.EulerNumber() });
+  isthmus::AddColumn<vtkIdTypeArray>(fields, "OpenEdges", { whole.OpenEdges });
+  isthmus::AddColumn<vtkIdTypeArray>(fields, "BoundaryLoops", { whole.BoundaryLoops });
+  isthmus::AddColumn<vtkIdTypeArray>(fields, "IrregularPoints", { whole.IrregularPoints });
 }
 
 void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
@@ -251,8 +242,8 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
     { "SmearedVolume", measures.SmearedVolume } };
   for (const auto& [name, value] : values)
   {
-    AddNumber<vtkDoubleArray>(output->GetFieldData(), name, value);
-    table->AddColumn(output->GetFieldData()->GetAbstractArray(name));
+    isthmus::AddColumn<vtkDoubleArray>(output->GetFieldData(), name, { value });
+    isthmus::AddColumn<vtkDoubleArray>(table->GetRowData(), name, { value });
   }
 }
 

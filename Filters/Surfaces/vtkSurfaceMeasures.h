@@ -36,7 +36,6 @@
 #ifndef vtkSurfaceMeasures_h
 #define vtkSurfaceMeasures_h
 
-#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 #include "vtkPassInputTypeAlgorithm.h"
 
@@ -52,17 +51,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Level of the image's scalars that is measured, in their unit. Default: 0.5.
+  /// Level of the image's scalars that is measured, in their unit.
   vtkSetMacro(Level, double);
   vtkGetMacro(Level, double);
-  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
-  void SetIsoValue(double level) { this->SetLevel(level); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
-  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
-  /// Whether the scalars are higher inside (on, the default: densities) or lower (off: distances).
+  /// Whether the scalars are higher inside (on: densities) or lower (off: distances).
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
   vtkBooleanMacro(InsideIsHigher, bool);
@@ -70,7 +65,7 @@ public:
 
   ///@{
   /// Scalars deep inside and far outside, in their unit; the smeared measures scale them to 1 and
-  /// 0. The defaults are 1 and 0, as for a characteristic function.
+  /// 0.
   vtkSetMacro(InsideValue, double);
   vtkGetMacro(InsideValue, double);
   vtkSetMacro(OutsideValue, double);

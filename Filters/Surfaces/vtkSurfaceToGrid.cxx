@@ -1,10 +1,11 @@
 #include "vtkSurfaceToGrid.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/MemoryBudget.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/PolyDataTriangles.h"
@@ -24,7 +25,6 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,31 @@ constexpr double MostNodesAlongAnAxis = 2147483000.0;
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkSurfaceToGrid::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Inside", 1, "", ArrayChoice::On, "1 inside, 0 outside" },
+    { 0, ArrayPlace::Points, "Irregular", 1, "", ArrayChoice::On,
+      "1 for nodes with one of their six neighbours on the other side" },
+    { 0, ArrayPlace::Points, "SignedDistance", 1, "length", ArrayChoice::On, "negative inside" },
+    { 1, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None,
+      "unit; outwards for volumes, on the side from which triangles are counter-clockwise for "
+      "surfaces" },
+    { 1, ArrayPlace::Points, "Node", 1, "", ArrayChoice::None,
+      "id of the node below the crossing on its line" },
+    { 1, ArrayPlace::Points, "Axis", 1, "", ArrayChoice::None,
+      "0, 1, 2: the line is along x, y, z of the grid" },
+    { 1, ArrayPlace::Points, "Fraction", 1, "", ArrayChoice::None,
+      "part of the spacing from that node" },
+  };
+  return table;
+}
+
 vtkSurfaceToGrid::vtkSurfaceToGrid()
-  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
+  : OutputArrays(this, OutputArrayTable())
+  , Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -80,13 +103,20 @@ int vtkSurfaceToGrid::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+void vtkSurfaceToGrid::CheckParameters() const
+{
+  isthmus::RequireRange("Spacing", this->Spacing, 0.0, isthmus::Unlimited,
+    "It is a length; 0 stands for 1/64 of the surface's longest side.");
+  isthmus::RequireRange("Padding", this->Padding, 0, 10000);
+  isthmus::RequireRange(
+    "Level", this->Level, -isthmus::Unlimited, isthmus::Unlimited, "It is a value of the volume.");
+  isthmus::RequireChoice<int>("NormalMode", this->NormalMode, PointNormals);
+  isthmus::RequireRange("BandWidth", this->BandWidth, 1.0, 1000.0, "It is in grid spacings.");
+}
+
 void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
 {
-  if (!(this->Spacing >= 0.0) || std::isinf(this->Spacing))
-  {
-    throw std::invalid_argument("Spacing is " + isthmus::FormatNumber(this->Spacing) +
-      ", but it is a length: give a positive one, or 0 for 1/64 of the surface's longest side.");
-  }
+  this->CheckParameters();
   double box[6];
   if (!isthmus::BoxOfPolygons(surface, box))
   {
@@ -201,6 +231,8 @@ int vtkSurfaceToGrid::RequestData(
   const int result = isthmus::Guarded(this, outputVector,
     [&]()
     {
+      this->CheckParameters();
+      this->OutputArrays.Check();
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
       isthmus::RequireWholeExtent(inputVector[1]->GetInformationObject(0));
       if (auto* image = vtkImageData::GetData(inputVector[0], 0))
@@ -245,7 +277,8 @@ void vtkSurfaceToGrid::FromSurface(
   vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings)
 {
   const GridShape shape = isthmus::ShapeOf(output);
-  isthmus::RequireGridMemory(shape, BytesPerNode, "choose a larger Spacing or a coarser grid");
+  isthmus::MemoryBudget().RequireGrid(
+    shape.Dimensions, BytesPerNode, "choose a larger Spacing or a coarser grid");
   const isthmus::PolyDataTriangles triangles(isthmus::InGridAxes(surface, output));
   const isthmus::SurfaceView mesh = triangles.View();
   const auto progress = isthmus::ProgressOf(this);
@@ -263,18 +296,21 @@ void vtkSurfaceToGrid::FromSurface(
     }
   }
   isthmus::FillCrossings(found, output, crossings);
-  if (!this->GenerateInside && !this->GenerateSignedDistance)
+  if (!this->OutputArrays.HasAny({ "Inside", "Irregular", "SignedDistance" }))
   {
     return;
   }
   const auto inside = isthmus::NodesInside(mesh, shape, isthmus::WorldOf(output));
   isthmus::Report(progress, 0.3);
-  if (this->GenerateInside)
+  if (this->OutputArrays.Has("Inside"))
   {
     isthmus::AddFlags(output, "Inside", inside);
+  }
+  if (this->OutputArrays.Has("Irregular"))
+  {
     isthmus::AddFlags(output, "Irregular", isthmus::IrregularNodes(inside, shape));
   }
-  if (this->GenerateSignedDistance)
+  if (this->OutputArrays.Has("SignedDistance"))
   {
     isthmus::AddSignedDistance(
       output, inside, this->Distance(mesh, shape, isthmus::Between(progress, 0.35, 1.0)));
@@ -293,21 +329,19 @@ std::vector<double> vtkSurfaceToGrid::Distance(const isthmus::SurfaceView& mesh,
 void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings)
 {
   const GridShape shape = isthmus::ShapeOf(image);
-  isthmus::RequireGridMemory(shape, BytesPerNode, "crop or subsample the volume");
+  isthmus::MemoryBudget().RequireGrid(
+    shape.Dimensions, BytesPerNode, "crop or subsample the volume");
   vtkSmartPointer<vtkDataArray> scalars = isthmus::ChosenScalars(this, image);
   if (scalars->GetDataType() == VTK_BIT) // VTK finds no range and no contour of bits
   {
-    const auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    bytes->SetName(scalars->GetName());
-    isthmus::SizeArray(bytes, scalars->GetNumberOfTuples());
+    const auto bytes =
+      isthmus::ArrayOfType(VTK_UNSIGNED_CHAR, scalars->GetName(), scalars->GetNumberOfTuples());
     for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
     {
-      bytes->SetValue(i, static_cast<unsigned char>(scalars->GetComponent(i, 0)));
+      bytes->SetComponent(i, 0, scalars->GetComponent(i, 0));
     }
     scalars = bytes;
   }
-  isthmus::RequireRange("Level", this->Level, -std::numeric_limits<double>::max(),
-    std::numeric_limits<double>::max(), "It is a value of the volume.");
   double range[2];
   scalars->GetFiniteRange(range);
   if (!(range[0] < this->Level && this->Level < range[1]))
@@ -335,12 +369,15 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
       }
       isthmus::FillCrossings(found, image, crossings);
     });
-  if (this->GenerateInside)
+  if (this->OutputArrays.Has("Inside"))
   {
     isthmus::AddFlags(output, "Inside", inside);
+  }
+  if (this->OutputArrays.Has("Irregular"))
+  {
     isthmus::AddFlags(output, "Irregular", isthmus::IrregularNodes(inside, shape));
   }
-  if (this->GenerateSignedDistance)
+  if (this->OutputArrays.Has("SignedDistance"))
   {
     const isthmus::PolyDataTriangles triangles(
       isthmus::IsosurfaceInGridAxes(image, scalars, this->Level));
@@ -362,8 +399,7 @@ void vtkSurfaceToGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "NormalMode: " << this->NormalMode << "\n";
-  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
-  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  this->OutputArrays.Print(os, indent);
   os << indent << "BandWidth: " << this->BandWidth << "\n";
   os << indent << "ExactEverywhere: " << this->ExactEverywhere << "\n";
 }

@@ -7,18 +7,14 @@
  * of the image on input 1, if there is one, else one around the surface with Spacing and Padding.
  * For a volume, it is the grid of the volume.
  *
- * **Output 0**, vtkImageData, on nodes: `Inside` (unsigned char: 1 inside, 0 outside), `Irregular`
- * (unsigned char: 1 for nodes with one of their six neighbours on the other side), `SignedDistance`
- * (double, length, negative inside). A volume keeps its other arrays. Surface: the inside is
+ * **Output 0**, vtkImageData: `Inside`, `Irregular` and `SignedDistance` on nodes, unless
+ * GetOutputArraySelection() has them off. A volume keeps its other arrays. Surface: the inside is
  * determined by the even-odd rule, so the orientation has no effect and cavities are outside.
  * Volume: inside is where the scalar is above Level (below, with InsideIsHigher off); the distance
  * is that to its isosurface by vtkFlyingEdges3D.
  *
- * **Output 1, vtkPolyData, has a vertex for each crossing of the surface with a line of the grid,
- * in the order of the nodes below them: `Normals` (unit; outwards for volumes, on the side from
- * which triangles are counter-clockwise for surfaces), `Node` (id of the node below on the line),
- * `Axis` (0, 1, 2: the line is along x, y, z of the grid), `Fraction` (part of the spacing from
- * that node).
+ * **Output 1**, vtkPolyData, has a vertex for each crossing of the surface with a line of the grid,
+ * in the order of the nodes below them. OutputArrayTable() lists the arrays of both.
  *
  * **Accuracy.** Crossings lie within 2^-20 spacings of the surface (grids of more than 500 nodes
  * along an axis: less exactly, as the number grows). Distances are exact within BandWidth spacings
@@ -28,8 +24,8 @@
  *
  * Formulas and sources: SurfaceCrossings.h, LevelCrossings.h, GridDistance.h.
  *
- * **Errors** (one message, empty outputs): surfaces that are not closed (if Inside or
- * SignedDistance are requested), closed parts that cross (ShellCrossings.h), coordinates that are
+ * **Errors** (one message, empty outputs): surfaces that are not closed (if an array of
+ * output 0 is selected), closed parts that cross (ShellCrossings.h), coordinates that are
  * not finite, damaged cells, negative Spacing, grids of a single layer, no point scalars. An empty
  * surface or image is not an error.
  *
@@ -40,7 +36,7 @@
 #ifndef vtkSurfaceToGrid_h
 #define vtkSurfaceToGrid_h
 
-#include "Core/Deprecation.h"
+#include "Core/OutputArrays.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
@@ -70,31 +66,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Spacing of the grid around a surface, in the unit of its points (angstrom). Default 0, which
-  /// means the longest side of the bounding box / 64.
+  /// Spacing of the grid around a surface, in the unit of its points (angstrom). 0: the longest
+  /// side of the bounding box / 64.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Number of spacings by which that grid extends beyond the bounding box on each side. Default:
-  /// 2.
-  vtkSetClampMacro(Padding, int, 0, 10000);
+  /// Number of spacings by which that grid extends beyond the bounding box on each side.
+  vtkSetMacro(Padding, int);
   vtkGetMacro(Padding, int);
   ///@}
 
   ///@{
-  /// Level of a volume that is the surface, in the unit of its scalars. Default: 0.5.
+  /// Level of a volume that is the surface, in the unit of its scalars.
   vtkSetMacro(Level, double);
   vtkGetMacro(Level, double);
-  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
-  void SetIsoValue(double level) { this->SetLevel(level); }
-  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
-  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
-  /// Whether a volume's scalars are higher inside (on, the default: densities) or lower
+  /// Whether a volume's scalars are higher inside (on: densities) or lower
   /// (distances).
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
@@ -108,32 +99,22 @@ public:
   };
 
   ///@{
-  /// Normals at crossings with a surface: TriangleNormals (default) or PointNormals (interpolated
+  /// Normals at crossings with a surface: TriangleNormals or PointNormals (interpolated
   /// from the means of the triangles around each point).
-  vtkSetClampMacro(NormalMode, int, TriangleNormals, PointNormals);
+  vtkSetMacro(NormalMode, int);
   vtkGetMacro(NormalMode, int);
   ///@}
 
   ///@{
-  /// Whether to make the arrays Inside and Irregular, and SignedDistance. Default: on.
-  vtkSetMacro(GenerateInside, bool);
-  vtkGetMacro(GenerateInside, bool);
-  vtkBooleanMacro(GenerateInside, bool);
-  vtkSetMacro(GenerateSignedDistance, bool);
-  vtkGetMacro(GenerateSignedDistance, bool);
-  vtkBooleanMacro(GenerateSignedDistance, bool);
-  ///@}
-
-  ///@{
-  /// Width of the band around the surface in which distances are exact, in (largest) spacings. At
-  /// least 1; larger values take more time. Default: 2.
-  vtkSetClampMacro(BandWidth, double, 1.0, 1000.0);
+  /// Width of the band around the surface in which distances are exact, in (largest) spacings, 1
+  /// to 1000; larger values take more time.
+  vtkSetMacro(BandWidth, double);
   vtkGetMacro(BandWidth, double);
   ///@}
 
   ///@{
   /// Whether distances are exact outside the band, too, which takes a few microseconds for each
-  /// node. Default: off.
+  /// node.
   vtkSetMacro(ExactEverywhere, bool);
   vtkGetMacro(ExactEverywhere, bool);
   vtkBooleanMacro(ExactEverywhere, bool);
@@ -141,6 +122,12 @@ public:
 
   /// Output 1.
   vtkPolyData* GetCrossings();
+
+  /// The arrays that the filter adds to its outputs, and which of them are optional.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
+
+  /// Which optional arrays to make.
+  ISTHMUS_OUTPUT_ARRAY_SELECTION();
 
 protected:
   vtkSurfaceToGrid();
@@ -160,8 +147,6 @@ protected:
   double Level = 0.5;
   bool InsideIsHigher = true;
   int NormalMode = TriangleNormals;
-  bool GenerateInside = true;
-  bool GenerateSignedDistance = true;
   double BandWidth = 2.0;
   bool ExactEverywhere = false;
 
@@ -169,6 +154,7 @@ private:
   vtkSurfaceToGrid(const vtkSurfaceToGrid&) = delete;
   void operator=(const vtkSurfaceToGrid&) = delete;
 
+  void CheckParameters() const;
   void GridAround(vtkPolyData* surface, vtkImageData* grid);
   std::vector<double> Distance(const isthmus::SurfaceView& mesh, const isthmus::GridShape& shape,
     const std::function<bool(double)>& progress);

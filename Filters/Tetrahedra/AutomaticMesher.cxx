@@ -179,7 +179,7 @@ public:
     , Parameters(std::move(parameters))
     , Progress(progress)
   {
-    this->Parameters.TetGen.Limits.Seconds *= 0.25;
+    this->Parameters.TetGen.Limits.TimeLimit *= 0.25;
   }
 
   AutomaticMesh Run()
@@ -303,7 +303,7 @@ private:
     result.IsDoubtful =
       !(std::abs(result.VolumeAfter - result.VolumeBefore) <= 0.01 * result.VolumeBefore);
     const bool kept =
-      result.Backend == MeshingBackend::TetGen && this->Parameters.TetGen.KeepSurface;
+      result.Backend == MeshingBackend::TetGen && this->Parameters.TetGen.PreserveSurface;
     result.Hausdorff = kept ? 0.0 : HausdorffDistance(sound, boundary);
     static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
       "isosurface stuffing from the winding number" };
@@ -382,7 +382,7 @@ AutomaticMesh AutomaticTetrahedra(const SurfaceView& surface,
   {
     TetrahedralParameters both = parameters;
     both.Library = library;
-    CheckTetrahedralParameters(both);
+    Check(both);
   }
   if (surface.Triangles.empty())
   {

@@ -10,7 +10,6 @@
 #include "Core/TriangleMesh.h"
 #include "Tetrahedra/MeshedSide.h"
 #include "Tetrahedra/TetrahedralMesher.h"
-#include "vtkIsthmusFiltersTetrahedraModule.h"
 
 namespace isthmus
 {
@@ -36,8 +35,8 @@ struct SolidStuffingParameters
  * @pre corners exist and are finite.
  * @throws std::invalid_argument if nothing is enclosed; otherwise as IsosurfaceStuffing.
  */
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh StuffSolid(const SurfaceView& soup,
-  const SolidStuffingParameters& parameters, const ProgressCallback& progress = {});
+TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameters& parameters,
+  const ProgressCallback& progress = {});
 
 enum class MeshingBackend
 {
@@ -69,15 +68,15 @@ struct AutomaticMesh
  * (IsosurfaceStuffing.h) of the region in which the winding number (WindingNumber.h) is above one
  * half, which makes no assumptions about the surface.
  *
- * Each run of TetGen may take a quarter of `parameters.TetGen.Limits.Seconds`; its memory limit is
- * Limits.Bytes, also for stuffing. Stuffing uses cells of CGAL.CellSize, or a hundredth of the
+ * Each run of TetGen may take a quarter of `parameters.TetGen.Limits.TimeLimit`; its memory limit
+ * is Limits.Bytes, also for stuffing. Stuffing uses cells of CGAL.CellSize, or a hundredth of the
  * diagonal, and has region 1 for all solids and 0 for everything else. A repair that loses parts of
  * the surface (farther from it than a fiftieth of the diagonal) is not used.
  *
  * @throws std::invalid_argument on parameters out of range, and when nothing is enclosed, with what
  * is wrong with the surface; Cancelled.
  */
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT AutomaticMesh AutomaticTetrahedra(const SurfaceView& surface,
+AutomaticMesh AutomaticTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
 }

@@ -1,6 +1,6 @@
 #include "Tetrahedra/IsosurfaceStuffing.h"
 
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 #include "Core/TetrahedralMesh.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "Tetrahedra/StuffingLattice.h"
@@ -423,26 +423,16 @@ void StuffingOutput::AddCut(const LatticeTetrahedron& t)
   }
 }
 
+void Check(const StuffingParameters& parameters)
+{
+  RequireChoice("Side", parameters.Side, MeshedSide::Both);
+  RequireRange("CellSize", parameters.CellSize, 0.0, Unlimited, "It is a length.");
+  RequireRange("GradingLevels", parameters.GradingLevels, 0, 8);
+  RequireRange("Margin", parameters.Margin, 0.0, Unlimited, "It is a length.");
+}
+
 namespace
 {
-
-void Check(const StuffingParameters& p)
-{
-  if (!(p.CellSize > 0.0) || std::isinf(p.CellSize))
-  {
-    throw std::invalid_argument(
-      "The cell size is " + FormatNumber(p.CellSize) + ", but it must be a positive length.");
-  }
-  if (p.GradingLevels < 0 || p.GradingLevels > 8)
-  {
-    throw std::invalid_argument("The grading levels are " + std::to_string(p.GradingLevels) +
-      ", but they must be from 0 (uniform) to 8.");
-  }
-  if (!(p.Margin >= 0.0) || std::isinf(p.Margin))
-  {
-    throw std::invalid_argument("The margin of the box must not be negative.");
-  }
-}
 
 void AddOctant(const StuffingLattice& lattice, const StuffingBackground& background,
   const Octant& octant, StuffingOutput& output, std::vector<LatticeTetrahedron>& scratch)
@@ -475,6 +465,7 @@ IsosurfaceStuffingResult IsosurfaceStuffing(const std::function<double(const Poi
   const Bounds3& bounds, const StuffingParameters& parameters, const ProgressCallback& progress)
 {
   Check(parameters);
+  RequireAbove("CellSize", parameters.CellSize, 0.0, Unlimited, "It is a length.");
   StuffingLattice lattice(bounds, parameters);
   lattice.Sample(field, Between(progress, 0.0, 0.4));
   lattice.Grade(parameters.GradingLevels);

@@ -27,6 +27,9 @@
 namespace isthmus
 {
 
+/// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
+VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void Check(const StuffingParameters& parameters);
+
 struct IsosurfaceStuffingResult
 {
   TetrahedralMesh Mesh;        ///< region 1 inside, 0 outside; OriginalPoints is -1 throughout
@@ -41,8 +44,9 @@ struct IsosurfaceStuffingResult
  *
  * The surface is that of the linear interpolation along lattice edges: second order in CellSize.
  *
- * @throws std::invalid_argument on parameters that can't be met or a lattice of more than 2^18
- * cells along an axis; std::runtime_error where Memory does not hold the lattice; Cancelled.
+ * @throws std::invalid_argument on parameters that can't be met (e.g. a CellSize of 0) or a lattice
+ * of more than 2^18 cells along an axis; std::runtime_error where Memory does not hold the lattice;
+ * Cancelled.
  *
  * Cost: two values for each cell of the box; 21 bytes for each cell, and about 70 bytes for each
  * tetrahedron. Sampling and warping are parallel; the result is bitwise the same on any number of

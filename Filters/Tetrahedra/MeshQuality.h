@@ -8,7 +8,6 @@
 #include "Core/Progress.h"
 #include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"
-#include "vtkIsthmusFiltersTetrahedraModule.h"
 
 #include <cstdint>
 #include <limits>
@@ -41,20 +40,17 @@ struct QualitySummary
 };
 
 /// Radius-edge ratio is at least 1/sqrt(3) = 0.577 (equilateral).
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT CellAngles MeasureTriangle(
-  const Point3& a, const Point3& b, const Point3& c);
+CellAngles MeasureTriangle(const Point3& a, const Point3& b, const Point3& c);
 
 /// Radius-edge ratio is at least sqrt(6)/4 = 0.612 (regular), and does not detect slivers.
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT CellAngles MeasureTetrahedron(
-  const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+CellAngles MeasureTetrahedron(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 /// Writes the measures of each cell to `measures` and returns the summary, in parallel. O(n).
 /// `ghosts` is empty or has one flag for each cell; a cell whose flag is not 0 is measured but not
 /// included in the summary, since another rank includes it.
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT QualitySummary MeasureQuality(const SurfaceView& surface,
-  int bins, std::vector<CellAngles>& cells, const ProgressCallback& progress = {},
-  const View<unsigned char>& ghosts = {});
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT QualitySummary MeasureQuality(const std::vector<Point3>& points,
+QualitySummary MeasureQuality(const SurfaceView& surface, int bins, std::vector<CellAngles>& cells,
+  const ProgressCallback& progress = {}, const View<unsigned char>& ghosts = {});
+QualitySummary MeasureQuality(const std::vector<Point3>& points,
   const std::vector<Tetrahedron>& tetrahedra, int bins, std::vector<CellAngles>& cells,
   const ProgressCallback& progress = {}, const View<unsigned char>& ghosts = {});
 

@@ -23,7 +23,7 @@ namespace isthmus
 
 struct StuffingParameters
 {
-  double CellSize = 1.0; ///< side of the cubes of the lattice, a length
+  double CellSize = 0.0; ///< side of the cubes of the lattice, a length; 0: the caller chooses one
   int GradingLevels = 0; ///< away from the surface cubes may be up to 2^levels as large; 0: uniform
   MeshedSide Side = MeshedSide::Inside;
   double Margin = 0.0; ///< length by which the box exceeds the bounds; three cells at least

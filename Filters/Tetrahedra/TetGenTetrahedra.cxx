@@ -222,14 +222,14 @@ TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::s
 std::string Switches(const TetGenCriteria& criteria, bool smooths)
 {
   std::string text = "-pAzF";
-  if (criteria.KeepSurface)
+  if (criteria.PreserveSurface)
   {
     text += "Y";
   }
   if (criteria.RadiusEdgeRatio > 0.0)
   {
     text += "q" + FixedNumber(criteria.RadiusEdgeRatio, 6) + "/" +
-      FixedNumber(criteria.MinimumDihedral, 6);
+      FixedNumber(criteria.MinimumDihedralAngle, 6);
   }
   if (criteria.MaximumVolume > 0.0)
   {
@@ -282,13 +282,13 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   const std::string memory = std::to_string(criteria.Limits.Bytes >> 20) + " MiB";
   if (result.End == ChildEnd::NotFound)
   {
-    throw std::runtime_error("TetGen's program '" + criteria.Command +
+    throw std::runtime_error("TetGen's program '" + criteria.TetGenCommand +
       "' was not found: install it (Debian: package tetgen), name its path as TetGenCommand, or "
       "use CGAL instead.");
   }
   if (result.End == ChildEnd::NotRun)
   {
-    throw std::runtime_error("TetGenCommand names '" + criteria.Command +
+    throw std::runtime_error("TetGenCommand names '" + criteria.TetGenCommand +
       "', which can't be run: it is a folder, or no program. Set the path of the TetGen "
       "executable, or use CGAL instead.");
   }
@@ -301,7 +301,7 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   }
   if (result.End == ChildEnd::TimedOut)
   {
-    throw std::runtime_error("TetGen was stopped after " + Seconds(criteria.Limits.Seconds) +
+    throw std::runtime_error("TetGen was stopped after " + Seconds(criteria.Limits.TimeLimit) +
       ", the time limit: raise it if the mesh is large." + advice);
   }
   if (result.Output.find("emory") != std::string::npos)
@@ -327,8 +327,8 @@ bool Smooths(const TetGenCriteria& criteria, const std::filesystem::path& folder
   const std::vector<Triangle> faces{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
   const auto input = folder / "probe.smesh";
   WriteTetGenSurface(input, { SurfaceView{ corners, faces } }, {}, {});
-  const ChildResult result = RunChild({ criteria.Command, "-pzF", input.string() }, criteria.Limits,
-    folder / "probe.log", Between(progress, 0.0, 0.0));
+  const ChildResult result = RunChild({ criteria.TetGenCommand, "-pzF", input.string() },
+    criteria.Limits, folder / "probe.log", Between(progress, 0.0, 0.0));
   CheckResult(result, criteria);
   return result.Output.find("Improving mesh") != std::string::npos;
 }
@@ -339,8 +339,9 @@ namespace
 {
 
 /**
- * The box with its faces in squares of about `edge`. With KeepSurface TetGen adds no points to any
- * face, those of the box included; faces of two triangles would make tetrahedra as long as the box.
+ * The box with its faces in squares of about `edge`. With PreserveSurface TetGen adds no points to
+ * any face, those of the box included; faces of two triangles would make tetrahedra as long as the
+ * box.
  */
 TriangleMesh GridOfBox(const SurfaceView& box, double edge)
 {
@@ -469,7 +470,7 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   if (boxed)
   {
     const bool splits =
-      criteria.KeepSurface && (criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0);
+      criteria.PreserveSurface && (criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0);
     box = splits ? GridOfBox(task.Box, EdgeOnBox(task)) : CopyOf(task.Box);
     surfaces.emplace_back(box);
   }
@@ -482,7 +483,7 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   const bool isBounded = criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0;
   const std::string switches =
     Switches(criteria, isBounded && Smooths(criteria, folder.Path(), progress));
-  CheckResult(RunChild({ criteria.Command, switches, input.string() }, criteria.Limits,
+  CheckResult(RunChild({ criteria.TetGenCommand, switches, input.string() }, criteria.Limits,
                 folder.Path() / "log", Between(progress, 0.0, 0.8)),
     criteria);
   Report(progress, 0.8);

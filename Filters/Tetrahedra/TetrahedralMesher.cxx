@@ -153,51 +153,39 @@ void CheckVolumes(
 
 }
 
-void CheckTetrahedralParameters(const TetrahedralParameters& p)
+void Check(const TetrahedralParameters& p)
 {
-  const auto demand = [](bool fine, const char* sentence)
+  RequireChoice("Library", p.Library, TetrahedralLibrary::CGAL);
+  RequireChoice("Side", p.Side, MeshedSide::Both);
+  if (p.Side != MeshedSide::Inside)
   {
-    if (!fine)
-    {
-      throw std::invalid_argument(sentence);
-    }
-  };
-  const TetGenCriteria& t = p.TetGen;
-  demand(p.Side == MeshedSide::Inside || (p.BoxMargin >= 1e-3 && p.BoxMargin <= 1e3),
-    "The margin of the box must be from 0.001 to 1000 diagonals of the surface.");
+    RequireRange("BoxMargin", p.BoxMargin, 1e-3, 1e3, "It is in diagonals of the surface.");
+  }
   if (p.Library == TetrahedralLibrary::TetGen)
   {
-    demand(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
-      "TetGen's radius-edge ratio must be 0 (no refinement) or at least 1; below 2, refinement may "
-      "not terminate.");
-    demand(t.MinimumDihedral >= 0.0 && t.MinimumDihedral <= 40.0,
-      "TetGen's minimum dihedral angle must be from 0 to 40 degrees.");
-    demand(t.MaximumVolume >= 0.0 && std::isfinite(t.MaximumVolume),
-      "The maximum volume must be positive, or 0 for no limit.");
-    demand(t.Limits.Seconds > 0.0 && t.Limits.Seconds <= 1e7,
-      "The time limit must be positive, and at most 1e7 s.");
+    const TetGenCriteria& t = p.TetGen;
+    RequireThat(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
+      "RadiusEdgeRatio", t.RadiusEdgeRatio,
+      "it must be 0 (no refinement) or from 1 to 1e6; below 2, refinement may not terminate");
+    RequireRange(
+      "MinimumDihedralAngle", t.MinimumDihedralAngle, 0.0, 40.0, "It is an angle in degrees.");
+    RequireRange("MaximumVolume", t.MaximumVolume, 0.0, Unlimited, "0 stands for no bound.");
+    RequireAbove("TimeLimit", t.Limits.TimeLimit, 0.0, 1e7, "It is in seconds.");
     return;
   }
   const CGALCriteria& c = p.CGAL;
-  for (const auto& [name, value] : { std::pair{ "FacetSize", c.FacetSize },
-         std::pair{ "FacetDistance", c.FacetDistance }, std::pair{ "CellSize", c.CellSize },
-         std::pair{ "CellRadiusEdgeRatio", c.CellRadiusEdgeRatio } })
-  {
-    RequireThat(
-      value <= LargestLength, name, value, "CGAL's sizes and ratios must be numbers up to 1e100");
-  }
-  demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
-    "CGAL's facet angle must be from 0 to 30 degrees; above, refinement may not terminate.");
-  demand(c.FacetSize >= 0.0 && c.FacetDistance >= 0.0 && c.CellSize >= 0.0,
-    "CGAL's sizes must be positive, or 0 for the default.");
-  demand(c.CellRadiusEdgeRatio >= 2.0,
-    "CGAL's cell radius-edge ratio must be at least 2; below, refinement may not terminate.");
-  demand(std::min(c.LloydIterations, c.ODTIterations) >= 0 &&
-      std::max(c.LloydIterations, c.ODTIterations) <= 100,
-    "Iterations of Lloyd and ODT must be from 0 to 100.");
-  demand(c.OptimisationSeconds > 0.0 && c.PerturbSeconds >= 0.0 &&
-      std::isfinite(c.OptimisationSeconds + c.PerturbSeconds),
-    "Time limits of the optimisation must be positive.");
+  RequireRange("FacetAngle", c.FacetAngle, 0.0, 30.0,
+    "It is an angle in degrees; above 30, refinement may not terminate.");
+  RequireRange("FacetSize", c.FacetSize, 0.0, LargestLength, "It is a length.");
+  RequireRange("FacetDistance", c.FacetDistance, 0.0, LargestLength, "It is a length.");
+  RequireRange("CellRadiusEdgeRatio", c.CellRadiusEdgeRatio, 2.0, LargestLength,
+    "Below 2, refinement may not terminate.");
+  RequireRange("CellSize", c.CellSize, 0.0, LargestLength, "It is a length.");
+  RequireRange("LloydIterations", c.LloydIterations, 0, 100);
+  RequireRange("ODTIterations", c.ODTIterations, 0, 100);
+  RequireAbove(
+    "OptimisationTimeLimit", c.OptimisationTimeLimit, 0.0, Unlimited, "It is in seconds.");
+  RequireRange("PerturbTimeLimit", c.PerturbTimeLimit, 0.0, Unlimited, "It is in seconds.");
 }
 
 namespace
@@ -243,11 +231,11 @@ std::string UnmetBounds(const TetrahedralMesh& mesh, const TetrahedralParameters
   {
     return {};
   }
-  const bool kept = tetgen && parameters.TetGen.KeepSurface;
+  const bool kept = tetgen && parameters.TetGen.PreserveSurface;
   return TextOf("Some of the ", mesh.Tetrahedra.size(), " tetrahedra exceed the bounds: ", ratio,
     ratio.empty() || volume.empty() ? "" : ", ", volume, ".",
     kept ? " The triangles of the surface are kept, and tetrahedra next to them cannot be better "
-           "than they are: remesh the surface (Surface Remesh), or switch KeepSurface off."
+           "than they are: remesh the surface (Surface Remesh), or switch PreserveSurface off."
       : tetgen ? " Remesh the surface (Surface Remesh) where it is sharp or thin."
                : " Optimisation may exceed these bounds: switch off Lloyd, ODT, perturbation and "
                  "exudation.");
@@ -256,7 +244,7 @@ std::string UnmetBounds(const TetrahedralMesh& mesh, const TetrahedralParameters
 TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralParameters& parameters,
   const ProgressCallback& progress)
 {
-  CheckTetrahedralParameters(parameters);
+  Check(parameters);
   if (surface.Triangles.empty())
   {
     return {};
@@ -288,9 +276,9 @@ TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralPara
   const auto rest = Between(progress, 0.1, 0.98);
   TetrahedralMesh mesh = tetgen ? TetGenTetrahedra(task, rest) : CGALTetrahedra(task, rest);
   const std::map<int, double> volumes = OrientAndMeasure(mesh);
-  // Without KeepSurface TetGen takes nearly flat neighbours as one facet; CGAL replaces the surface
-  // by one of its own, of about the same volume only.
-  const bool exact = tetgen && parameters.TetGen.KeepSurface;
+  // Without PreserveSurface TetGen takes nearly flat neighbours as one facet; CGAL replaces the
+  // surface by one of its own, of about the same volume only.
+  const bool exact = tetgen && parameters.TetGen.PreserveSurface;
   CheckVolumes(task, volumes, exact ? 1e-9 : tetgen ? 1e-3 : 0.5);
   Report(progress, 1.0);
   return mesh;

@@ -31,12 +31,12 @@ enum class TetrahedralLibrary
 /// Criteria of TetGen. The switches are those in section 4.2 of its manual.
 struct TetGenCriteria
 {
-  bool KeepSurface = true; ///< no new point on the surface (Y): its triangles come out as faces
-  double RadiusEdgeRatio = 2.0;   ///< circumradius / shortest edge at most (q), but for one in a
-                                  ///< thousand where shells are near each other; 0: no refinement
-  double MinimumDihedral = 0.0;   ///< degrees (q/); 0: none asked
-  double MaximumVolume = 0.0;     ///< of a tetrahedron (a), in cubed units of the data; 0: none
-  std::string Command = "tetgen"; ///< found on PATH
+  bool PreserveSurface = true; ///< no new point on the surface (Y): its triangles come out as faces
+  double RadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most (q), but for one in a
+                                ///< thousand where shells are near each other; 0: no refinement
+  double MinimumDihedralAngle = 0.0; ///< degrees (q/); 0: none asked
+  double MaximumVolume = 0.0;        ///< of a tetrahedron (a), in cubed units of the data; 0: none
+  std::string TetGenCommand = "tetgen"; ///< found on PATH
   ChildLimits Limits;
 };
 
@@ -51,11 +51,11 @@ struct CGALCriteria
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
   std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
   // Optimisation after refinement, in this order. Steps with a time limit may not be reproducible.
-  int LloydIterations = 0;           ///< points to the middles of their Voronoi cells, at most 100
-  int ODTIterations = 0;             ///< points to where tetrahedra follow |x|^2 best, at most 100
-  double OptimisationSeconds = 60.0; ///< of Lloyd and of ODT at most, each
-  double PerturbSeconds = 0.0;       ///< moves points of slivers for as long at most; 0: not at all
-  bool Exude = true;                 ///< removes slivers by weights of their points
+  int LloydIterations = 0; ///< points to the middles of their Voronoi cells, at most 100
+  int ODTIterations = 0;   ///< points to where tetrahedra follow |x|^2 best, at most 100
+  double OptimisationTimeLimit = 60.0; ///< of Lloyd and of ODT at most, each
+  double PerturbTimeLimit = 0.0; ///< moves points of slivers for as long at most; 0: not at all
+  bool Exude = true;             ///< removes slivers by weights of their points
 };
 
 struct TetrahedralParameters
@@ -77,7 +77,7 @@ struct TetrahedralParameters
  * it faces; all of that is checked first.
  * @throws std::invalid_argument with a message that names the defects and their triangles;
  * std::runtime_error when the library fails, runs out of memory or time, or gives tetrahedra that
- * do not fill the regions (TetGen with KeepSurface: to 1e-9 of their volume); Cancelled.
+ * do not fill the regions (TetGen with PreserveSurface: to 1e-9 of their volume); Cancelled.
  *
  * Cost: TetGen needs 220 bytes for each tetrahedron in its own process, and about the same amount
  * of disk space for text files. For times of both libraries see BenchMeshing.
@@ -92,9 +92,9 @@ VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh MeshTetrahedra(const SurfaceV
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT std::string UnmetBounds(
   const TetrahedralMesh& mesh, const TetrahedralParameters& parameters);
 
-/// @throws std::invalid_argument with a message unless the parameters of the library can be met.
-VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void CheckTetrahedralParameters(
-  const TetrahedralParameters& parameters);
+/// Of the library chosen. @throws std::invalid_argument with the name, the value and the range of
+/// an invalid parameter.
+VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void Check(const TetrahedralParameters& parameters);
 
 /// The input of the two libraries: a checked surface, its regions, and the box if there is one.
 struct TetrahedralTask

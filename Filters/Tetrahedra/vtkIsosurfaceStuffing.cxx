@@ -1,16 +1,17 @@
 #include "vtkIsosurfaceStuffing.h"
 
+#include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 #include "Core/TetrahedralMesh.h"
 #include "Core/TrilinearField.h"
-#include "Tetrahedra/IsosurfaceStuffing.h"
 #include "Tetrahedra/TetrahedralGrid.h"
 
 #include <vtkDataSetAttributes.h>
@@ -20,7 +21,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMatrix3x3.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
@@ -34,18 +34,6 @@ vtkStandardNewMacro(vtkIsosurfaceStuffing);
 namespace
 {
 
-isthmus::StuffingParameters ParametersOf(vtkIsosurfaceStuffing* filter, vtkImageData* image)
-{
-  const double* h = image->GetSpacing();
-  isthmus::StuffingParameters parameters;
-  parameters.CellSize =
-    filter->GetCellSize() == 0.0 ? std::min({ h[0], h[1], h[2] }) : filter->GetCellSize();
-  parameters.GradingLevels = filter->GetGradingLevels();
-  parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
-  parameters.Memory = isthmus::MemoryBudget::OfMachine(filter->GetMemoryLimit());
-  return parameters;
-}
-
 /// Mesh of the level set in the frame of the grid.
 template <typename T>
 isthmus::IsosurfaceStuffingResult Stuff(const isthmus::GridView<const T>& grid, double level,
@@ -57,10 +45,9 @@ isthmus::IsosurfaceStuffingResult Stuff(const isthmus::GridView<const T>& grid, 
   const auto low = static_cast<double>(*least);
   const auto high = static_cast<double>(*most);
   constexpr double largest = 1e150;
-  if (!(std::abs(level) < largest) || low < -largest || high > largest)
-  {
-    throw std::invalid_argument("Level and values must be numbers between -1e150 and 1e150.");
-  }
+  isthmus::RequireRange("Level", level, -largest, largest);
+  isthmus::RequireRange("The least value of the volume", low, -largest, largest);
+  isthmus::RequireRange("The largest value of the volume", high, -largest, largest);
   // As far beyond the level as the inside goes at most, so that it is closed half way.
   const double outside =
     insideIsHigher ? std::min(low, 2.0 * level - high) : std::max(high, 2.0 * level - low);
@@ -94,16 +81,9 @@ void ToWorld(vtkImageData* image, isthmus::TetrahedralMesh& mesh)
 
 void AddFlags(const isthmus::IsosurfaceStuffingResult& result, vtkUnstructuredGrid* grid)
 {
-  vtkNew<vtkUnsignedCharArray> onSurface;
-  onSurface->SetName("OnSurface");
-  isthmus::SizeArray(onSurface, grid->GetNumberOfPoints());
-  std::copy(result.OnSurface.begin(), result.OnSurface.end(), onSurface->GetPointer(0));
   grid->GetPointData()->RemoveArray("OriginalPointId"); // there are none
-  grid->GetPointData()->AddArray(onSurface);
-  vtkNew<vtkIdTypeArray> kept;
-  kept->SetName("KeptPoints");
-  kept->InsertNextValue(result.KeptPoints);
-  grid->GetFieldData()->AddArray(kept);
+  isthmus::AddColumn<vtkUnsignedCharArray>(grid->GetPointData(), "OnSurface", result.OnSurface);
+  isthmus::AddColumn<vtkIdTypeArray>(grid->GetFieldData(), "KeptPoints", { result.KeptPoints });
 }
 
 }
@@ -136,6 +116,9 @@ int vtkIsosurfaceStuffing::RequestData(
   return isthmus::Guarded(this, output,
     [&]
     {
+      isthmus::Check(this->Parameters);
+      isthmus::RequireRange(
+        "MemoryLimit", this->MemoryLimit, 0, isthmus::Unlimited, "It is in MiB.");
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image->GetNumberOfPoints() == 0 ||
         !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
@@ -147,21 +130,29 @@ int vtkIsosurfaceStuffing::RequestData(
       {
         throw std::invalid_argument("The volume has fewer than two nodes along an axis.");
       }
+      isthmus::StuffingParameters parameters = this->Parameters;
+      if (parameters.CellSize == 0.0)
+      {
+        const double* h = image->GetSpacing();
+        parameters.CellSize = std::min({ h[0], h[1], h[2] });
+      }
+      parameters.Memory = isthmus::MemoryBudget::OfMachine(this->MemoryLimit);
       const auto progress = isthmus::ProgressOf(this);
       isthmus::IsosurfaceStuffingResult result;
-      isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
-        [&](const auto& scalars)
-        {
-          result =
-            Stuff(scalars, this->Level, this->InsideIsHigher, ParametersOf(this, image), progress);
-        });
+      vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+      const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(
+        this->AutomaticLevel, this->Level, image, scalars, this->InsideIsHigher);
+      isthmus::UseScalars(image, scalars,
+        [&](const auto& values)
+        { result = Stuff(values, chosen.Level, this->InsideIsHigher, parameters, progress); });
       ToWorld(image, result.Mesh);
       isthmus::SetGrid(result.Mesh, grid);
       grid->GetFieldData()->PassData(image->GetFieldData());
+      isthmus::AddLevel(chosen, grid);
       AddFlags(result, grid);
       if (result.Mesh.Tetrahedra.empty())
       {
-        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", this->Level, "."));
+        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", chosen.Level, "."));
       }
     });
 }
@@ -170,9 +161,10 @@ void vtkIsosurfaceStuffing::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
+  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
-  os << indent << "Side: " << this->Side << "\n";
-  os << indent << "CellSize: " << this->CellSize << "\n";
-  os << indent << "GradingLevels: " << this->GradingLevels << "\n";
+  os << indent << "Side: " << this->GetSide() << "\n";
+  os << indent << "CellSize: " << this->Parameters.CellSize << "\n";
+  os << indent << "GradingLevels: " << this->Parameters.GradingLevels << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -21,7 +21,8 @@
 #ifndef vtkIsosurfaceStuffing_h
 #define vtkIsosurfaceStuffing_h
 
-#include "Core/Deprecation.h"
+#include "Core/FilterProperties.h"
+#include "Tetrahedra/IsosurfaceStuffing.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -36,20 +37,11 @@ public:
   {
     Inside,
     Outside,
-    Both,
-    INSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Inside") = Inside,
-    OUTSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Outside") = Outside,
-    BOTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Both") = Both
+    Both
   };
 
   ///@{
-  /// Value of the level set, in the unit of the scalars. Default 0.
-  vtkSetMacro(Level, double);
-  vtkGetMacro(Level, double);
-  ///@}
-
-  ///@{
-  /// The inside is where the value is above the level (densities). Default on.
+  /// The inside is where the value is above the level (densities).
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
   vtkBooleanMacro(InsideIsHigher, bool);
@@ -57,31 +49,32 @@ public:
 
   ///@{
   /// Inside: fill the inside of the level set; Outside: fill the rest of the box; Both: fill both.
-  /// Default Inside.
-  vtkSetClampMacro(Side, int, Inside, Both);
-  vtkGetMacro(Side, int);
+  ///
+  ISTHMUS_PARAMETER(Side, int);
   ///@}
 
   ///@{
   /// Side of the cubes of the lattice, in the unit of the spacing; 0: the smallest spacing. Most
-  /// edges have about this length. Default 0.
-  vtkSetMacro(CellSize, double);
-  vtkGetMacro(CellSize, double);
+  /// edges have about this length.
+  ISTHMUS_PARAMETER(CellSize, double);
   ///@}
 
   ///@{
   /// Away from the level set cubes may grow to 2^GradingLevels times CellSize, 0 to 8; 0: uniform.
-  /// Default 0.
-  vtkSetMacro(GradingLevels, int);
-  vtkGetMacro(GradingLevels, int);
+  ///
+  ISTHMUS_PARAMETER(GradingLevels, int);
   ///@}
 
   ///@{
-  /// Memory for the values on the lattice, in MiB; a larger lattice is refused. 0: three quarters
-  /// of the machine's memory. Default 0.
-  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
+  /// Memory limit in MiB; 0: three quarters of the machine's memory. A larger lattice
+  /// ends in an error before it is allocated.
+  vtkSetMacro(MemoryLimit, int);
   vtkGetMacro(MemoryLimit, int);
   ///@}
+
+  /// Value of the level set, in the unit of the scalars; unless it is given, the policy is that
+  /// of AutomaticLevel.h.
+  ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Level);
 
 protected:
   vtkIsosurfaceStuffing();
@@ -95,11 +88,8 @@ private:
   vtkIsosurfaceStuffing(const vtkIsosurfaceStuffing&) = delete;
   void operator=(const vtkIsosurfaceStuffing&) = delete;
 
-  double Level = 0.0;
+  isthmus::StuffingParameters Parameters;
   bool InsideIsHigher = true;
-  int Side = Inside;
-  double CellSize = 0.0;
-  int GradingLevels = 0;
   int MemoryLimit = 0;
 };
 

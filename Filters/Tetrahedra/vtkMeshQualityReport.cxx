@@ -1,8 +1,8 @@
 #include "vtkMeshQualityReport.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Tetrahedra/MeshQuality.h"
 
@@ -26,6 +26,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkMeshQualityReport);
@@ -94,19 +95,6 @@ isthmus::View<unsigned char> GhostsOf(vtkPointSet* mesh)
                 : isthmus::View<unsigned char>();
 }
 
-void AddArray(vtkPointSet* mesh, const char* name, const std::vector<isthmus::CellAngles>& cells,
-  double isthmus::CellAngles::*member)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  isthmus::SizeArray(array, static_cast<vtkIdType>(cells.size()));
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), cells[i].*member);
-  }
-  mesh->GetCellData()->AddArray(array);
-}
-
 std::string Line(const isthmus::QualitySummary& s, bool tetrahedra)
 {
   using isthmus::FixedNumber;
@@ -119,27 +107,15 @@ std::string Line(const isthmus::QualitySummary& s, bool tetrahedra)
 
 void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
 {
-  vtkNew<vtkDoubleArray> angle, fraction;
-  vtkNew<vtkIdTypeArray> count;
-  angle->SetName("Angle");
-  count->SetName("Count");
-  fraction->SetName("Fraction");
-  std::int64_t all = 0;
-  for (const std::int64_t n : summary.Bins)
-  {
-    all += n;
-  }
+  vtkFieldData* const data = table->GetRowData();
+  const auto all = static_cast<double>(
+    std::accumulate(summary.Bins.begin(), summary.Bins.end(), std::int64_t{ 0 }));
   const double width = 180.0 / static_cast<double>(summary.Bins.size());
-  for (std::size_t b = 0; b < summary.Bins.size(); ++b)
-  {
-    angle->InsertNextValue(width * (static_cast<double>(b) + 0.5));
-    count->InsertNextValue(summary.Bins[b]);
-    fraction->InsertNextValue(
-      all > 0 ? static_cast<double>(summary.Bins[b]) / static_cast<double>(all) : 0.0);
-  }
-  table->AddColumn(angle);
-  table->AddColumn(count);
-  table->AddColumn(fraction);
+  isthmus::AddColumnOf<vtkDoubleArray>(data, "Angle", summary.Bins.size(),
+    [width](std::size_t bin) { return width * (static_cast<double>(bin) + 0.5); });
+  isthmus::AddColumn<vtkIdTypeArray>(data, "Count", summary.Bins);
+  isthmus::AddColumnOf<vtkDoubleArray>(data, "Fraction", summary.Bins,
+    [all](std::int64_t count) { return all > 0.0 ? static_cast<double>(count) / all : 0.0; });
 }
 
 /// What all ranks have together.
@@ -167,25 +143,18 @@ isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySu
   return all;
 }
 
-void AddFieldData(const isthmus::QualitySummary& s, const std::string& line, vtkFieldData* data)
+void AddSummary(const isthmus::QualitySummary& s, const std::string& line, vtkFieldData* data)
 {
-  vtkNew<vtkStringArray> words;
-  words->SetName("QualitySummary");
-  words->InsertNextValue(line);
-  data->AddArray(words);
-  const std::pair<const char*, double> measures[] = { { "SmallestAngle", s.SmallestAngle },
-    { "LargestAngle", s.LargestAngle }, { "LargestRadiusEdgeRatio", s.LargestRadiusEdge },
-    { "Slivers", static_cast<double>(s.Slivers) } };
-  vtkNew<vtkDoubleArray> numbers;
-  numbers->SetName("QualityMeasures");
-  numbers->SetNumberOfComponents(4);
-  isthmus::SizeArray(numbers, 1);
+  isthmus::AddColumn<vtkStringArray>(data, "QualitySummary", { line });
+  auto* numbers = isthmus::AddTuple<vtkDoubleArray>(data, "QualityMeasures",
+    std::array<double, 4>{
+      s.SmallestAngle, s.LargestAngle, s.LargestRadiusEdge, static_cast<double>(s.Slivers) });
+  const char* const names[] = { "SmallestAngle", "LargestAngle", "LargestRadiusEdgeRatio",
+    "Slivers" };
   for (int c = 0; c < 4; ++c)
   {
-    numbers->SetComponentName(c, measures[c].first);
-    numbers->SetComponent(0, c, measures[c].second);
+    numbers->SetComponentName(c, names[c]);
   }
-  data->AddArray(numbers);
 }
 
 }
@@ -252,11 +221,16 @@ int vtkMeshQualityReport::RequestData(
         return;
       }
       this->Summary = Line(summary, tetrahedra);
-      AddArray(marked, "SmallestAngle", cells, &isthmus::CellAngles::Smallest);
-      AddArray(marked, "LargestAngle", cells, &isthmus::CellAngles::Largest);
-      AddArray(marked, "RadiusEdgeRatio", cells, &isthmus::CellAngles::RadiusEdge);
+      const auto add = [&](const char* name, double isthmus::CellAngles::*member)
+      {
+        isthmus::AddColumnOf<vtkDoubleArray>(marked->GetCellData(), name, cells,
+          [member](const isthmus::CellAngles& cell) { return cell.*member; });
+      };
+      add("SmallestAngle", &isthmus::CellAngles::Smallest);
+      add("LargestAngle", &isthmus::CellAngles::Largest);
+      add("RadiusEdgeRatio", &isthmus::CellAngles::RadiusEdge);
       marked->GetCellData()->SetActiveScalars("SmallestAngle");
-      AddFieldData(summary, this->Summary, marked->GetFieldData());
+      AddSummary(summary, this->Summary, marked->GetFieldData());
       if (isthmus::OnFirstRank())
       {
         FillHistogram(summary, histogram);

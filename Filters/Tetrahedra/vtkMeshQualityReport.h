@@ -37,8 +37,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of bins of the histogram from 0 to 180 degrees. Default 36.
-  vtkSetClampMacro(NumberOfBins, int, 1, 1800);
+  /// Number of bins of the histogram from 0 to 180 degrees.
+  vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 

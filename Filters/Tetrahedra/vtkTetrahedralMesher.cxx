@@ -3,18 +3,18 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Core/TetrahedralMesh.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Tetrahedra/AutomaticMesher.h"
 #include "Tetrahedra/TetrahedralGrid.h"
-#include "Tetrahedra/TetrahedralMesher.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
@@ -30,67 +30,20 @@ namespace
 /// What Automatic may use when nobody says otherwise: it tries again with less after a failure.
 constexpr double AutomaticBytes = 8.0 * 1024 * 1024 * 1024;
 
-isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
-{
-  isthmus::TetrahedralParameters parameters;
-  const bool automatic = filter->GetLibrary() == vtkTetrahedralMesher::Automatic;
-  if (!automatic)
-  {
-    parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
-  }
-  parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
-  parameters.BoxMargin = filter->GetBoxMargin();
-  isthmus::MemoryBudget memory = isthmus::MemoryBudget::OfMachine(filter->GetMemoryLimit());
-  if (automatic && filter->GetMemoryLimit() == 0)
-  {
-    memory = memory.AtMost(AutomaticBytes);
-  }
-  parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
-    filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
-    { filter->GetTimeLimit(), memory.WholeBytes() } };
-  parameters.CGAL.FacetAngle = filter->GetFacetAngle();
-  parameters.CGAL.FacetSize = filter->GetFacetSize();
-  parameters.CGAL.FacetDistance = filter->GetFacetDistance();
-  parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
-  parameters.CGAL.CellSize = filter->GetCellSize();
-  parameters.CGAL.LloydIterations = filter->GetLloydIterations();
-  parameters.CGAL.ODTIterations = filter->GetODTIterations();
-  parameters.CGAL.OptimisationSeconds = filter->GetOptimisationTimeLimit();
-  parameters.CGAL.PerturbSeconds = filter->GetPerturbTimeLimit();
-  parameters.CGAL.Exude = filter->GetExude();
-  return parameters;
-}
-
-void AddNumber(vtkFieldData* fields, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  fields->AddArray(array);
-}
-
-void AddText(vtkFieldData* fields, const char* name, const std::string& text)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  fields->AddArray(array);
-}
-
 void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
 {
   static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
     "Stuffing" };
-  AddText(fields, "Engine", names[static_cast<int>(made.Backend)]);
-  AddText(fields, "EngineReport", made.Report);
+  isthmus::AddColumn<vtkStringArray>(fields, "Engine", { names[static_cast<int>(made.Backend)] });
+  isthmus::AddColumn<vtkStringArray>(fields, "EngineReport", { made.Report });
   if (!made.Changes.empty())
   {
-    AddText(fields, "Repair", made.Changes);
+    isthmus::AddColumn<vtkStringArray>(fields, "Repair", { made.Changes });
   }
-  AddNumber(fields, "HausdorffDistance", made.Hausdorff);
-  AddNumber(fields, "VolumeBefore", made.VolumeBefore);
-  AddNumber(fields, "VolumeAfter", made.VolumeAfter);
-  AddNumber(fields, "VolumeIsDoubtful", made.IsDoubtful ? 1.0 : 0.0);
+  isthmus::AddColumn<vtkDoubleArray>(fields, "HausdorffDistance", { made.Hausdorff });
+  isthmus::AddColumn<vtkDoubleArray>(fields, "VolumeBefore", { made.VolumeBefore });
+  isthmus::AddColumn<vtkDoubleArray>(fields, "VolumeAfter", { made.VolumeAfter });
+  isthmus::AddColumn<vtkDoubleArray>(fields, "VolumeIsDoubtful", { made.IsDoubtful ? 1.0 : 0.0 });
 }
 
 /// From ids of points of a surface to those of what it was made of; -1 stays.
@@ -109,7 +62,7 @@ std::string WithUnmetBounds(const std::string& warning, const isthmus::Tetrahedr
   const std::string unmet = isthmus::UnmetBounds(mesh, parameters);
   if (!unmet.empty())
   {
-    AddText(grid->GetFieldData(), "UnmetBounds", unmet);
+    isthmus::AddColumn<vtkStringArray>(grid->GetFieldData(), "UnmetBounds", { unmet });
   }
   return warning + (warning.empty() || unmet.empty() ? "" : " ") + unmet;
 }
@@ -159,11 +112,29 @@ std::string FillByLibrary(const isthmus::CleanedSurface& surface, bool repair,
   isthmus::SetGrid(result, grid);
   if (!repaired.Changes.empty())
   {
-    AddText(grid->GetFieldData(), "Repair", repaired.Changes);
+    isthmus::AddColumn<vtkStringArray>(grid->GetFieldData(), "Repair", { repaired.Changes });
   }
   return WithUnmetBounds(repaired.Changes, result, parameters, grid);
 }
 
+}
+
+isthmus::TetrahedralParameters vtkTetrahedralMesher::ResolvedParameters() const
+{
+  isthmus::RequireChoice<int>("Library", this->Library, Automatic);
+  isthmus::RequireRange("MemoryLimit", this->MemoryLimit, 0, isthmus::Unlimited, "It is in MiB.");
+  isthmus::TetrahedralParameters parameters = this->Parameters;
+  isthmus::MemoryBudget memory = isthmus::MemoryBudget::OfMachine(this->MemoryLimit);
+  if (this->Library != Automatic)
+  {
+    parameters.Library = static_cast<isthmus::TetrahedralLibrary>(this->Library);
+  }
+  else if (this->MemoryLimit == 0)
+  {
+    memory = memory.AtMost(AutomaticBytes);
+  }
+  parameters.TetGen.Limits.Bytes = memory.WholeBytes();
+  return parameters;
 }
 
 int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* information)
@@ -179,13 +150,13 @@ int vtkTetrahedralMesher::RequestData(
   return isthmus::Guarded(this, output,
     [&]
     {
+      const isthmus::TetrahedralParameters parameters = this->ResolvedParameters();
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(surface));
       if (!taken.Message.empty())
       {
         vtkWarningMacro(<< taken.Message);
       }
-      const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       grid->GetFieldData()->PassData(surface->GetFieldData());
       const std::string warning = this->Library == Automatic
@@ -206,24 +177,24 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
             : this->Library == CGAL ? "CGAL"
                                     : "Automatic")
      << "\n";
-  os << indent << "Side: " << this->Side << "\n";
-  os << indent << "BoxMargin: " << this->BoxMargin << "\n";
+  os << indent << "Side: " << this->GetSide() << "\n";
+  os << indent << "BoxMargin: " << this->Parameters.BoxMargin << "\n";
   os << indent << "Repair: " << this->Repair << "\n";
-  os << indent << "KeepSurface: " << this->KeepSurface << "\n";
-  os << indent << "RadiusEdgeRatio: " << this->RadiusEdgeRatio << "\n";
-  os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
-  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
-  os << indent << "TetGenCommand: " << this->TetGenCommand << "\n";
-  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "PreserveSurface: " << this->Parameters.TetGen.PreserveSurface << "\n";
+  os << indent << "RadiusEdgeRatio: " << this->Parameters.TetGen.RadiusEdgeRatio << "\n";
+  os << indent << "MinimumDihedralAngle: " << this->Parameters.TetGen.MinimumDihedralAngle << "\n";
+  os << indent << "MaximumVolume: " << this->Parameters.TetGen.MaximumVolume << "\n";
+  os << indent << "TetGenCommand: " << this->Parameters.TetGen.TetGenCommand << "\n";
+  os << indent << "TimeLimit: " << this->Parameters.TetGen.Limits.TimeLimit << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "FacetAngle: " << this->FacetAngle << "\n";
-  os << indent << "FacetSize: " << this->FacetSize << "\n";
-  os << indent << "FacetDistance: " << this->FacetDistance << "\n";
-  os << indent << "CellRadiusEdgeRatio: " << this->CellRadiusEdgeRatio << "\n";
-  os << indent << "CellSize: " << this->CellSize << "\n";
-  os << indent << "LloydIterations: " << this->LloydIterations << "\n";
-  os << indent << "ODTIterations: " << this->ODTIterations << "\n";
-  os << indent << "OptimisationTimeLimit: " << this->OptimisationTimeLimit << "\n";
-  os << indent << "PerturbTimeLimit: " << this->PerturbTimeLimit << "\n";
-  os << indent << "Exude: " << this->Exude << "\n";
+  os << indent << "FacetAngle: " << this->Parameters.CGAL.FacetAngle << "\n";
+  os << indent << "FacetSize: " << this->Parameters.CGAL.FacetSize << "\n";
+  os << indent << "FacetDistance: " << this->Parameters.CGAL.FacetDistance << "\n";
+  os << indent << "CellRadiusEdgeRatio: " << this->Parameters.CGAL.CellRadiusEdgeRatio << "\n";
+  os << indent << "CellSize: " << this->Parameters.CGAL.CellSize << "\n";
+  os << indent << "LloydIterations: " << this->Parameters.CGAL.LloydIterations << "\n";
+  os << indent << "ODTIterations: " << this->Parameters.CGAL.ODTIterations << "\n";
+  os << indent << "OptimisationTimeLimit: " << this->Parameters.CGAL.OptimisationTimeLimit << "\n";
+  os << indent << "PerturbTimeLimit: " << this->Parameters.CGAL.PerturbTimeLimit << "\n";
+  os << indent << "Exude: " << this->Parameters.CGAL.Exude << "\n";
 }

@@ -28,7 +28,8 @@
 #ifndef vtkTetrahedralMesher_h
 #define vtkTetrahedralMesher_h
 
-#include "Core/Deprecation.h"
+#include "Core/FilterProperties.h"
+#include "Tetrahedra/TetrahedralMesher.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -45,46 +46,39 @@ public:
   {
     TetGen,
     CGAL,
-    Automatic,
-    TETGEN ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use TetGen") = TetGen,
-    AUTOMATIC ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Automatic") = Automatic
+    Automatic
   };
 
   enum SideType
   {
     Inside,
     Outside,
-    Both,
-    INSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Inside") = Inside,
-    OUTSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Outside") = Outside,
-    BOTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Both") = Both
+    Both
   };
 
   ///@{
   /// Meshing backend. Automatic first tries the backend that moves the surface least, and the next
   /// one if that fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from
-  /// the winding number (AutomaticMesher.h). Default Automatic.
-  vtkSetClampMacro(Library, int, TetGen, Automatic);
+  /// the winding number (AutomaticMesher.h).
+  vtkSetMacro(Library, int);
   vtkGetMacro(Library, int);
   ///@}
 
   ///@{
   /// Inside: the solids; Outside: the box without the solids, including their cavities; Both.
-  /// Default Inside.
-  vtkSetClampMacro(Side, int, Inside, Both);
-  vtkGetMacro(Side, int);
+  ///
+  ISTHMUS_PARAMETER(Side, int);
   ///@}
 
   ///@{
   /// Distance from the surface to the box, in diagonals of the surface's bounds; Outside and Both
-  /// only. Default 0.5.
-  vtkSetMacro(BoxMargin, double);
-  vtkGetMacro(BoxMargin, double);
+  /// only.
+  ISTHMUS_PARAMETER(BoxMargin, double);
   ///@}
 
   ///@{
   /// Repair a surface with defects (RepairSurface of SurfaceRepair.h) and report what was changed;
-  /// Automatic repairs if necessary. Default off.
+  /// Automatic repairs if necessary.
   vtkSetMacro(Repair, bool);
   vtkGetMacro(Repair, bool);
   vtkBooleanMacro(Repair, bool);
@@ -93,112 +87,92 @@ public:
   ///@{
   /// TetGen: add no points to the surface, so that its triangles are unchanged; tetrahedra next to
   /// small or flat ones then exceed the bounds below. The faces of the box are split as the bounds
-  /// require. Default on.
-  vtkSetMacro(KeepSurface, bool);
-  vtkGetMacro(KeepSurface, bool);
-  vtkBooleanMacro(KeepSurface, bool);
+  /// require.
+  ISTHMUS_PARAMETER_SWITCH_OF(Parameters.TetGen, PreserveSurface);
   ///@}
 
   ///@{
   /// TetGen: bound on circumradius / shortest edge (0.612 is a regular tetrahedron); 0 switches
-  /// refinement off. Default 2.
-  vtkSetMacro(RadiusEdgeRatio, double);
-  vtkGetMacro(RadiusEdgeRatio, double);
+  /// refinement off.
+  ISTHMUS_PARAMETER_OF(Parameters.TetGen, RadiusEdgeRatio, double);
   ///@}
 
   ///@{
-  /// TetGen: target for the smallest dihedral angle, in degrees, 0 to 40. Default 0.
-  vtkSetMacro(MinimumDihedralAngle, double);
-  vtkGetMacro(MinimumDihedralAngle, double);
+  /// TetGen: target for the smallest dihedral angle, in degrees, 0 to 40.
+  ISTHMUS_PARAMETER_OF(Parameters.TetGen, MinimumDihedralAngle, double);
   ///@}
 
   ///@{
-  /// TetGen: bound on the volume of a tetrahedron, in cubed units of the surface; 0: none. Default
-  /// 0.
-  vtkSetMacro(MaximumVolume, double);
-  vtkGetMacro(MaximumVolume, double);
+  /// TetGen: bound on the volume of a tetrahedron, in cubed units of the surface; 0: none.
+  ISTHMUS_PARAMETER_OF(Parameters.TetGen, MaximumVolume, double);
   ///@}
 
   ///@{
-  /// TetGen: the executable, found on PATH. Default "tetgen".
-  vtkSetMacro(TetGenCommand, std::string);
-  vtkGetMacro(TetGenCommand, std::string);
+  /// TetGen: the executable, found on PATH.
+  ISTHMUS_PARAMETER_OF(Parameters.TetGen, TetGenCommand, const std::string&);
   ///@}
 
   ///@{
   /// TetGen: wall time after which it is stopped, in seconds; each run of Automatic has a quarter
-  /// of it. Default 600.
-  vtkSetMacro(TimeLimit, double);
-  vtkGetMacro(TimeLimit, double);
+  /// of it.
+  ISTHMUS_PARAMETER_OF(Parameters.TetGen.Limits, TimeLimit, double);
   ///@}
 
   ///@{
-  /// TetGen and stuffing: memory that they may use, in MiB; 0: three quarters of the machine's
-  /// memory, and at most 8 GiB with Automatic. Default 0.
-  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
+  /// Memory limit of TetGen and stuffing in MiB; 0: three quarters of the machine's
+  /// memory, with Automatic at most 8 GiB. TetGen is stopped with an error if it needs more.
+  vtkSetMacro(MemoryLimit, int);
   vtkGetMacro(MemoryLimit, int);
   ///@}
 
   ///@{
-  /// CGAL: lower bound of the angles of surface triangles, in degrees, at most 30. Default 25.
-  vtkSetMacro(FacetAngle, double);
-  vtkGetMacro(FacetAngle, double);
+  /// CGAL: lower bound of the angles of surface triangles, in degrees, at most 30.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, FacetAngle, double);
   ///@}
 
   ///@{
   /// CGAL: bound on the radius of a surface triangle, in units of the surface; 0: 1/40 of the
-  /// diagonal of its bounds. Default 0.
-  vtkSetMacro(FacetSize, double);
-  vtkGetMacro(FacetSize, double);
+  /// diagonal of its bounds.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, FacetSize, double);
   ///@}
 
   ///@{
   /// CGAL: bound on the distance between the old and the new surface, in units of the surface; 0: a
-  /// tenth of the facet size. Default 0.
-  vtkSetMacro(FacetDistance, double);
-  vtkGetMacro(FacetDistance, double);
+  /// tenth of the facet size.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, FacetDistance, double);
   ///@}
 
   ///@{
-  /// CGAL: bound on circumradius / shortest edge of a tetrahedron, at least 2. Default 2.
-  vtkSetMacro(CellRadiusEdgeRatio, double);
-  vtkGetMacro(CellRadiusEdgeRatio, double);
+  /// CGAL: bound on circumradius / shortest edge of a tetrahedron, at least 2.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, CellRadiusEdgeRatio, double);
   ///@}
 
   ///@{
   /// CGAL: bound on the circumradius of a tetrahedron, in units of the surface; 0: 1/40 of the
-  /// diagonal of its bounds. Outside these bounds, sizes grow by 0.3 times the distance. Default 0.
-  vtkSetMacro(CellSize, double);
-  vtkGetMacro(CellSize, double);
+  /// diagonal of its bounds. Outside these bounds, sizes grow by 0.3 times the distance.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, CellSize, double);
   ///@}
 
   ///@{
-  /// CGAL: iterations of Lloyd's and of the ODT optimisation after refinement, 0 to 100. Default 0.
-  vtkSetMacro(LloydIterations, int);
-  vtkGetMacro(LloydIterations, int);
-  vtkSetMacro(ODTIterations, int);
-  vtkGetMacro(ODTIterations, int);
+  /// CGAL: iterations of Lloyd's and of the ODT optimisation after refinement, 0 to 100.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, LloydIterations, int);
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, ODTIterations, int);
   ///@}
 
   ///@{
   /// CGAL: Lloyd and ODT each stop after this many seconds, so their results depend on the machine.
-  /// Default 60.
-  vtkSetMacro(OptimisationTimeLimit, double);
-  vtkGetMacro(OptimisationTimeLimit, double);
+  ///
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, OptimisationTimeLimit, double);
   ///@}
 
   ///@{
-  /// CGAL: time limit, in seconds, for moving the points of slivers; 0: they are not moved. Default
-  /// 0.
-  vtkSetMacro(PerturbTimeLimit, double);
-  vtkGetMacro(PerturbTimeLimit, double);
+  /// CGAL: time limit, in seconds, for moving the points of slivers; 0: they are not moved.
+  ISTHMUS_PARAMETER_OF(Parameters.CGAL, PerturbTimeLimit, double);
   ///@}
 
   ///@{
-  /// CGAL: finally remove slivers by assigning weights to their points (exudation). Default on.
-  vtkSetMacro(Exude, bool);
-  vtkGetMacro(Exude, bool);
-  vtkBooleanMacro(Exude, bool);
+  /// CGAL: finally remove slivers by assigning weights to their points (exudation).
+  ISTHMUS_PARAMETER_SWITCH_OF(Parameters.CGAL, Exude);
   ///@}
 
 protected:
@@ -212,27 +186,12 @@ private:
   vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
   void operator=(const vtkTetrahedralMesher&) = delete;
 
+  isthmus::TetrahedralParameters ResolvedParameters() const;
+
+  isthmus::TetrahedralParameters Parameters; ///< but its Library
   int Library = Automatic;
-  int Side = Inside;
-  double BoxMargin = 0.5;
   bool Repair = false;
-  bool KeepSurface = true;
-  double RadiusEdgeRatio = 2.0;
-  double MinimumDihedralAngle = 0.0;
-  double MaximumVolume = 0.0;
-  std::string TetGenCommand = "tetgen";
-  double TimeLimit = 600.0;
   int MemoryLimit = 0;
-  double FacetAngle = 25.0;
-  double FacetSize = 0.0;
-  double FacetDistance = 0.0;
-  double CellRadiusEdgeRatio = 2.0;
-  double CellSize = 0.0;
-  int LloydIterations = 0;
-  int ODTIterations = 0;
-  double OptimisationTimeLimit = 60.0;
-  double PerturbTimeLimit = 0.0;
-  bool Exude = true;
 };
 
 #endif

@@ -1,5 +1,6 @@
 #include "Maps/MRCMap.h"
 
+#include "Core/RangeChecks.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
 #include "Maps/MRCHeader.h"
@@ -116,7 +117,8 @@ VoxelLattice MRCMap::SelectVolume(const MRCOptions& options)
     static_cast<std::uint64_t>(layout.Counts[1]);
   layout.Offset = mrcHeaderBytes + static_cast<std::uint64_t>(this->Head.ExtendedHeaderBytes) +
     firstSection * sectionBytes;
-  return LatticeOf(this->Head, sections, options.KeepCellAxes);
+  return LatticeOf(
+    this->Head, sections, options.NonOrthogonalCell == NonOrthogonalCell::KeepCellAxes);
 }
 
 void MRCMap::SelectNodes(const MRCOptions& options, const VoxelLattice& whole)
@@ -146,10 +148,12 @@ void MRCMap::SelectNodes(const MRCOptions& options, const VoxelLattice& whole)
 
 void MRCMap::Select(const MRCOptions& options)
 {
+  RequireChoice("NonOrthogonalCell", options.NonOrthogonalCell, NonOrthogonalCell::KeepCellAxes);
   const VoxelLattice whole = this->SelectVolume(options);
   this->SelectNodes(options, whole);
   this->Lattice = Selected(whole, this->Nodes.First, this->Nodes.Count, this->Nodes.Stride);
-  this->Interpolated = !options.KeepCellAxes && !HasOrthogonalCell(this->Head);
+  this->Interpolated =
+    options.NonOrthogonalCell == NonOrthogonalCell::Resample && !HasOrthogonalCell(this->Head);
   this->Target = this->Lattice;
   if (this->Interpolated)
   {

@@ -15,6 +15,7 @@
 #include "Files/VoxelLattice.h"
 #include "Maps/MRCGeometry.h"
 #include "Maps/MRCHeader.h"
+#include "Maps/MRCOptions.h"
 #include "Maps/MRCVoxels.h"
 
 #include <array>
@@ -24,21 +25,6 @@
 
 namespace isthmus
 {
-
-/// The part of a map to read, and options for reading it.
-struct MRCOptions
-{
-  /// Index of the volume or image in a stack, from 0. With -1, all images of an image stack are
-  /// read, one above the other along the section axis, or the first volume.
-  int VolumeIndex = -1;
-  /// First and last node along x, y, z of the volume as stored; a last node of -1 is the end.
-  std::array<int, 6> CropExtent{ 0, -1, 0, -1, 0, -1 };
-  /// Every n-th node along x, y, z, from the first of the crop; no averaging.
-  std::array<int, 3> SampleRate{ 1, 1, 1 };
-  /// Treatment of a cell whose angles are not 90 degrees: it is resampled to an orthogonal grid
-  /// (false), or its nodes are used with right angles (true), which distorts the shape.
-  bool KeepCellAxes = false;
-};
 
 /// One open map. It cannot be copied, and may be used by only one thread at a time (it starts its
 /// own threads).

@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Files/ByteSource.h"
-#include "vtkIsthmusReadersMapsModule.h"
 
 #include <array>
 #include <cstddef>
@@ -104,8 +103,8 @@ struct MRCSelection
  * and at least one row.
  * @throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
  */
-VTKISTHMUSREADERSMAPS_EXPORT void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout,
-  const MRCSelection& selection, void* out, const ProgressCallback& progress);
+void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+  void* out, const ProgressCallback& progress);
 
 }
 

@@ -17,7 +17,7 @@ namespace isthmus
 /// The level in the text of an EMDB header: that of the primary (or the first) contour in
 /// map/contour_list/contour/level, format 3, or map/contourLevel, format 1.9. Empty if the text has
 /// no level that is a finite number.
-VTKISTHMUSREADERSMAPS_EXPORT std::optional<double> LevelOfHeader(const std::string& xml);
+std::optional<double> LevelOfHeader(const std::string& xml);
 
 /**
  * The level for the map `fileName`, whose name begins with emd_NNNN (or emd-NNNN, EMD-NNNN):

@@ -1,6 +1,7 @@
 #include "vtkMRCMapReader.h"
 
 #include "Core/LargePages.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PrintableText.h"
 #include "Files/GridInformation.h"
@@ -16,16 +17,15 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,37 +35,6 @@ namespace
 {
 
 using namespace isthmus;
-
-template <typename Array, typename T, std::size_t Size>
-void Add(vtkFieldData* fields, const char* name, const std::array<T, Size>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(Size));
-  array->InsertNextTypedTuple(values.data());
-  fields->AddArray(array);
-}
-
-void AddNumber(vtkFieldData* fields, const char* name, int value)
-{
-  Add<vtkIntArray>(fields, name, std::array<int, 1>{ value });
-}
-
-void AddNumber(vtkFieldData* fields, const char* name, double value)
-{
-  Add<vtkDoubleArray>(fields, name, std::array<double, 1>{ value });
-}
-
-void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  fields->AddArray(array);
-}
 
 std::string NameOf(MRCStack::Kind kind)
 {
@@ -106,32 +75,34 @@ void AddMRCFieldData(const MRCMap& map, int volumeIndex, vtkFieldData* fields)
 {
   const MRCHeader& header = map.Header();
   const MRCStack& stack = map.Stack();
-  Add<vtkDoubleArray>(fields, "CellLengths", header.CellLengths);
-  Add<vtkDoubleArray>(fields, "CellAngles", header.CellAngles);
-  Add<vtkIntArray>(fields, "FileDimensions", header.Counts);
-  Add<vtkIntArray>(fields, "FileStart", header.Start);
-  Add<vtkIntArray>(fields, "CellSampling", header.Sampling);
-  Add<vtkIntArray>(fields, "AxisOrder", header.AxisOrder);
-  Add<vtkDoubleArray>(fields, "FileOrigin", header.Origin);
-  AddNumber(fields, "Mode", header.Voxel.Mode);
-  AddNumber(fields, "SpaceGroup", header.SpaceGroup);
-  AddNumber(fields, "RecordedMinimum", header.Minimum);
-  AddNumber(fields, "RecordedMaximum", header.Maximum);
-  AddNumber(fields, "RecordedMean", header.Mean);
-  AddNumber(fields, "RecordedRms", header.Rms);
-  AddNumber(fields, "IsStack", stack.What == MRCStack::Kind::None ? 0 : 1);
-  AddTexts(fields, "StackType", { NameOf(stack.What) });
-  AddNumber(fields, "NumberOfVolumes", stack.Items);
-  AddNumber(fields, "VolumeIndex", volumeIndex);
-  AddNumber(fields, "ExtendedHeaderBytes", static_cast<int>(header.ExtendedHeaderBytes));
-  AddTexts(fields, "ExtendedHeaderType", { header.ExtendedHeaderType });
-  AddNumber(fields, "FormatVersion", header.Version);
-  AddTexts(fields, "ByteOrder", { header.BigEndian ? "big endian" : "little endian" });
-  AddTexts(fields, "Compression", { map.Compression() });
-  AddTexts(fields, "LengthUnit", { "angstrom" });
-  AddTexts(fields, "Labels", header.Labels);
-  AddTexts(fields, "Repairs", header.Repairs);
-  AddTexts(fields, "Notes", MRCNotes(map));
+  AddTuple<vtkDoubleArray>(fields, "CellLengths", header.CellLengths);
+  AddTuple<vtkDoubleArray>(fields, "CellAngles", header.CellAngles);
+  AddTuple<vtkIntArray>(fields, "FileDimensions", header.Counts);
+  AddTuple<vtkIntArray>(fields, "FileStart", header.Start);
+  AddTuple<vtkIntArray>(fields, "CellSampling", header.Sampling);
+  AddTuple<vtkIntArray>(fields, "AxisOrder", header.AxisOrder);
+  AddTuple<vtkDoubleArray>(fields, "FileOrigin", header.Origin);
+  AddColumn<vtkIntArray>(fields, "Mode", { header.Voxel.Mode });
+  AddColumn<vtkIntArray>(fields, "SpaceGroup", { header.SpaceGroup });
+  AddColumn<vtkDoubleArray>(fields, "RecordedMinimum", { header.Minimum });
+  AddColumn<vtkDoubleArray>(fields, "RecordedMaximum", { header.Maximum });
+  AddColumn<vtkDoubleArray>(fields, "RecordedMean", { header.Mean });
+  AddColumn<vtkDoubleArray>(fields, "RecordedRms", { header.Rms });
+  AddColumn<vtkIntArray>(fields, "IsStack", { stack.What == MRCStack::Kind::None ? 0 : 1 });
+  AddColumn<vtkStringArray>(fields, "StackType", { NameOf(stack.What) });
+  AddColumn<vtkIntArray>(fields, "NumberOfVolumes", { stack.Items });
+  AddColumn<vtkIntArray>(fields, "VolumeIndex", { volumeIndex });
+  AddColumn<vtkIntArray>(
+    fields, "ExtendedHeaderBytes", { static_cast<int>(header.ExtendedHeaderBytes) });
+  AddColumn<vtkStringArray>(fields, "ExtendedHeaderType", { header.ExtendedHeaderType });
+  AddColumn<vtkIntArray>(fields, "FormatVersion", { header.Version });
+  AddColumn<vtkStringArray>(
+    fields, "ByteOrder", { header.BigEndian ? "big endian" : "little endian" });
+  AddColumn<vtkStringArray>(fields, "Compression", { map.Compression() });
+  AddColumn<vtkStringArray>(fields, "LengthUnit", { "angstrom" });
+  AddColumn<vtkStringArray>(fields, "Labels", header.Labels);
+  AddColumn<vtkStringArray>(fields, "Repairs", header.Repairs);
+  AddColumn<vtkStringArray>(fields, "Notes", MRCNotes(map));
 }
 
 int ScalarTypeOf(isthmus::MRCValue value)
@@ -152,26 +123,21 @@ int ScalarTypeOf(isthmus::MRCValue value)
   return VTK_FLOAT;
 }
 
-/// An array whose memory is not touched before it is filled; malloc, so that a want of memory ends
-/// in a sentence with the size asked for.
-vtkSmartPointer<vtkDataArray> NewArray(const char* name, int type, int components, vtkIdType tuples)
+/// An array of voxels. Without memory, the error message states the size that was requested.
+vtkSmartPointer<vtkDataArray> VoxelArray(
+  const char* name, int type, int components, vtkIdType nodes)
+try
 {
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  const auto bytes = static_cast<std::size_t>(tuples) * static_cast<std::size_t>(components) *
-    static_cast<std::size_t>(array->GetDataTypeSize());
-  void* const memory = std::malloc(bytes);
-  if (!memory)
-  {
-    throw std::runtime_error("There is no memory for the array " + std::string(name) + " of " +
-      std::to_string(bytes >> 20) +
-      " MiB. Read a part of the map (CropExtent) or every n-th node "
-      "(SampleRate).");
-  }
-  isthmus::AdviseLargePages(memory, bytes);
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetVoidArray(memory, tuples * components, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  auto array = ArrayOfType(type, name, nodes, components);
+  AdviseLargePages(array.Get());
   return array;
+}
+catch (const std::bad_alloc&)
+{
+  const vtkIdType bytes = nodes * components * vtkDataArray::GetDataTypeSize(type);
+  throw std::runtime_error("There is no memory for the array " + std::string(name) + " of " +
+    std::to_string(bytes >> 20) +
+    " MiB. Read a part of the map (CropExtent) or every n-th node (SampleRate).");
 }
 
 /// The direction matrix and origin that place `grid` in the world.
@@ -188,15 +154,10 @@ isthmus::GridInformation InformationOf(const isthmus::VoxelLattice& grid)
   return information;
 }
 
-/// Opens the reader's file and selects what its properties ask for.
-MRCMap Open(vtkMRCMapReader* reader)
+/// Opens the file and selects what the options ask for.
+MRCMap Open(const char* path, const isthmus::MRCOptions& options)
 {
-  MRCMap map(reader->GetFileName());
-  isthmus::MRCOptions options;
-  options.VolumeIndex = reader->GetVolumeIndex();
-  std::copy_n(reader->GetCropExtent(), 6, options.CropExtent.begin());
-  std::copy_n(reader->GetSampleRate(), 3, options.SampleRate.begin());
-  options.KeepCellAxes = reader->GetNonOrthogonalCell() == vtkMRCMapReader::KeepCellAxes;
+  MRCMap map(path);
   map.Select(options);
   return map;
 }
@@ -221,6 +182,21 @@ vtkMRCMapReader::vtkMRCMapReader()
 vtkMRCMapReader::~vtkMRCMapReader()
 {
   this->SetFileName(nullptr);
+}
+
+void vtkMRCMapReader::SetCropExtent(int x0, int x1, int y0, int y1, int z0, int z1)
+{
+  const std::array<int, 6> extent{ x0, x1, y0, y1, z0, z1 };
+  if (this->Parameters.CropExtent != extent)
+  {
+    this->Parameters.CropExtent = extent;
+    this->Modified();
+  }
+}
+
+void vtkMRCMapReader::SetCropExtent(const int extent[6])
+{
+  this->SetCropExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
 }
 
 int vtkMRCMapReader::CanReadFile(const char* fileName)
@@ -263,7 +239,7 @@ int vtkMRCMapReader::RequestInformation(
   return this->Try(info,
     [&]()
     {
-      const MRCMap map = Open(this);
+      const MRCMap map = Open(this->FileName, this->Parameters);
       this->Tell(map);
       isthmus::Describe(InformationOf(map.Grid()), info);
       const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
@@ -281,15 +257,12 @@ int vtkMRCMapReader::RequestData(
   return this->Try(info,
     [&]()
     {
-      MRCMap map = Open(this);
+      MRCMap map = Open(this->FileName, this->Parameters);
       isthmus::RequireUnchanged(InformationOf(map.Grid()), info, this->FileName);
-      AddMRCFieldData(map, this->VolumeIndex, output->GetFieldData());
+      AddMRCFieldData(map, this->Parameters.VolumeIndex, output->GetFieldData());
       if (const auto level = isthmus::RecommendedLevel(this->FileName))
       {
-        vtkNew<vtkDoubleArray> recommended;
-        recommended->SetName("RecommendedLevel");
-        recommended->InsertNextValue(*level);
-        output->GetFieldData()->AddArray(recommended);
+        AddColumn<vtkDoubleArray>(output->GetFieldData(), "RecommendedLevel", { *level });
       }
       isthmus::StartImage(info, output);
       if (output->GetNumberOfPoints() > 0)
@@ -319,11 +292,11 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
     map.CheckBeforeAllocating(map.OutputBytes(box), isthmus::Between(progress, 0.0, 0.5));
   const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
   const vtkIdType nodes = output->GetNumberOfPoints();
-  const auto density = NewArray("Density", ScalarTypeOf(voxel.Value), voxel.Components, nodes);
+  const auto density = VoxelArray("Density", ScalarTypeOf(voxel.Value), voxel.Components, nodes);
   vtkSmartPointer<vtkDataArray> inside;
   if (map.Resampled())
   {
-    inside = NewArray("InsideMap", VTK_UNSIGNED_CHAR, 1, nodes);
+    inside = VoxelArray("InsideMap", VTK_UNSIGNED_CHAR, 1, nodes);
   }
   map.Read(box, density->GetVoidPointer(0),
     inside ? static_cast<unsigned char*>(inside->GetVoidPointer(0)) : nullptr,
@@ -339,17 +312,15 @@ void vtkMRCMapReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "VolumeIndex: " << this->VolumeIndex << "\n";
+  os << indent << "VolumeIndex: " << this->GetVolumeIndex() << "\n";
   os << indent << "CropExtent:";
-  for (const int node : this->CropExtent)
+  for (const int node : this->Parameters.CropExtent)
   {
     os << " " << node;
   }
   os << "\n"
-     << indent << "SampleRate: " << this->SampleRate[0] << " " << this->SampleRate[1] << " "
-     << this->SampleRate[2] << "\n";
-  os << indent
-     << "NonOrthogonalCell: " << (this->NonOrthogonalCell == Resample ? "Resample" : "KeepCellAxes")
-     << "\n";
+     << indent << "SampleRate: " << this->GetSampleRate()[0] << " " << this->GetSampleRate()[1]
+     << " " << this->GetSampleRate()[2] << "\n";
+  os << indent << "NonOrthogonalCell: " << this->GetNonOrthogonalCell() << "\n";
   os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
 }

@@ -53,6 +53,8 @@
 #ifndef vtkMRCMapReader_h
 #define vtkMRCMapReader_h
 
+#include "Core/FilterProperties.h"
+#include "Maps/MRCOptions.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusReadersMapsModule.h" // for the export macro
 
@@ -79,23 +81,22 @@ public:
   ///@{
   /// Index of the volume or image in a stack, from 0. Default -1: all images of an image stack, one
   /// above the other, or the first volume of a volume stack.
-  vtkSetMacro(VolumeIndex, int);
-  vtkGetMacro(VolumeIndex, int);
+  ISTHMUS_PARAMETER(VolumeIndex, int);
   ///@}
 
   ///@{
   /// First and last node to read along x, y, z of the map as stored, counted from 0; a last node of
   /// -1 stands for the end of the map. Default: 0 -1 0 -1 0 -1, everything. Nodes that the map
   /// lacks are an error.
-  vtkSetVector6Macro(CropExtent, int);
-  vtkGetVector6Macro(CropExtent, int);
+  void SetCropExtent(int x0, int x1, int y0, int y1, int z0, int z1);
+  void SetCropExtent(const int extent[6]);
+  int* GetCropExtent() VTK_SIZEHINT(6) { return this->Parameters.CropExtent.data(); }
   ///@}
 
   ///@{
   /// Read every n-th node along x, y, z, from the first of the crop, without averaging.
   /// Default: 1 1 1.
-  vtkSetVector3Macro(SampleRate, int);
-  vtkGetVector3Macro(SampleRate, int);
+  ISTHMUS_PARAMETER_VECTOR3(SampleRate, int);
   ///@}
 
   enum NonOrthogonalCellMode
@@ -109,8 +110,7 @@ public:
   /// interpolation to an orthogonal grid around the map, with the lengths of the cell's steps as
   /// spacings. KeepCellAxes: the nodes are used as stored, with right angles, so shapes are
   /// distorted.
-  vtkSetClampMacro(NonOrthogonalCell, int, Resample, KeepCellAxes);
-  vtkGetMacro(NonOrthogonalCell, int);
+  ISTHMUS_PARAMETER(NonOrthogonalCell, int);
   void SetNonOrthogonalCellToResample() { this->SetNonOrthogonalCell(Resample); }
   void SetNonOrthogonalCellToKeepCellAxes() { this->SetNonOrthogonalCell(KeepCellAxes); }
   ///@}
@@ -136,10 +136,7 @@ protected:
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
 
   char* FileName = nullptr;
-  int VolumeIndex = -1;
-  int CropExtent[6] = { 0, -1, 0, -1, 0, -1 };
-  int SampleRate[3] = { 1, 1, 1 };
-  int NonOrthogonalCell = Resample;
+  isthmus::MRCOptions Parameters;
   bool Strict = false;
 
 private:

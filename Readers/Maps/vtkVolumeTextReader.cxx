@@ -1,6 +1,6 @@
 #include "vtkVolumeTextReader.h"
 
-#include "Core/ArrayMemory.h"
+#include "Core/NamedColumns.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderGuard.h"
 #include "Files/TextLines.h"
@@ -10,7 +10,6 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -115,9 +114,8 @@ int vtkVolumeTextReader::RequestData(
       const auto source = isthmus::OpenTextSource(this->FileName);
       isthmus::TextWords words(*source);
       const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
-      vtkNew<vtkDoubleArray> values;
-      values->SetName("Density");
-      isthmus::SizeArray(values, vtkIdType{ n[0] } * n[1] * n[2]);
+      const auto values = isthmus::NamedArray<vtkDoubleArray>(
+        "Density", static_cast<std::size_t>(std::int64_t{ n[0] } * n[1] * n[2]));
       const vtkIdType layer = vtkIdType{ n[0] } * n[1];
       const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
       for (int k = 0; k < n[2]; ++k)

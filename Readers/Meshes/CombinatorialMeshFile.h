@@ -14,8 +14,6 @@
 #include "Core/Progress.h"
 #include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
-
 #include <cstdint>
 #include <iosfwd>
 #include <string>
@@ -43,12 +41,12 @@ struct CombinatorialMesh
  * O(size).
  * @throws std::runtime_error with the line (of the header part) and what is wrong.
  */
-VTKISTHMUSREADERSMESHES_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
+CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
 
 /// Writes a mesh; parsing the output gives the same mesh, bit for bit.
 /// @throws std::invalid_argument for names with line breaks, Cancelled.
-VTKISTHMUSREADERSMESHES_EXPORT void WriteCombinatorialMesh(const CombinatorialMesh& mesh,
-  bool binary, std::ostream& stream, const ProgressCallback& progress = {});
+void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ostream& stream,
+  const ProgressCallback& progress = {});
 
 }
 

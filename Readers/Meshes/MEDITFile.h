@@ -21,8 +21,6 @@
 #include "Core/Progress.h"
 #include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
-
 #include <string>
 
 namespace isthmus
@@ -35,8 +33,7 @@ namespace isthmus
  * before its vertices. Time and
  * memory: O(bytes).
  */
-VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
-  const std::string& path, const ProgressCallback& progress = {});
+CellMesh ReadMEDIT(const std::string& path, const ProgressCallback& progress = {});
 
 /**
  * Writes points and cells, by kind, with Reference attributes of one int64 component, or 0 without
@@ -45,12 +42,12 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
  * @throws std::invalid_argument for polygons and quadratic cells, std::runtime_error when the file
  * can't be written.
  */
-VTKISTHMUSREADERSMESHES_EXPORT void WriteMEDIT(
+void WriteMEDIT(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
 /// Whether the file begins with MEDIT's first word, or like its binary format, which ReadMEDIT
 /// refuses by name.
-VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMEDIT(const std::string& path);
+bool LooksLikeMEDIT(const std::string& path);
 
 }
 

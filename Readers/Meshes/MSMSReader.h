@@ -11,7 +11,6 @@
 
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
-#include "vtkIsthmusReadersMeshesModule.h"
 
 #include <array>
 #include <cstdint>
@@ -42,15 +41,14 @@ struct MSMSSurface
  * @throws std::runtime_error with file, line and reason if one of them is missing, is not a regular
  * file, is not as described above, or has fewer rows than its line of counts states.
  */
-VTKISTHMUSREADERSMESHES_EXPORT void ReadMSMS(const std::filesystem::path& file, int component,
-  MSMSSurface& surface, const ProgressCallback& progress = {});
+void ReadMSMS(const std::filesystem::path& file, int component, MSMSSurface& surface,
+  const ProgressCallback& progress = {});
 
 /// The pairs that belong together: `file`, then X_1, X_2, ..., as long as they exist.
-VTKISTHMUSREADERSMESHES_EXPORT std::vector<std::filesystem::path> MSMSComponents(
-  const std::filesystem::path& file);
+std::vector<std::filesystem::path> MSMSComponents(const std::filesystem::path& file);
 
 /// Whether the file begins like a .vert or .face file of MSMS.
-VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMSMS(const std::filesystem::path& file);
+bool LooksLikeMSMS(const std::filesystem::path& file);
 
 }
 

@@ -1,5 +1,6 @@
 #include "Meshes/MeshConversion.h"
 #include "Core/ArrayMemory.h"
+#include "Core/NamedColumns.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -353,17 +354,10 @@ void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* dat
 
 void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data)
 {
-  if (notes.empty())
+  if (!notes.empty())
   {
-    return;
+    AddColumn<vtkStringArray>(data->GetFieldData(), "Notes", notes);
   }
-  vtkNew<vtkStringArray> array;
-  array->SetName("Notes");
-  for (const std::string& note : notes)
-  {
-    array->InsertNextValue(note);
-  }
-  data->GetFieldData()->AddArray(array);
 }
 
 void ToGrid(const CellMesh& mesh, vtkUnstructuredGrid* grid)

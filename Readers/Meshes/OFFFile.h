@@ -18,8 +18,6 @@
 #include "Core/Progress.h"
 #include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
-
 #include <string>
 
 namespace isthmus
@@ -37,8 +35,7 @@ namespace isthmus
  * file, digits of it may be missing: such a file cannot be distinguished from a whole one. Time and
  * memory: O(bytes).
  */
-VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
-  const std::string& path, const ProgressCallback& progress = {});
+CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress = {});
 
 /**
  * Writes points and cells up to polygons; when the file is read again, coordinates are bitwise
@@ -46,11 +43,10 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
  * @throws std::invalid_argument for volume cells, std::runtime_error when the file can't be
  * written.
  */
-VTKISTHMUSREADERSMESHES_EXPORT void WriteOFF(
-  const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
+void WriteOFF(const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
 /// Whether the file begins like an OFF file.
-VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeOFF(const std::string& path);
+bool LooksLikeOFF(const std::string& path);
 
 }
 

@@ -18,8 +18,6 @@
 #include "Core/Progress.h"
 #include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
-
 #include <string>
 
 namespace isthmus
@@ -35,8 +33,7 @@ namespace isthmus
  * behind the last row. If no line end follows the last number of a file, digits of it may be
  * missing: such a file cannot be distinguished from a whole one. Time and memory: O(bytes).
  */
-VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
-  const std::string& path, const ProgressCallback& progress = {});
+CellMesh ReadTetGenFiles(const std::string& path, const ProgressCallback& progress = {});
 
 /**
  * Writes NAME.node, NAME.ele if there are tetrahedra, and NAME.face if there are triangles, with
@@ -46,11 +43,11 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
  * @throws std::invalid_argument for other cells, or tetrahedra of both orders;
  * std::runtime_error if a file cannot be written.
  */
-VTKISTHMUSREADERSMESHES_EXPORT void WriteTetGenFiles(
+void WriteTetGenFiles(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
 /// Whether the file begins with such a line of counts.
-VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeTetGen(const std::string& path);
+bool LooksLikeTetGen(const std::string& path);
 
 }
 

@@ -1,6 +1,7 @@
 #include "vtkMSMSReader.h"
 
 #include "Core/ArrayMemory.h"
+#include "Core/NamedColumns.h"
 #include "Files/ReaderGuard.h"
 #include "Meshes/MSMSReader.h"
 
@@ -21,22 +22,11 @@ vtkStandardNewMacro(vtkMSMSReader);
 namespace
 {
 
-void AddIntegers(vtkDataSetAttributes* to, const char* name, const std::vector<int>& values)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  isthmus::SizeArray(array, static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  to->AddArray(array);
-}
-
 void SetSurface(const isthmus::MSMSSurface& surface, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  const auto normals = isthmus::NamedArray<vtkFloatArray>("Normals", 0, 3);
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
   {
     points->InsertNextPoint(surface.Points[i].data());
@@ -52,12 +42,14 @@ void SetSurface(const isthmus::MSMSSurface& surface, vtkPolyData* output)
   output->SetPoints(points);
   output->SetPolys(triangles);
   output->GetPointData()->SetNormals(normals);
-  AddIntegers(output->GetPointData(), "AnalyticFace", surface.AnalyticFaceOfPoint);
-  AddIntegers(output->GetPointData(), "Atom", surface.SphereOfPoint);
-  AddIntegers(output->GetPointData(), "SurfaceType", surface.TypeOfPoint);
-  AddIntegers(output->GetCellData(), "SurfaceType", surface.TypeOfTriangle);
-  AddIntegers(output->GetCellData(), "AnalyticFace", surface.AnalyticFaceOfTriangle);
-  AddIntegers(output->GetCellData(), "Component", surface.ComponentOfTriangle);
+  isthmus::AddColumn<vtkIntArray>(
+    output->GetPointData(), "AnalyticFace", surface.AnalyticFaceOfPoint);
+  isthmus::AddColumn<vtkIntArray>(output->GetPointData(), "Atom", surface.SphereOfPoint);
+  isthmus::AddColumn<vtkIntArray>(output->GetPointData(), "SurfaceType", surface.TypeOfPoint);
+  isthmus::AddColumn<vtkIntArray>(output->GetCellData(), "SurfaceType", surface.TypeOfTriangle);
+  isthmus::AddColumn<vtkIntArray>(
+    output->GetCellData(), "AnalyticFace", surface.AnalyticFaceOfTriangle);
+  isthmus::AddColumn<vtkIntArray>(output->GetCellData(), "Component", surface.ComponentOfTriangle);
 }
 
 }

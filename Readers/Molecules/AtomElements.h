@@ -21,7 +21,6 @@
 #define isthmus_AtomElements_h
 
 #include "Molecules/ReadingReport.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <array>
 #include <cstddef>
@@ -43,14 +42,14 @@ enum class ResidueFamily
 };
 
 /// The family of a residue, determined only by its name.
-VTKISTHMUSREADERSMOLECULES_EXPORT ResidueFamily FamilyOfResidue(std::string_view name);
+ResidueFamily FamilyOfResidue(std::string_view name);
 
 /// Whether this is a name of four letters that simulation programs use for residues (TIP3, POPC,
 /// LYSH).
-VTKISTHMUSREADERSMOLECULES_EXPORT bool IsLongResidueName(std::string_view name);
+bool IsLongResidueName(std::string_view name);
 
 /// Ghost atoms, dummies, lone pairs and virtual sites, by name or symbol: Bq, X1, EPW, Gh(C), `@H`.
-VTKISTHMUSREADERSMOLECULES_EXPORT bool IsDummyName(std::string_view name);
+bool IsDummyName(std::string_view name);
 
 /// Columns of an atom's line, blanks included.
 struct AtomColumns
@@ -71,17 +70,17 @@ enum class ElementColumn
  * Sets the elements of `atoms`. Residue r consists of the atoms [starts[r], starts[r + 1]), and the
  * last one extends to the end. `report` gets the number of atoms decided in each way. O(atoms).
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms,
-  const std::vector<AtomColumns>& columns, const std::vector<std::size_t>& starts,
-  ReadingReport& report, ElementColumn column = ElementColumn::PDB);
+void SetElements(std::vector<Atom>& atoms, const std::vector<AtomColumns>& columns,
+  const std::vector<std::size_t>& starts, ReadingReport& report,
+  ElementColumn column = ElementColumn::PDB);
 
 /**
  * The same for formats without PDB's columns: the given element of an atom is that of the file, or
  * 0 if there is none. Names are not right-justified; residues are consecutive. `isDummy`: the
  * symbol in the file does not denote an element.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms, ReadingReport& report,
-  ElementColumn column, const std::function<bool(const Atom&)>& isDummy = {});
+void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column,
+  const std::function<bool(const Atom&)>& isDummy = {});
 
 /// Warns about atoms without an element, in formats in which types or symbols denote elements.
 void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report);

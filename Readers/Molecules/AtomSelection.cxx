@@ -188,7 +188,7 @@ void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options)
             atom.ResidueName == molecule.Atoms[i - 1].ResidueName
           ? isWater
           : IsWater(atom.ResidueName);
-        const bool kind = isWater ? options.Water : options.Hetero || !atom.IsHetero;
+        const bool kind = isWater ? options.ReadWater : options.ReadHetero || !atom.IsHetero;
         const bool wanted = kind && (chains.empty() || chains.count(atom.Chain) > 0);
         keep[i] = wanted && altLocs.Keeps(atom) ? 1 : 0;
         others += wanted && keep[i] == 0 ? 1 : 0;

@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 namespace isthmus
 {
@@ -27,11 +26,10 @@ namespace isthmus
  * side of a bond length, no bonds are added, with a warning. Parallel; the result is the same on
  * any number of threads.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT void AddCovalentBonds(
-  Macromolecule& molecule, const ProgressCallback& progress);
+void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress);
 
 /// Sorts the bonds and keeps one for each pair of atoms, preferably that of the file.
-VTKISTHMUSREADERSMOLECULES_EXPORT void SortBonds(Macromolecule& molecule);
+void SortBonds(Macromolecule& molecule);
 
 }
 

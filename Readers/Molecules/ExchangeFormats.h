@@ -20,7 +20,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <string>
 #include <string_view>
@@ -32,9 +31,8 @@ namespace isthmus
  * The atoms of one model (counted from 0) of a text in one of these four formats. O(bytes).
  * @throws std::runtime_error with file, line and reason.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseExchangeFormat(std::string_view text,
-  const std::string& path, MoleculeFormat format, std::int64_t model,
-  const ProgressCallback& progress);
+Macromolecule ParseExchangeFormat(std::string_view text, const std::string& path,
+  MoleculeFormat format, std::int64_t model, const ProgressCallback& progress);
 
 }
 

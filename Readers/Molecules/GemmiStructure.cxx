@@ -6,6 +6,7 @@
 #include "Molecules/AtomElements.h"
 #include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
+#include "Molecules/PDBColumns.h"
 #include "Molecules/PDBFile.h"
 #include "Molecules/PDBLines.h"
 #include "Molecules/PQRFile.h"

@@ -12,7 +12,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,16 +36,16 @@ struct StructureChoice
  * O(bytes).
  * @throws std::runtime_error with file and reason.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePDB(std::string_view text,
-  const std::string& path, const StructureChoice& choice, const ProgressCallback& progress,
+Macromolecule ParsePDB(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress,
   std::size_t bytesOfAPiece = std::size_t{ 1 } << 20);
 
 /// The number of models that ParsePDB finds, at least 1.
-VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountPDBModels(std::string_view text);
+std::int64_t CountPDBModels(std::string_view text);
 
 /// Like ParsePDB, for mmCIF; bonds are those of struct_conn, without hydrogen bonds.
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMMCIF(std::string_view text,
-  const std::string& path, const StructureChoice& choice, const ProgressCallback& progress);
+Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress);
 
 }
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_Macromolecule_h
 #define isthmus_Macromolecule_h
 
-#include "Atoms/AtomRadii.h"
+#include "Molecules/MoleculeOptions.h"
 
 #include <array>
 #include <cstdint>
@@ -74,34 +74,6 @@ inline std::string Describe(const Atom& atom)
   }
   return atom.Chain.empty() ? text : text + " " + atom.Chain;
 }
-
-enum class MoleculeFormat
-{
-  ByName, ///< from the file's extension (.gz and .bz2 left out), else from its first lines
-  PDB,
-  MMCIF,
-  PQR,
-  XYZ, ///< also extended XYZ and TINKER's
-  PDBQT,
-  GRO,
-  MOL2,
-  SDF
-};
-
-/// Which atoms to read, and what to add to them.
-struct MoleculeOptions
-{
-  MoleculeFormat Format = MoleculeFormat::ByName;
-  std::int64_t Model = 0; ///< from 0, in the order of the file
-  std::string Assembly;   ///< that the file describes, by its name; empty: the file as it is
-  std::string Chains;     ///< names separated by blanks or commas; empty: all
-  /// Empty: of each residue the location with the highest occupancy; "*": all; else that letter.
-  std::string AltLoc;
-  bool Hetero = true; ///< HETATM atoms, water aside
-  bool Water = true;
-  RadiusTable Radii = RadiusTable::Bondi;
-  bool BondsByDistance = true;
-};
 
 }
 

@@ -1,6 +1,7 @@
 #include "Molecules/MacromoleculeReader.h"
 
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Files/OpenByteSource.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomSelection.h"
@@ -350,22 +351,30 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
 
 }
 
+void Check(const MoleculeOptions& options)
+{
+  RequireChoice("Format", options.Format, MoleculeFormat::SDF);
+  RequireChoice("RadiusTable", options.RadiusTable, RadiusTable::Alvarez);
+}
+
 Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress)
 {
-  Macromolecule parsed = Parse(
-    text, path, options.Format, { options.Model, options.Assembly }, Between(progress, 0.0, 0.6));
+  Check(options);
+  Macromolecule parsed = Parse(text, path, options.Format, { options.ModelIndex, options.Assembly },
+    Between(progress, 0.0, 0.6));
   return CompleteMacromolecule(std::move(parsed), path, options, Between(progress, 0.6, 1.0));
 }
 
 Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress)
 {
+  Check(options);
   Macromolecule molecule = std::move(parsed);
-  CheckModel(molecule, path, options.Model);
+  CheckModel(molecule, path, options.ModelIndex);
   Report(progress, 0.0);
   SelectAtoms(molecule, options);
-  SetRadii(molecule, options.Radii);
+  SetRadii(molecule, options.RadiusTable);
   Report(progress, 0.25);
   if (options.BondsByDistance)
   {
@@ -381,6 +390,7 @@ Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& pat
 Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress)
 {
+  Check(options);
   const std::string text = ReadAll(*OpenTextSource(path), Between(progress, 0.0, 0.2));
   MoleculeOptions named = options;
   if (named.Format == MoleculeFormat::ByName)

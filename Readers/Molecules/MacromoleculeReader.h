@@ -11,7 +11,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstdint>
 #include <string>
@@ -28,28 +27,28 @@ namespace isthmus
  *
  * Time: O(bytes + n log n); memory: the text and about 250 bytes for each atom.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ReadMacromolecule(
+Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /// The same from a text in memory, whose format must be given; `path` is for the messages.
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_view text,
-  const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
+Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
+  const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /**
  * The number of models in a file. For PQR files, and for PDB files without END between their atoms,
  * the MODEL records are counted. Other files are parsed, and `parsed` is set to their first model,
  * for CompleteMacromolecule. Throws as ReadMacromolecule.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountModels(
+std::int64_t CountModels(
   const std::string& path, MoleculeFormat format, Macromolecule* parsed = nullptr);
 
 /// The result of ReadMacromolecule for model 0 without an assembly, from the data parsed by
 /// CountModels.
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule CompleteMacromolecule(Macromolecule parsed,
-  const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
+Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& path,
+  const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /// Whether the file exists, has the name of one of the formats, and begins with text.
-VTKISTHMUSREADERSMOLECULES_EXPORT bool LooksLikeMolecule(const std::string& path);
+bool LooksLikeMolecule(const std::string& path);
 
 }
 

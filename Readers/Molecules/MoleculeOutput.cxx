@@ -3,6 +3,7 @@
 #include "Atoms/ChemicalElement.h"
 #include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 #include "Core/PrintableText.h"
 #include "Molecules/Macromolecule.h"
@@ -42,11 +43,9 @@ using MakeArray = std::function<vtkSmartPointer<vtkAbstractArray>()>;
 template <typename Array, typename Value>
 MakeArray Numbers(const Macromolecule& molecule, const char* name, Value value)
 {
-  return [&molecule, name, value]
+  return [&molecule, name, value]() -> vtkSmartPointer<vtkAbstractArray>
   {
-    auto array = vtkSmartPointer<Array>::New();
-    array->SetName(name);
-    SizeArray(array, static_cast<vtkIdType>(molecule.Atoms.size()));
+    auto array = NamedArray<Array>(name, molecule.Atoms.size());
     AdviseLargePages(array.Get());
     std::transform(molecule.Atoms.begin(), molecule.Atoms.end(), array->GetPointer(0), value);
     return array;
@@ -86,11 +85,9 @@ MakeArray Structures(const Macromolecule& molecule)
 template <typename Value>
 MakeArray Texts(const Macromolecule& molecule, const char* name, Value value)
 {
-  return [&molecule, name, value]
+  return [&molecule, name, value]() -> vtkSmartPointer<vtkAbstractArray>
   {
-    auto array = vtkSmartPointer<vtkStringArray>::New();
-    array->SetName(name);
-    SizeArray(array, static_cast<vtkIdType>(molecule.Atoms.size()));
+    auto array = NamedArray<vtkStringArray>(name, molecule.Atoms.size());
     vtkStdString* next = array->GetPointer(0);
     for (const Atom& atom : molecule.Atoms)
     {
@@ -208,34 +205,24 @@ void SetCells(const Macromolecule& molecule, vtkPolyData* to)
     });
   to->SetVerts(vertices);
   to->SetLines(lines);
-  vtkNew<vtkUnsignedCharArray> source;
-  source->SetName("BondSource");
-  SizeArray(source, atoms + bonds);
+  auto* source = AddArray<vtkUnsignedCharArray>(
+    to->GetCellData(), "BondSource", molecule.Atoms.size() + molecule.Bonds.size());
   unsigned char* next = std::fill_n(source->GetPointer(0), atoms, static_cast<unsigned char>(0));
   for (const Bond& bond : molecule.Bonds)
   {
     *next++ = bond.FromFile ? 1 : 2;
   }
-  to->GetCellData()->AddArray(source);
 }
 
 void AddSentences(vtkFieldData* to, const char* name, const std::vector<std::string>& sentences)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& sentence : sentences)
-  {
-    array->InsertNextValue(Printable(sentence));
-  }
-  to->AddArray(array);
+  AddColumnOf<vtkStringArray>(
+    to, name, sentences, [](const std::string& sentence) { return Printable(sentence); });
 }
 
-void AddFieldData(const Macromolecule& molecule, vtkFieldData* to)
+void AddFacts(const Macromolecule& molecule, vtkFieldData* to)
 {
-  vtkNew<vtkIntArray> models;
-  models->SetName("NumberOfModels");
-  models->InsertNextValue(static_cast<int>(molecule.NumberOfModels));
-  to->AddArray(models);
+  AddColumn<vtkIntArray>(to, "NumberOfModels", { molecule.NumberOfModels });
   std::vector<std::string> symbols(NumberOfElements);
   for (int element = 0; element < NumberOfElements; ++element)
   {
@@ -298,7 +285,7 @@ void FillOutputs(
       atoms->GetPointData()->AddArray(array);
     }
   }
-  AddFieldData(from, atoms->GetFieldData());
+  AddFacts(from, atoms->GetFieldData());
   FinishMolecule(from, atoms, molecule);
 }
 

@@ -22,7 +22,6 @@
 #include "Molecules/Macromolecule.h"
 #include "Molecules/PDBLines.h"
 #include "Molecules/ReadingReport.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <array>
 #include <cstddef>
@@ -112,7 +111,7 @@ Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
 
 /// The number in `text` in base 10, 16 (hexadecimal) or 36 (hybrid-36 of four or five columns, as
 /// cctbx writes it), if it is one.
-VTKISTHMUSREADERSMOLECULES_EXPORT std::optional<int> PDBNumber(std::string_view text, int base);
+std::optional<int> PDBNumber(std::string_view text, int base);
 
 /**
  * Numbers that can be interpreted only from the preceding ones: hexadecimal digits without letters,

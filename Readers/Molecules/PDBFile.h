@@ -12,7 +12,6 @@
 #include "Core/Progress.h"
 #include "Molecules/PDBLines.h"
 #include "Molecules/ReadingReport.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,9 +43,8 @@ struct PDBMolecule
  * @throws NonstandardColumnsError if the coordinates of an atom are not finite numbers,
  * std::runtime_error if a line ends within them, both with the first such line; Cancelled.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT PDBMolecule ReadPDBModel(std::string_view text,
-  const std::string& path, const PDBLines& lines, const PDBModel& model, ReadingReport& report,
-  const ProgressCallback& progress);
+PDBMolecule ReadPDBModel(std::string_view text, const std::string& path, const PDBLines& lines,
+  const PDBModel& model, ReadingReport& report, const ProgressCallback& progress);
 
 }
 

@@ -7,7 +7,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/ReadingReport.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <array>
 #include <cstddef>
@@ -58,7 +57,7 @@ using PDBModel = std::vector<PDBPart>;
  * they contain.
  * @throws Cancelled.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT PDBLines SplitPDB(
+PDBLines SplitPDB(
   std::string_view text, std::size_t bytesOfAPiece, const ProgressCallback& progress);
 
 /// "line 7" of `text`, for messages. O(bytes before it).
@@ -72,7 +71,7 @@ struct PDBAtomText
   /// False: there are no coordinates.
   bool (*Place)(std::string_view atom, std::array<double, 3>& place);
 };
-VTKISTHMUSREADERSMOLECULES_EXPORT extern const PDBAtomText PDBColumnsOfAtoms;
+extern const PDBAtomText PDBColumnsOfAtoms;
 
 /**
  * The models of a file.
@@ -86,7 +85,7 @@ VTKISTHMUSREADERSMOLECULES_EXPORT extern const PDBAtomText PDBColumnsOfAtoms;
  * Atoms outside MODEL and ENDMDL belong to the preceding model, or to the first one. Groups of
  * parts may repeat as well. Decisions are noted in `report`.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT std::vector<PDBModel> FindModels(
+std::vector<PDBModel> FindModels(
   const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms = PDBColumnsOfAtoms);
 
 }

@@ -17,7 +17,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <string>
 #include <string_view>
@@ -30,8 +29,8 @@ namespace isthmus
  * elements are inferred from names. O(bytes).
  * @throws std::runtime_error with file, line and reason.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePQR(std::string_view text,
-  const std::string& path, std::int64_t model, const ProgressCallback& progress);
+Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress);
 
 /// The number of models that ParsePQR finds, at least one.
 std::int64_t CountPQRModels(std::string_view text);

@@ -16,7 +16,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <string>
 #include <string_view>
@@ -30,8 +29,8 @@ namespace isthmus
  * @throws std::runtime_error with file, line and reason, also if the comment of an extended XYZ
  * file lacks species or positions.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseXYZ(std::string_view text,
-  const std::string& path, std::int64_t model, const ProgressCallback& progress);
+Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress);
 
 }
 

@@ -1,4 +1,5 @@
 #include "vtkMacromoleculeReader.h"
+#include "Core/Cached.h"
 
 #include "Core/NumberText.h"
 #include "Core/PrintableText.h"
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,26 +28,27 @@ vtkStandardNewMacro(vtkMacromoleculeReader);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The number of models, and the first one where counting has parsed it and no output has it yet.
-struct vtkMacromoleculeReader::CountedModels
+class vtkMacromoleculeReader::vtkInternals
 {
-  std::string File;
-  long Changed = 0; ///< time of the file's last change
-  unsigned long Bytes = 0;
-  int Format = ByName;
-  std::int64_t Number = 1;
-  isthmus::Macromolecule Parsed;
-
-  bool IsOf(const std::string& file, int format) const
+public:
+  /// Path, time of the last change, bytes, format.
+  using Key = std::tuple<std::string, long, unsigned long, isthmus::MoleculeFormat>;
+  struct Counted
   {
-    return file == this->File && format == this->Format &&
-      vtksys::SystemTools::ModifiedTime(file) == this->Changed &&
-      vtksys::SystemTools::FileLength(file) == this->Bytes;
+    std::int64_t Number = 1;
+    isthmus::Macromolecule Parsed; ///< the first model, if counting has parsed it, until it is read
+  };
+  isthmus::Cached<Key, Counted> Models;
+
+  static Key KeyOf(const std::string& file, isthmus::MoleculeFormat format)
+  {
+    return { file, vtksys::SystemTools::ModifiedTime(file), vtksys::SystemTools::FileLength(file),
+      format };
   }
 };
 
 vtkMacromoleculeReader::vtkMacromoleculeReader()
-  : Counted(std::make_unique<CountedModels>())
+  : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
@@ -75,12 +78,8 @@ int vtkMacromoleculeReader::CanReadFile(const char* fileName)
 int vtkMacromoleculeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const bool inTime = this->ModelsAsTimeSteps && this->ModelIndex == 0;
-  if (inTime)
-  {
-    this->CountModels();
-  }
-  const std::int64_t models = inTime ? this->Counted->Number : 1;
+  const bool inTime = this->ModelsAsTimeSteps && this->Parameters.ModelIndex == 0;
+  const std::int64_t models = inTime ? this->CountModels() : 1;
   std::vector<double> times(static_cast<std::size_t>(models));
   std::iota(times.begin(), times.end(), 0.0);
   for (int port = 0; port < 2; ++port)
@@ -103,24 +102,28 @@ int vtkMacromoleculeReader::RequestInformation(
 }
 
 /// 1 also for what can't be read: RequestData says why.
-void vtkMacromoleculeReader::CountModels()
+std::int64_t vtkMacromoleculeReader::CountModels()
 {
-  CountedModels& counted = *this->Counted;
-  if (!this->FileName || counted.IsOf(this->FileName, this->Format))
+  if (!this->FileName)
   {
-    counted.Number = this->FileName ? counted.Number : 1;
-    return;
+    return 1;
   }
-  counted = { this->FileName, vtksys::SystemTools::ModifiedTime(this->FileName),
-    vtksys::SystemTools::FileLength(this->FileName), this->Format, 1, {} };
-  try
+  const auto count = [this]
   {
-    counted.Number = isthmus::CountModels(
-      counted.File, static_cast<isthmus::MoleculeFormat>(this->Format), &counted.Parsed);
-  }
-  catch (const std::exception&)
-  {
-  }
+    vtkInternals::Counted counted;
+    try
+    {
+      counted.Number =
+        isthmus::CountModels(this->FileName, this->Parameters.Format, &counted.Parsed);
+    }
+    catch (const std::exception&)
+    {
+    }
+    return counted;
+  };
+  return this->Internals->Models
+    .Get(vtkInternals::KeyOf(this->FileName, this->Parameters.Format), count)
+    .Number;
 }
 
 /// The model of the time that is asked for, where models are time steps; else ModelIndex.
@@ -128,7 +131,7 @@ std::int64_t vtkMacromoleculeReader::ModelOf(vtkInformation* request)
 {
   if (!request->Has(Pipeline::UPDATE_TIME_STEP()) || !request->Has(Pipeline::TIME_STEPS()))
   {
-    return this->ModelIndex;
+    return this->Parameters.ModelIndex;
   }
   const double last = static_cast<double>(request->Length(Pipeline::TIME_STEPS()) - 1);
   const double time = request->Get(Pipeline::UPDATE_TIME_STEP());
@@ -143,7 +146,10 @@ int vtkMacromoleculeReader::RequestData(
   vtkInformation* request = outputVector->GetInformationObject(0);
   if (request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
-    this->Counted->Parsed = {};
+    if (vtkInternals::Counted* counted = this->Internals->Models.Last())
+    {
+      counted->Parsed = {};
+    }
     return 1; // the first rank has the molecule
   }
   const int result = isthmus::GuardedRead(
@@ -166,25 +172,23 @@ int vtkMacromoleculeReader::RequestData(
 
 void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMolecule* molecule)
 {
-  isthmus::MoleculeOptions options;
-  options.Format = static_cast<isthmus::MoleculeFormat>(this->Format);
-  options.Model = model;
-  options.Assembly = this->Assembly;
-  options.Chains = this->Chains;
-  options.AltLoc = this->AltLoc;
-  options.Hetero = this->ReadHetero;
-  options.Water = this->ReadWater;
-  options.Radii = static_cast<isthmus::RadiusTable>(this->RadiusTable);
-  options.BondsByDistance = this->BondsByDistance;
+  isthmus::MoleculeOptions options = this->Parameters;
+  options.ModelIndex = model;
   const auto progress = isthmus::ProgressOf(this);
   const auto reading = isthmus::Between(progress, 0.0, 0.8);
-  isthmus::Macromolecule parsed = std::exchange(this->Counted->Parsed, {});
-  const bool isParsed = !parsed.Atoms.empty() && model == 0 && options.Assembly.empty() &&
-    this->Counted->IsOf(this->FileName, this->Format);
+  vtkInternals::Counted* const counted =
+    this->Internals->Models.Find(vtkInternals::KeyOf(this->FileName, this->Parameters.Format));
+  if (!counted)
+  {
+    this->Internals->Models.Clear(); // of another file
+  }
+  isthmus::Macromolecule parsed =
+    counted ? std::exchange(counted->Parsed, {}) : isthmus::Macromolecule();
+  const bool isParsed = !parsed.Atoms.empty() && model == 0 && options.Assembly.empty();
   const auto read = isParsed
     ? isthmus::CompleteMacromolecule(std::move(parsed), this->FileName, options, reading)
     : isthmus::ReadMacromolecule(this->FileName, options, reading);
-  isthmus::FillOutputs(read, this->AltLoc == "*", atoms, molecule);
+  isthmus::FillOutputs(read, options.AltLoc == "*", atoms, molecule);
   isthmus::Report(progress, 1.0);
   std::string all; // one message, however many faults there are
   for (const std::string& warning : read.Warnings)
@@ -201,14 +205,14 @@ void vtkMacromoleculeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "Format: " << this->Format << "\n";
-  os << indent << "ModelIndex: " << this->ModelIndex << "\n";
+  os << indent << "Format: " << this->GetFormat() << "\n";
+  os << indent << "ModelIndex: " << this->GetModelIndex() << "\n";
   os << indent << "ModelsAsTimeSteps: " << this->ModelsAsTimeSteps << "\n";
-  os << indent << "Assembly: " << this->Assembly << "\n";
-  os << indent << "Chains: " << this->Chains << "\n";
-  os << indent << "AltLoc: " << this->AltLoc << "\n";
-  os << indent << "ReadHetero: " << this->ReadHetero << "\n";
-  os << indent << "ReadWater: " << this->ReadWater << "\n";
-  os << indent << "RadiusTable: " << this->RadiusTable << "\n";
-  os << indent << "BondsByDistance: " << this->BondsByDistance << "\n";
+  os << indent << "Assembly: " << this->GetAssembly() << "\n";
+  os << indent << "Chains: " << this->GetChains() << "\n";
+  os << indent << "AltLoc: " << this->GetAltLoc() << "\n";
+  os << indent << "ReadHetero: " << this->GetReadHetero() << "\n";
+  os << indent << "ReadWater: " << this->GetReadWater() << "\n";
+  os << indent << "RadiusTable: " << this->GetRadiusTable() << "\n";
+  os << indent << "BondsByDistance: " << this->GetBondsByDistance() << "\n";
 }

@@ -57,6 +57,8 @@
 #ifndef vtkMacromoleculeReader_h
 #define vtkMacromoleculeReader_h
 
+#include "Core/FilterProperties.h"
+#include "Molecules/MoleculeOptions.h"
 #include "vtkIsthmusReadersMoleculesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -94,14 +96,12 @@ public:
 
   ///@{
   /// Default ByName: inferred from the extension, otherwise from the content.
-  vtkSetClampMacro(Format, int, ByName, SDF);
-  vtkGetMacro(Format, int);
+  ISTHMUS_PARAMETER(Format, int);
   ///@}
 
   ///@{
   /// Index of the model (MODEL of PDB, frame of XYZ), from 0. Default 0.
-  vtkSetMacro(ModelIndex, int);
-  vtkGetMacro(ModelIndex, int);
+  ISTHMUS_PARAMETER(ModelIndex, int);
   ///@}
 
   ///@{
@@ -115,31 +115,24 @@ public:
   ///@{
   /// Name of a biological assembly that a PDB or mmCIF file describes ("1"): its chains are copied
   /// as described. Default empty: the atoms of the file.
-  vtkSetMacro(Assembly, std::string);
-  vtkGetMacro(Assembly, std::string);
+  ISTHMUS_PARAMETER(Assembly, const std::string&);
   ///@}
 
   ///@{
   /// Names of the chains to read, separated by blanks or commas. Default empty: all.
-  vtkSetMacro(Chains, std::string);
-  vtkGetMacro(Chains, std::string);
+  ISTHMUS_PARAMETER(Chains, const std::string&);
   ///@}
 
   ///@{
   /// Alternate locations: a letter, "*" for all, or empty (default) for the location with the
   /// highest occupancy in each residue.
-  vtkSetMacro(AltLoc, std::string);
-  vtkGetMacro(AltLoc, std::string);
+  ISTHMUS_PARAMETER(AltLoc, const std::string&);
   ///@}
 
   ///@{
   /// Read HETATM atoms that are not water; read water. Default on.
-  vtkSetMacro(ReadHetero, bool);
-  vtkGetMacro(ReadHetero, bool);
-  vtkBooleanMacro(ReadHetero, bool);
-  vtkSetMacro(ReadWater, bool);
-  vtkGetMacro(ReadWater, bool);
-  vtkBooleanMacro(ReadWater, bool);
+  ISTHMUS_PARAMETER_SWITCH(ReadHetero);
+  ISTHMUS_PARAMETER_SWITCH(ReadWater);
   ///@}
 
   enum RadiusTables
@@ -151,15 +144,12 @@ public:
   ///@{
   /// Radii for files without radii: Bondi (1964, default; few metals) or Alvarez (2013; nearly all
   /// elements). See AtomRadii.h.
-  vtkSetClampMacro(RadiusTable, int, Bondi, Alvarez);
-  vtkGetMacro(RadiusTable, int);
+  ISTHMUS_PARAMETER(RadiusTable, int);
   ///@}
 
   ///@{
   /// Find bonds by distance in addition to those in the file. Default on.
-  vtkSetMacro(BondsByDistance, bool);
-  vtkGetMacro(BondsByDistance, bool);
-  vtkBooleanMacro(BondsByDistance, bool);
+  ISTHMUS_PARAMETER_SWITCH(BondsByDistance);
   ///@}
 
   /// Output 1.
@@ -183,23 +173,15 @@ private:
   void operator=(const vtkMacromoleculeReader&) = delete;
 
   void Read(std::int64_t model, vtkPolyData* atoms, vtkMolecule* molecule);
-  void CountModels();
+  std::int64_t CountModels();
   std::int64_t ModelOf(vtkInformation* request);
 
   char* FileName = nullptr;
-  int Format = ByName;
-  int ModelIndex = 0;
+  isthmus::MoleculeOptions Parameters;
   bool ModelsAsTimeSteps = true;
-  std::string Assembly;
-  std::string Chains;
-  std::string AltLoc;
-  bool ReadHetero = true;
-  bool ReadWater = true;
-  int RadiusTable = Bondi;
-  bool BondsByDistance = true;
 
-  struct CountedModels;
-  std::unique_ptr<CountedModels> Counted; ///< until file or format change
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -1,6 +1,7 @@
 #include "Potentials/OpenDXReader.h"
 
 #include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Files/NumberTypes.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
@@ -196,6 +197,7 @@ OpenDXReader::OpenDXReader(const std::string& path, int index, const ProgressCal
   : Source(OpenTextSource(path))
   , Text(*this->Source)
 {
+  RequireRange("FieldIndex", index, 0, std::numeric_limits<int>::max(), "It counts from 0.");
   this->Word = this->Text.Word();
   if (this->Word != "object")
   {

@@ -1,8 +1,8 @@
 #include "vtkOpenDXReader.h"
 
-#include "Core/ArrayMemory.h"
 #include "Core/Geometry.h"
 #include "Core/LargePages.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Files/GridInformation.h"
@@ -16,7 +16,6 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -25,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -102,18 +102,12 @@ isthmus::GridInformation InformationOf(const VoxelLattice& grid)
 
 void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts)
+  std::vector<std::string> some;
+  std::copy_if(texts.begin(), texts.end(), std::back_inserter(some),
+    [](const std::string& text) { return !text.empty(); });
+  if (!some.empty())
   {
-    if (!text.empty())
-    {
-      array->InsertNextValue(text);
-    }
-  }
-  if (array->GetNumberOfValues() > 0)
-  {
-    fields->AddArray(array);
+    isthmus::AddColumn<vtkStringArray>(fields, name, some);
   }
 }
 
@@ -144,9 +138,8 @@ vtkSmartPointer<vtkUnsignedCharArray> Resampled(OpenDXReader& file, const VoxelL
   }
   std::vector<T> values(static_cast<std::size_t>(size));
   file.Read(needed, values.data(), isthmus::Between(progress, 0.0, 0.7));
-  auto inside = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  inside->SetName("InsideMap");
-  isthmus::SizeArray(inside, nodes);
+  auto inside =
+    isthmus::NamedArray<vtkUnsignedCharArray>("InsideMap", static_cast<std::size_t>(nodes));
   isthmus::ResampleValues(file.Array().Components, file.Lattice(), values.data(), needed, target,
     box, out, inside->GetPointer(0), isthmus::Between(progress, 0.7, 1.0));
   for (vtkIdType i = 0; i < nodes; ++i)
@@ -240,10 +233,8 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
           "again.");
     }
   }
-  vtkNew<Array> values;
-  values->SetName(this->ArrayName.c_str());
-  values->SetNumberOfComponents(file.Array().Components);
-  isthmus::SizeArray(values, output->GetNumberOfPoints());
+  const auto values = isthmus::NamedArray<Array>(this->ArrayName,
+    static_cast<std::size_t>(output->GetNumberOfPoints()), file.Array().Components);
   isthmus::AdviseLargePages(values.Get());
   std::string note;
   if (IsOrthogonal(file.Lattice()))

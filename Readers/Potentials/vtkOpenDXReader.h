@@ -62,7 +62,7 @@ public:
 
   ///@{
   /// Index of the array of values to read if the file has several, from 0. Default: 0.
-  vtkSetClampMacro(FieldIndex, int, 0, VTK_INT_MAX);
+  vtkSetMacro(FieldIndex, int);
   vtkGetMacro(FieldIndex, int);
   ///@}
 

@@ -7,7 +7,6 @@
 #include "PeakMemory.h"
 #include "vtkChokingLoops.h"
 
-#include <vtkLogger.h>
 #include <vtkLoopSubdivisionFilter.h>
 
 #include <benchmark/benchmark.h>
@@ -30,7 +29,7 @@ namespace
 std::size_t LoopsAndMembranes(ChokingLoops& loops)
 {
   FeatureSelection selection;
-  selection.MinimumPersistence = { 4.0, true };
+  selection.MinimumPersistence = 4.0;
   const std::vector<std::size_t> chosen = loops.Select(selection);
   for (const std::size_t i : chosen)
   {
@@ -206,7 +205,6 @@ BENCHMARK(BM_ArmadilloSmooth)->Unit(benchmark::kMillisecond)->UseRealTime()->Ite
 /// How long the filter takes to answer the first time that something is asked of it.
 void Steering(benchmark::State& state, const std::function<void(vtkChokingLoops*)>& change)
 {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING); // no estimates between the figures
   vtkNew<vtkPolyData> surface;
   SetMesh(ReadSurface("soccerball.obj"), surface);
   for (auto _ : state)

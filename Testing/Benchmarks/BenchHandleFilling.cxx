@@ -44,7 +44,7 @@ void Filling(benchmark::State& state, const char* name, double below)
 {
   const TriangleMesh mesh = ReadSurface(name);
   HandleFillingParameters parameters;
-  parameters.Below = below;
+  parameters.FillHandlesBelow = below;
   double ours = 0.0;
   double limit = 0.0;
   std::size_t filled = 0;

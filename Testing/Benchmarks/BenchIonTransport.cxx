@@ -17,7 +17,7 @@ void Point(benchmark::State& state)
 {
   IonTransportParameters p;
   p.Species = { { "K", 1.0, 0.1, 0.1, 1.96, 1.0 }, { "Cl", -1.0, 0.1, 0.1, 2.03, 1.0 } };
-  p.Membrane.LumenRadius = 4.0;
+  p.LumenRadius = 4.0;
   p.Padding = 10.0;
   p.Spacing = 0.01 * static_cast<double>(state.range(0));
   const TransportDomain domain = DomainAround({}, p);

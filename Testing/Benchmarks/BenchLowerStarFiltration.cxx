@@ -41,7 +41,7 @@ Case Make(const std::string& file, double volumes)
   made.Surface = ReadSurface(file);
   TetrahedralParameters parameters;
   parameters.TetGen.MaximumVolume = std::abs(SignedVolume(made.Surface)) / volumes;
-  parameters.TetGen.Limits.Seconds = 3600.0;
+  parameters.TetGen.Limits.TimeLimit = 3600.0;
   made.Mesh = MeshTetrahedra(made.Surface, parameters);
   made.Values = MorseValues(made.Surface, made.Mesh, MorseFunction::EdgePaths);
   return made;

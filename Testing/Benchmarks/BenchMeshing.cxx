@@ -48,7 +48,7 @@ void Fill(benchmark::State& state, TetrahedralLibrary library)
   const auto wanted = static_cast<double>(state.range(0));
   TetrahedralParameters parameters;
   parameters.Library = library;
-  parameters.TetGen.KeepSurface = false;
+  parameters.TetGen.PreserveSurface = false;
   // By trial, a mesh has about twice as many tetrahedra as the bound on volume alone would give.
   parameters.TetGen.MaximumVolume = 2.0 * 0.5236 / wanted;
   parameters.TetGen.Limits = { 540.0, std::uint64_t{ 6 } << 30 };
@@ -134,7 +134,7 @@ void Remesh(benchmark::State& state)
 void Quality(benchmark::State& state)
 {
   TetrahedralParameters parameters;
-  parameters.TetGen.KeepSurface = false;
+  parameters.TetGen.PreserveSurface = false;
   parameters.TetGen.MaximumVolume = 1e-6;
   const TetrahedralMesh mesh = MeshTetrahedra(Sphere(64), parameters);
   std::vector<CellAngles> cells;

@@ -107,7 +107,7 @@ Run Solve(benchmark::State& state, const std::vector<ChargedAtom>& atoms, std::i
   level.Level = 1.0;
   level.Logarithm = true;
   PoissonBoltzmannParameters parameters;
-  parameters.Condition = condition;
+  parameters.BoundaryCondition = condition;
   parameters.Padding = 0.0;
   const IonAtmosphere ions({}, parameters.Temperature);
   const auto solution =

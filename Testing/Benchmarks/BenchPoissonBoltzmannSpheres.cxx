@@ -31,7 +31,7 @@ void Isthmus(benchmark::State& state)
   for (auto _ : state)
   {
     SphereProblem problem(Kirkwood(number), Half, h);
-    problem.Parameters.Condition = BoundaryCondition::SelfConsistent;
+    problem.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
     problem.Parameters.Tolerance = 1e-6;
     const auto solution = problem.Solve();
     const SphereErrors errors = ErrorsOf(problem, *solution);

@@ -30,7 +30,7 @@ void Count(benchmark::State& state)
 void Curvature(benchmark::State& state, CurvatureEstimate estimate, CurvatureNeighbourhood where)
 {
   SurfaceCurvatureOptions options;
-  options.Estimate = estimate;
+  options.Method = estimate;
   options.Neighbourhood = where;
   for (auto _ : state)
   {

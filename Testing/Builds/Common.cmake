@@ -27,6 +27,7 @@ function (run_consumer prefix folder)
   run("${Python3_EXECUTABLE}" "${SOURCE_DIR}/Testing/Builds/write_phantom.py"
     "${SOURCE_DIR}/Examples" "${folder}/phantom.mrc")
   run("${folder}/map_curvature" "${folder}/phantom.mrc" 0.5 "${folder}/surface.vtp")
+  run("${folder}/mesh_curvature")
   run("${folder}/mesh_parts" "${folder}/phantom.mrc" 0.5)
   run("${folder}/surface_loops" "${folder}/surface.vtp")
 endfunction ()

@@ -5,16 +5,6 @@ file(REMOVE_RECURSE "${prefix}")
 run("${CMAKE_COMMAND}" --install "${MAIN_BINARY_DIR}" --prefix "${prefix}")
 run_consumer("${prefix}" "${WORK_DIR}/consumer")
 
-# The consumer of the version before the modules builds unchanged: all of Isthmus as one target,
-# headers of algorithms without their folder. It may get deprecation warnings.
-set(folder "${WORK_DIR}/previous_consumer")
-file(REMOVE_RECURSE "${folder}")
-run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/previous_consumer" -B "${folder}" -G Ninja
-  "-DCMAKE_PREFIX_PATH=${prefix}")
-run("${CMAKE_COMMAND}" --build "${folder}")
-run("${folder}/map_curvature" "${WORK_DIR}/consumer/phantom.mrc" 0.5 "${folder}/surface.vtp")
-run("${folder}/mesh_parts" "${WORK_DIR}/consumer/phantom.mrc" 0.5)
-
 # By components: the permissive modules bring nothing of the GPL along, on the link line or loaded.
 set(folder "${WORK_DIR}/components")
 file(REMOVE_RECURSE "${folder}")
@@ -22,6 +12,7 @@ run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/components" -B "${folder}" 
   "-DCMAKE_PREFIX_PATH=${prefix}")
 run("${CMAKE_COMMAND}" --build "${folder}")
 run("${folder}/denoised_curvature" "${WORK_DIR}/consumer/phantom.mrc")
+run("${folder}/all_modules" "${WORK_DIR}/consumer/phantom.mrc")
 execute_process(COMMAND ninja -C "${folder}" -t commands denoised_curvature
   OUTPUT_VARIABLE link_line COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ldd "${folder}/denoised_curvature"

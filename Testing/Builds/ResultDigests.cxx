@@ -1,272 +1,243 @@
-// Prints a digest of what filters and readers make of the shared data, a line each: two builds of
-// the same sources, with other versions of VTK or on other machines, are compared by `diff`.
+// Prints a digest of each array of each output of each filter, reader and writer on the shared
+// data. Two builds on one machine are compared by diff:
 //
-//     [ISTHMUS_DATA_DIR=FOLDER] ResultDigests
+//     [ISTHMUS_DATA_DIR=FOLDER] ResultDigests [NAME...] > before
+//     [ISTHMUS_DATA_DIR=FOLDER] ResultDigests [NAME...] > after
+//     diff before after
 //
-// A digest is 64-bit FNV-1a over points, cells and all arrays: names, shapes, and each value as the
-// bits of a double. Nothing of VTK's own memory layout goes in, since that differs between
-// versions. Ends with 1 where a result is empty.
+// With NAMEs, only the cases whose names begin with one of them. A line is
+//
+//     CLASS[:VARIANT]/OUTPUT/PLACE/ARRAY TYPE COMPONENTS TUPLES DIGEST [ROLE]
+//
+// so an array that is removed or renamed is one line of difference, and no other line changes.
+// PLACE is points, topology, point data, cell data, field data, rows, vertex data, edge data,
+// pipeline or file (of a writer); ROLE says that the array is active. A digest is 64-bit FNV-1a
+// over the values, numbers bit by bit. Lines are sorted. They do not depend on the number of
+// threads.
+//
+// Fails if a class of a module has neither a case (digests/*.cxx) nor a reason below not to have
+// one, if a case has an error, if an output of a class is empty in all its cases, or if arrays are
+// not those of the class's OutputArrayTable().
 
 #include "SharedData.h"
-#include "vtkCellIncidence.h"
-#include "vtkChokingLoops.h"
-#include "vtkDualContouring.h"
-#include "vtkHessianCurvature.h"
-#include "vtkHighOrderDiffusion.h"
-#include "vtkIsosurfaceStuffing.h"
-#include "vtkMEDITReader.h"
-#include "vtkMRCMapReader.h"
-#include "vtkMacromoleculeReader.h"
-#include "vtkMapSurface.h"
-#include "vtkMeshQualityReport.h"
-#include "vtkMolecularDensity.h"
-#include "vtkMolecularFlowSurface.h"
-#include "vtkMolecularPockets.h"
-#include "vtkOFFSurfaceReader.h"
-#include "vtkPoissonBoltzmann.h"
-#include "vtkScalarPersistence.h"
-#include "vtkSurfaceCurvature.h"
-#include "vtkSurfaceToGrid.h"
+#include "digests/Cases.h"
+#include "digests/Lines.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkFieldData.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
+#include <vtkExecutive.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkWriter.h>
 
-#include <array>
-#include <cinttypes>
-#include <cstdint>
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
 #include <string>
-#include <utility>
+#include <vector>
+
+using namespace isthmus::digests;
 
 namespace
 {
 
-class Digest
-{
-public:
-  void Add(double value)
-  {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    this->AddBytes(bits, 8);
-  }
-
-  void Add(const std::string& text)
-  {
-    this->Add(static_cast<double>(text.size()));
-    for (const char c : text)
-    {
-      this->AddBytes(static_cast<unsigned char>(c), 1);
-    }
-  }
-
-  void Add(vtkFieldData* data)
-  {
-    for (int i = 0; data && i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* const array = data->GetAbstractArray(i);
-      const std::string name = array->GetName() ? array->GetName() : "";
-      this->Add(name);
-      this->Add(static_cast<double>(array->GetNumberOfComponents()));
-      this->Add(static_cast<double>(array->GetNumberOfTuples()));
-      this->AddValues(array);
-    }
-  }
-
-  void Add(vtkDataObject* object)
-  {
-    this->Add(object->GetFieldData());
-    if (auto* table = vtkTable::SafeDownCast(object))
-    {
-      this->Values += table->GetNumberOfRows();
-      this->Add(table->GetRowData());
-    }
-    else if (auto* set = vtkDataSet::SafeDownCast(object))
-    {
-      this->AddGeometry(set);
-      this->Add(set->GetPointData());
-      this->Add(set->GetCellData());
-    }
-  }
-
-  std::uint64_t Value() const { return this->State; }
-  /// Points and rows seen.
-  vtkIdType Size() const { return this->Values; }
-
-private:
-  void AddBytes(std::uint64_t bytes, int count)
-  {
-    for (int i = 0; i < count; ++i, bytes >>= 8)
-    {
-      this->State = (this->State ^ (bytes & 0xff)) * 1099511628211ULL;
-    }
-  }
-
-  void AddValues(vtkAbstractArray* array)
-  {
-    auto* numbers = vtkDataArray::SafeDownCast(array);
-    auto* words = vtkStringArray::SafeDownCast(array);
-    for (vtkIdType t = 0; numbers && t < numbers->GetNumberOfTuples(); ++t)
-    {
-      for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
-      {
-        this->Add(numbers->GetComponent(t, c));
-      }
-    }
-    for (vtkIdType i = 0; words && i < words->GetNumberOfValues(); ++i)
-    {
-      this->Add(std::string(words->GetValue(i)));
-    }
-  }
-
-  void AddGeometry(vtkDataSet* set)
-  {
-    this->Values += set->GetNumberOfPoints();
-    double place[3];
-    for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i)
-    {
-      set->GetPoint(i, place);
-      for (const double coordinate : place)
-      {
-        this->Add(coordinate);
-      }
-    }
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType i = 0; i < set->GetNumberOfCells(); ++i)
-    {
-      set->GetCellPoints(i, corners);
-      this->Add(static_cast<double>(set->GetCellType(i)));
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-      {
-        this->Add(static_cast<double>(corners->GetId(k)));
-      }
-    }
-  }
-
-  std::uint64_t State = 14695981039346656037ULL;
-  vtkIdType Values = 0;
+/// Classes without results of their own.
+const std::map<std::string, const char*> Exceptions{
+  { "vtkDiffusionAlgorithm", "abstract: base of the filters of Imaging" },
+  { "vtkGuardedFileWriter", "abstract: base of all writers" },
+  { "vtkImageArrayWriter", "abstract: base of writers of images" },
+  { "vtkMeshFileReader", "abstract: base of readers of meshes" },
+  { "vtkMeshFileWriter", "abstract: base of writers of meshes" },
 };
 
-bool AllTold = true;
+std::vector<std::string> ClassesOfModules()
+{
+  std::istringstream words(ISTHMUS_CLASSES);
+  std::vector<std::string> classes;
+  for (std::string word; words >> word;)
+  {
+    classes.push_back(word);
+  }
+  return classes;
+}
 
-/// Runs `algorithm` and tells what all its outputs hold.
-void Tell(const char* what, vtkAlgorithm* algorithm)
+/// Reports classes without a case and exceptions that are not needed. True if there are none.
+bool AllClassesAreCovered(const Cases& cases)
+{
+  std::set<std::string> covered;
+  for (const Case& one : cases)
+  {
+    covered.insert(one.Class);
+  }
+  bool all = true;
+  const std::vector<std::string> classes = ClassesOfModules();
+  for (const std::string& name : classes)
+  {
+    const bool isException = Exceptions.count(name) > 0;
+    if (isException != (covered.count(name) > 0))
+    {
+      continue;
+    }
+    std::fprintf(stderr, "%s: %s.\n", name.c_str(),
+      isException ? "has a case, remove the exception" : "add a case to Testing/Builds/digests");
+    all = false;
+  }
+  for (const auto& [name, reason] : Exceptions)
+  {
+    if (std::count(classes.begin(), classes.end(), name) == 0)
+    {
+      std::fprintf(stderr, "%s (%s) is not a class of a module: remove the exception.\n",
+        name.c_str(), reason);
+      all = false;
+    }
+  }
+  return all;
+}
+
+/// Results of the cases.
+struct Results
+{
+  Lines Text;
+  std::map<std::string, bool> OutputHasData; ///< by class and output: in any case
+  ArrayTables Tables;
+  bool Failed = false;
+};
+
+void AddFiles(Results& results, const Case& one, const std::filesystem::path& folder)
+{
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    AddFile(results.Text, one.Name() + "/0/file", entry.path());
+  }
+}
+
+void AddOutputs(Results& results, const Case& one, vtkAlgorithm* algorithm)
 {
   algorithm->Update();
-  Digest digest;
   for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
   {
-    digest.Add(algorithm->GetOutputDataObject(port));
+    const std::string output = "/" + std::to_string(port);
+    vtkDataObject* const object = algorithm->GetOutputDataObject(port);
+    AddLines(results.Text, one.Name() + output, object);
+    AddTimeSteps(results.Text, one.Name() + output, algorithm, port);
+    bool& hasData = results.OutputHasData[one.Class + output];
+    hasData = hasData || !IsEmpty(object);
   }
-  std::printf("%016" PRIx64 "  %9lld points and rows  %s\n", digest.Value(),
-    static_cast<long long>(digest.Size()), what);
-  std::fflush(stdout);
-  AllTold = AllTold && digest.Size() > 0;
-}
-
-/// Runs a filter on the first output of `source`.
-template <typename Filter>
-vtkNew<Filter> TellOf(const char* what, vtkAlgorithm* source, void (*set)(Filter*) = nullptr)
-{
-  vtkNew<Filter> filter;
-  filter->SetInputConnection(source->GetOutputPort());
-  if (set)
+  if (one.Table)
   {
-    set(filter);
+    results.Tables.Compare(one.Class, *one.Table, algorithm);
   }
-  Tell(what, filter);
-  return filter;
 }
 
-void TellOfMap(const std::string& path)
+void Run(Results& results, const Case& one, Inputs& inputs)
 {
-  vtkNew<vtkMRCMapReader> map;
-  map->SetFileName(path.c_str());
-  Tell("EMD-1832: map", map);
-  TellOf<vtkHighOrderDiffusion>("EMD-1832: high-order diffusion", map);
-  TellOf<vtkHessianCurvature>(
-    "EMD-1832: curvature", map, [](vtkHessianCurvature* filter) { filter->AutomaticScaleOff(); });
-  TellOf<vtkHessianCurvature>("EMD-1832: curvature, automatic scale", map);
-  TellOf<vtkMapSurface>("EMD-1832: surface", map);
-  TellOf<vtkScalarPersistence>("EMD-1832: persistence", map);
-}
-
-void TellOfSurface(const std::string& path)
-{
-  vtkNew<vtkOFFSurfaceReader> surface;
-  surface->SetFileName(path.c_str());
-  Tell("3holes: surface", surface);
-  TellOf<vtkSurfaceCurvature>("3holes: curvature", surface);
-  TellOf<vtkChokingLoops>("3holes: choking loops", surface);
-  const auto grid = TellOf<vtkSurfaceToGrid>("3holes: distance", surface);
-  const auto outside = [](auto* filter)
+  inputs.TakeError();
+  const vtkSmartPointer<vtkAlgorithm> algorithm = one.Make(inputs);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  for (vtkObject* const object : { static_cast<vtkObject*>(algorithm.Get()),
+         static_cast<vtkObject*>(algorithm->GetExecutive()) })
   {
-    filter->SetLevel(0.0);
-    filter->SetInsideIsHigher(false);
-  };
-  TellOf<vtkDualContouring>("3holes: dual contouring", grid, outside);
-  const auto cells = TellOf<vtkIsosurfaceStuffing>("3holes: isosurface stuffing", grid, outside);
-  TellOf<vtkMeshQualityReport>("3holes: quality", cells);
-}
-
-void TellOfMolecule(const std::string& path)
-{
-  vtkNew<vtkMacromoleculeReader> atoms;
-  atoms->SetFileName(path.c_str());
-  Tell("1CRN: atoms", atoms);
-  TellOf<vtkMolecularDensity>("1CRN: density", atoms);
-  TellOf<vtkMolecularFlowSurface>("1CRN: flow surface", atoms);
-  TellOf<vtkPoissonBoltzmann>(
-    "1CRN: potential", atoms, [](vtkPoissonBoltzmann* solver) { solver->SetSpacing(1.0); });
-}
-
-void TellOfPockets(const std::string& path)
-{
-  vtkNew<vtkMacromoleculeReader> atoms;
-  atoms->SetFileName(path.c_str());
-  Tell("1HEW: atoms", atoms);
-  TellOf<vtkMolecularPockets>("1HEW: pockets", atoms);
-}
-
-void TellOfCells(const std::string& path)
-{
-  vtkNew<vtkMEDITReader> cells;
-  cells->SetFileName(path.c_str());
-  Tell("Octopus: tetrahedra", cells);
-  TellOf<vtkCellIncidence>("Octopus: incidences", cells);
-}
-
-}
-
-int main()
-{
-  const std::filesystem::path data = isthmus::testing::SharedDataFolder();
-  const std::array<std::pair<void (*)(const std::string&), const char*>, 5> parts{ {
-    { TellOfMap, "maps/emd_1832.map" },
-    { TellOfSurface, "surfaces/3holes.off" },
-    { TellOfMolecule, "molecules/1crn_apbs.pqr" },
-    { TellOfPockets, "molecules/1hew.pdb" },
-    { TellOfCells, "volumes/octopus-low.mesh" },
-  } };
-  for (const auto& [tell, file] : parts)
+    object->AddObserver(vtkCommand::ErrorEvent, observer);
+    object->AddObserver(vtkCommand::WarningEvent, observer);
+  }
+  if (auto* writer = vtkWriter::SafeDownCast(algorithm))
   {
-    if (!std::filesystem::exists(data / file))
+    writer->Write();
+    AddFiles(results, one, inputs.NewFolder());
+  }
+  else
+  {
+    AddOutputs(results, one, algorithm);
+  }
+  if (observer->GetError())
+  {
+    throw std::runtime_error(observer->GetErrorMessage());
+  }
+  if (const std::string error = inputs.TakeError(); !error.empty())
+  {
+    throw std::runtime_error(error);
+  }
+}
+
+bool IsChosen(const Case& one, const std::vector<std::string>& names)
+{
+  return names.empty() ||
+    std::any_of(names.begin(), names.end(),
+      [&](const std::string& name) { return one.Name().compare(0, name.size(), name) == 0; });
+}
+
+/// @throws MissingData
+Results RunAll(const Cases& cases, const std::vector<std::string>& names)
+{
+  Results results;
+  Inputs inputs;
+  for (const Case& one : cases)
+  {
+    if (!IsChosen(one, names))
     {
-      std::fprintf(stderr, "There is no %s: set ISTHMUS_DATA_DIR.\n", (data / file).c_str());
-      return isthmus::testing::SharedDataRequired() ? 1 : 77;
+      continue;
     }
-    tell((data / file).string());
+    try
+    {
+      Run(results, one, inputs);
+    }
+    catch (const MissingProgram& missing)
+    {
+      results.Text.push_back(one.Name() + " " + missing.what());
+    }
+    catch (const MissingData&)
+    {
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      std::fprintf(stderr, "%s: %s\n", one.Name().c_str(), error.what());
+      results.Failed = true;
+    }
   }
-  return AllTold ? 0 : 1;
+  for (const auto& [output, hasData] : results.OutputHasData)
+  {
+    if (!hasData && names.empty())
+    {
+      std::fprintf(stderr, "%s is empty in all cases.\n", output.c_str());
+      results.Failed = true;
+    }
+  }
+  for (const std::string& complaint : results.Tables.Complaints(names.empty()))
+  {
+    std::fprintf(stderr, "%s.\n", complaint.c_str());
+    results.Failed = true;
+  }
+  std::sort(results.Text.begin(), results.Text.end());
+  return results;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  Cases cases;
+  AddReaders(cases);
+  AddMaps(cases);
+  AddMeshes(cases);
+  AddMolecules(cases);
+  if (!AllClassesAreCovered(cases))
+  {
+    return 1;
+  }
+  try
+  {
+    const Results results = RunAll(cases, { argv + 1, argv + argc });
+    for (const std::string& line : results.Text)
+    {
+      std::puts(line.c_str());
+    }
+    return results.Failed ? 1 : 0;
+  }
+  catch (const MissingData& missing)
+  {
+    std::fprintf(stderr, "%s\n", missing.what());
+    return isthmus::testing::SharedDataRequired() ? 1 : 77;
+  }
 }

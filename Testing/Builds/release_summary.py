@@ -4,11 +4,13 @@ release.sh inside the root.
     release_summary.py TESTS.xml [SUMMARY.json]
 
 Prints: the system, the versions, numbers of tests, each skipped test with its reason, each that failed.
-The same is written to SUMMARY.json, for the table of tested versions (tested_versions.py).
+The same is written to SUMMARY.json, for the table of tested versions (tested_versions.py). The VTK inside ParaView is
+that of numbers.json beside the report (main_job_numbers.py).
 """
 
 import datetime
 import json
+import pathlib
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -49,6 +51,9 @@ def main(report, summary=None):
     failed = [case.get("name") for case in cases if case.get("status") == "fail"]
     skipped = {case.get("name"): reason_of(case) for case in cases if case.get("status") in ("notrun", "disabled")}
     versions = {what: version_of(names) for what, names in PACKAGES.items()}
+    numbers = pathlib.Path(report).with_name("numbers.json")
+    if numbers.exists():
+        versions["VTK"] = json.loads(numbers.read_text())["VTK"]
     passed = len(cases) - len(failed) - len(skipped)
     print(system_name() + ": " + ", ".join(f"{what} {version}" for what, version in versions.items() if version))
     print(f"{len(cases)} tests: {passed} passed, {len(failed)} failed, {len(skipped)} skipped")

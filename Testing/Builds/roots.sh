@@ -4,7 +4,7 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 logs=${ISTHMUS_RELEASE_DIR:-$source_dir/build/release}
-mirror=${ISTHMUS_MIRROR:-http://deb.debian.org/debian}
+source "$source_dir/cmake/archive.sh"
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -34,7 +34,7 @@ isolate()
 # mounted with the data at /shared/data. With ccache, sets `launcher` for `inside`.
 make_root()
 {
-  local suite=$1 name=$2 data=${ISTHMUS_DATA_DIR:-$source_dir/../shared/data} script=() roots
+  local suite=$1 name=$2 data=${ISTHMUS_DATA_DIR:-$source_dir/../shared/data} script=() roots mirror
   if [ ! -d "$data" ]; then
     echo "$(basename "$0") needs the shared data: Testing/fetch_data.sh, or ISTHMUS_DATA_DIR." >&2
     exit 1
@@ -51,8 +51,13 @@ make_root()
     # The mounts go first (also those that a process still uses), then what is on this file system alone.
     trap 'umount -R -l "$root" 2>/dev/null || true; rm -rf --one-file-system "$(dirname "$root")"' EXIT
   fi
-  if [ ! -e "$root/etc/debian_version" ]; then
-    say "Making a root of $suite in $root"
+  exec 9>"$root.lock" # one script at a time
+  flock 9
+  # The last file written: an interrupted debootstrap is begun again.
+  if [ ! -e "$root/etc/apt/apt.conf.d/90isthmus" ]; then
+    rm -rf --one-file-system "$root"
+    mirror=$(archive_address)
+    say "Making a root of $suite in $root from $mirror"
     [ -e "/usr/share/debootstrap/scripts/$suite" ] || script=(sid)
     # git and certificates: who has a clone has them.
     debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$root" "$mirror" \
@@ -62,8 +67,6 @@ make_root()
   else
     say "Using the root $root; remove it to begin with a clean one"
   fi
-  exec 9>"$root.lock" # one script at a time
-  flock 9
   mount --bind "$root" "$root" # a mount point of its own, for umount -R
   mount --make-rprivate "$root"
   mkdir -p "$root/shared/data" "$root/isthmus"

@@ -56,7 +56,7 @@ grep -q "set(PACKAGE_VERSION \"$version\")" build/IsthmusConfigVersion.cmake || 
 
 say "Checks of conventions"
 ctest --test-dir build -L layout --output-on-failure --no-tests=error | tee checks.log
-grep -E 'Layout\.test_check[ .].*Skipped' checks.log >/dev/null || {
+grep -E 'Layout\.check[ .].*Skipped' checks.log >/dev/null || {
   echo "The tests that need git are not skipped by name." >&2
   exit 1
 }

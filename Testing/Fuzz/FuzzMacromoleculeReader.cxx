@@ -108,8 +108,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   isthmus::MoleculeOptions options;
   options.Format = static_cast<isthmus::MoleculeFormat>(data[0] % 9);
   options.AltLoc = altLocs[data[1] % 4];
-  options.Model = data[1] / 4 % 2;
-  options.Hetero = data[1] / 8 % 2 == 0;
+  options.ModelIndex = data[1] / 4 % 2;
+  options.ReadHetero = data[1] / 8 % 2 == 0;
   options.Chains = data[1] / 16 % 2 == 0 ? "" : "A";
   isthmus::Macromolecule molecule;
   try

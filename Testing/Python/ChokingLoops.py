@@ -36,8 +36,7 @@ UpdatePipeline(proxy=loops)
 lines = output_of(loops, 0)
 assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
 for name in ("Kind", "Side", "KindName", "Radius", "Birth", "Death", "Persistence", "Trusted", "Length", "Reach",
-             "FeatureId", "SharedWith", "Component",
-             "Distance", "Fill", "Widening"):  # the last three are deprecated
+             "FeatureId", "SharedWith", "Component"):
     assert lines.GetCellData().GetAbstractArray(name), name
 kinds = {lines.GetCellData().GetAbstractArray("KindName").GetValue(i) for i in range(2)}
 assert kinds == {"handle", "tunnel"}, kinds

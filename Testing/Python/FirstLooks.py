@@ -92,7 +92,7 @@ def check_first_values():
     surface = simple.MapSurface(Input=density)
     surface.UpdatePipeline()
     proposed = surface.FieldData["Level"].GetRange()[0]
-    for make in (simple.MapChokingLoops, simple.DualContouring, simple.MapHandles):
+    for make in (simple.DelaunayIsosurface, simple.DualContouring, simple.MapHandles):
         filters = make(Input=density), make(Input=density, Level=1.25)
         for proxy in filters:
             look.first_values(proxy.GetGlobalID())

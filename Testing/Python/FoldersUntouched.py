@@ -109,7 +109,7 @@ for path in (protein, packed, cif, with_ligand, charged):
 
 # 1HEW: 1,001 atoms of the chain, 43 of three sugars, 103 waters (its ATOM and HETATM records).
 press("protein_to_surface", with_ligand)
-counts = {bool(part.KeepChains): part.GetDataInformation().GetNumberOfPoints() for part in named("AtomSelection")}
+counts = {bool(part.IncludeChains): part.GetDataInformation().GetNumberOfPoints() for part in named("AtomSelection")}
 assert counts == {True: 1001, False: 43}, counts
 view = simple.GetActiveView()
 shown = sorted(display.Input.SMProxy.GetXMLName() for display in view.Representations

@@ -11,17 +11,10 @@ from isthmus import functions
 
 # Setters of classes that are no property of a panel, with the reason.
 NOT_IN_PANELS = {
-    "MaximumDistance": "deprecated name of MaximumRadius", "MaximumDistanceUnit": "of MaximumRadiusUnit",
-    "IsoValue": "deprecated name of Level", "Superlevel": "deprecated name of InsideIsHigher",
     "Controller": "of MPI", "NumberOfThresholds": "by their list", "NumberOfSecondThresholds": "by their list",
-    "PolarizedArray": "of the second input, which ParaView 5.11 offers no list for", "PotentialArray": "likewise",
-    "ImageArrayName": "of the input that this panel does not have",
-    "AllowSelfIntersections": "the surface of a map has none", "Filtration": "the samples of a map are its own",
-    "CapHoles": "the surface of a map is closed",
-    "ProposedLevel": "the panel's own",
-    "MorseFunction": "of a Filtration", "MorseArrayName": "of a Filtration",
+    "PolarizedArrayName": "of the second input, which ParaView 5.11 offers no list for",
+    "PotentialArrayName": "likewise, or of the input that this panel does not have",
 }
-WITHOUT_GETTER = ("charges", "radii")
 
 
 def close(a, b):
@@ -70,9 +63,14 @@ def complaints_of(name, described):
             if not rows_are_default(algorithm, found):
                 yield f"{name}: {found['name']} is by default {found['default']} in the panel, not in the class"
             continue
-        getter = getattr(algorithm, command.replace("Set", "Get", 1), None)
-        if getter is None and found["name"] in WITHOUT_GETTER:
+        if found["kind"] == "arrays":
+            selection = getattr(algorithm, command)()
+            arrays = [selection.GetArrayName(i) for i in range(selection.GetNumberOfArrays())]
+            chosen = [array for array in arrays if selection.ArrayIsEnabled(array)]
+            if arrays != list(found["arrays"]) or chosen != found["default"]:
+                yield f"{name}: {chosen} of {arrays} in the class, {found['default']} of {list(found['arrays'])} in its table"
             continue
+        getter = getattr(algorithm, command.replace("Set", "Get", 1), None)
         if getter is None:
             yield f"{name}: the class has no getter for {found['name']}"
             continue

@@ -32,7 +32,7 @@ def check_pipeline():
     contour = simple.Contour(Input=density, ContourBy=["POINTS", "Density"], Isosurfaces=[0.5])
     at_points = simple.HessianCurvature(
         Input=density, Surface=contour, Scalars=["POINTS", "Density"], Accuracy=4,
-        ShapeIndexConvention="Koenderink (peak +1, pit -1)", SurfaceType=1, PrincipalDirection1=1)
+        ShapeIndexConvention="Koenderink (peak +1, pit -1)", OutputArrays=[*SIX, "SurfaceType", "PrincipalDirection1"])
     data = servermanager.Fetch(at_points)
     assert data.IsA("vtkPolyData") and data.GetNumberOfPolys() > 1000, data
     assert values(data, "CurvatureValid").all()

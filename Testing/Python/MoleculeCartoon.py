@@ -44,7 +44,7 @@ def finite(data):
 # Secondary structure.
 for path, expected in DSSP.items():
     cartoon = simple.MoleculeCartoon(simple.OpenDataFile(str(shared_data(path))), ComputeSecondaryStructure=1,
-                                     KeepLigands=0, KeepIons=0)
+                                     IncludeLigands=0, IncludeIons=0)
     found = "".join("CHEGIN"[s] for s in rows(cartoon)["SecondaryStructure"])
     assert found == expected, f"{path}:\n{found}\n{expected}"
 

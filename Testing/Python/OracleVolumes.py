@@ -247,7 +247,7 @@ def map_handles(draw):
     # The slope of a Gaussian is 0.61 / width at most, over half a diagonal.
     error = 0.61 / width * d / 2 + 2 * volume.quantum
     contour = filter_.GetOutputDataObject(4)
-    level = (field(contour, "ChosenLevel") - volume.offset) / volume.scale
+    level = (field(contour, "StableLevel") - volume.offset) / volume.scale
     yield "windows", windows.GetNumberOfPoints() - 1, 0
     if windows.GetNumberOfPoints() == 1:
         found = (array(windows.GetPointData(), "Level") - volume.offset) / volume.scale
@@ -327,7 +327,7 @@ def diffusion_high_pass(draw):
     slow, fast = draw.between(0.0, 0.2), draw.between(0.3, 1.5)
     pull_u, pull_v, time = draw.between(0.0, 0.2), draw.between(0.0, 0.2), draw.between(0.5, 5.0)
     filter_ = settle(isthmus.vtkDiffusionHighPass(), [volume.data], DiffusivityU=slow, DiffusivityV=fast,
-                     CouplingU=pull_u, CouplingV=pull_v, Time=time, Steps=40, OutputFields=True)
+                     CouplingU=pull_u, CouplingV=pull_v, Time=time, Steps=40, arrays=["SlowField", "FastField"])
     rate = numpy.array([[-slow * eigenvalue - pull_u, pull_u], [pull_v, -fast * eigenvalue - pull_v]])
     total = (slow + fast) * eigenvalue + pull_u + pull_v
     lambdas, vectors = numpy.linalg.eig(rate)
@@ -337,8 +337,8 @@ def diffusion_high_pass(draw):
         yield name, array(output, name) - wanted * values, 2 * time * (time / 40)**2 * total**3 / 12 + 1e-5
 
 
-@oracle("Map Choking Loops")
-def map_choking_loops(draw):
+@oracle("Map Surface and Choking Loops")
+def map_to_loops(draw):
     """A ring: the handle has the tube's radius, the tunnel that of the hole.
     Tolerance: radii lie within Uncertainty below the stated one; the surface is off by h^2 / (8 r) at its points
     and d^2 / (8 r) between, d the diagonal of a cell, r the smaller radius, and by the quantum of the type."""
@@ -348,8 +348,8 @@ def map_choking_loops(draw):
     big = size * draw.between(0.55, 0.65)
     volume = Volume(draw, lambda p: -torus_distance(pose.local(p), big, small), pose.centre, 1.1 * size, 26,
                     kinds=[numpy.float32, numpy.float64, numpy.int16], stretch=1.2)
-    filter_ = settle(isthmus.vtkMapChokingLoops(), [volume.data], Level=float(volume.stored(0.0)),
-                     SampleSpacing=0.15 * size)
+    surface = settle(isthmus.vtkMapSurface(), [volume.data], Level=float(volume.stored(0.0)))
+    filter_ = settle(isthmus.vtkChokingLoops(), [surface.GetOutput()], SampleSpacing=0.15 * size)
     loops = filter_.GetOutputDataObject(0).GetCellData()
     kind, radius = array(loops, "Kind"), array(loops, "Radius")
     slack = array(loops, "Uncertainty")

@@ -18,7 +18,6 @@ TYPES = ("SignedChar", "UnsignedChar", "Short", "UnsignedShort", "Int", "Unsigne
          "LongLong", "UnsignedLongLong", "Float")
 LARGE = ("Int", "UnsignedLongLong")  # types of numbers from BASE to BASE + 120
 BASE = 1e9
-LEVELS = ("IsoValue", "Level")  # properties
 BITS = 1e-4  # of the largest number of an array: outputs may be of single precision
 FAR = 1e5
 OUT_OF_RANGE = {  # factors of an image's values or of coordinates; each is refused with one error
@@ -200,9 +199,8 @@ def compared(name, port, kind, form, first, second):
         # A second volume, such as another half map, is of the same type.
         others = {p[0]: shifted(data) for p in INPUTS[name] if is_large and "vtkImageData" in p[1]}
         proxy = made(name, kind if number == 0 else None, replaced={**others, port: data})
-        for level in LEVELS if is_large else ():
-            if level in proxy.ListProperties():
-                setattr(proxy, level, BASE + 60.25)
+        if is_large and "Level" in proxy.ListProperties():
+            proxy.Level = BASE + 60.25
         return numbers(proxy)
 
     if form in OUT_OF_RANGE:

@@ -19,7 +19,7 @@ OUTPUT.mkdir(parents=True, exist_ok=True)
 
 atoms = OpenDataFile(str(shared_data("molecules/1hew/1hew.pqr")))
 solver = PoissonBoltzmann(Input=atoms, Spacing=1.0)
-assert solver.Charges == "Charge" and solver.Radii == "Radius", (solver.Charges, solver.Radii)
+assert solver.Charges[:] == ["POINTS", "Charge"] and solver.Radii[:] == ["POINTS", "Radius"], (solver.Charges, solver.Radii)
 solver.UpdatePipeline()
 image = output_of(solver, 0)
 surface = output_of(solver, 1)
@@ -54,7 +54,7 @@ assert abs(induced + 8.0 * (1 / 2.0 - 1 / 80.0)) < 0.6, induced  # charges lie n
 # The same surface as a volume that is passed in gives the same energy.
 volume = MolecularDensity(Input=atoms, Radii=["POINTS", "Radius"], Spacing=1.0,
                           Padding=[4.0, 4.0, 4.0])
-given = PoissonBoltzmann(Input=atoms, Surface=volume, IsoValue=1.0)
+given = PoissonBoltzmann(Input=atoms, Surface=volume, Level=1.0)
 given.UpdatePipeline()
 other = output_of(given, 0)
 energy = other.GetFieldData().GetArray("SolvationEnergy").GetValue(0)

@@ -33,19 +33,22 @@ NEEDS = {
         "MaximumUpdates")},
     **{("HandleFilling", name): {"FillHandlesBelow": 3.0} for name in ("Side", "SampleSpacing", "Thickness")},
     # Just below the saddle between the two balls: noise decides whether there is a bridge.
-    **{("MapHandles", name): {"UseStableLevel": 0, "Level": 0.155} for name in ("NumberOfResamples", "Seed")},
+    **{("MapHandles", name): {"AutomaticLevel": 0, "Level": 0.155} for name in ("NumberOfResamples", "Seed")},
     ("MapSurface", "CloseAtBorder"): {"AutomaticLevel": 0, "Level": 0.02},
-    ("ChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
-    ("ChokingLoops", "MaximumDistance"): {"AlwaysReportHandles": 0},
+    ("ChokingLoops", "AlwaysIncludeHandles"): {"MaximumRadius": 1.0},
+    ("ChokingLoops", "MaximumRadius"): {"AlwaysIncludeHandles": 0},
     ("ChokingLoops", "ThresholdMode"): {"MinimumPersistence": 60.0},
-    ("MapChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
     ("PoissonBoltzmann", "IonRadius"): {"IonicStrength": 0.15},
     ("PoissonBoltzmann", "Nonlinear"): {"IonicStrength": 0.15},
     ("PoissonBoltzmannOnSurface", "IonRadius"): {"IonicStrength": 0.15},
     ("PoissonBoltzmannOnSurface", "Nonlinear"): {"IonicStrength": 0.15},
     ("ScalarRegions", "SweepTarget"): {"SweepSteps": 4},
-    ("SurfaceCurvature", "GenerateNormalCurvature"): {"Method": 1},
-    ("SurfaceCurvature", "NormalCurvatureDirection"): {"Method": 1},
+    **{(name, "NormalCurvatureDirection"): {"OutputArrays": ["NormalCurvature"]}
+       for name in ("CurvatureOnSurface", "HessianCurvature")},
+    ("SurfaceCurvature", "NormalCurvatureDirection"): {"Method": 1, "OutputArrays": ["NormalCurvature"]},
+    **{(name, bound): {"OutputArrays": ["SurfaceType"]}
+       for name in ("CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature")
+       for bound in ("FlatTolerance", "GaussianTolerance", "MeanTolerance")},
     ("SurfaceCurvature", "Radius"): {"Neighbourhood": 1},
     ("TetCutaway", "SeedFace"): {"NumberOfCells": 5},
     ("TetCutaway", "SeedMode"): {"NumberOfCells": 5},
@@ -59,7 +62,7 @@ VALUES = {
         ("ProbeRadius", [1.4]), ("Spacing", [1.2]), ("Padding", [5.0]), ("SweepPoints", [3]),
         ("MaximumIterations", [1]), ("UpdatePeriod", [2]), ("UpdateTolerance", [1e-5]), ("MaximumUpdates", [2]))},
     ("BindingSites", "MergeDistance"): [6.0, 20.0],
-    ("ChokingLoops", "MaximumDistance"): [1.0, 5.0],
+    ("ChokingLoops", "MaximumRadius"): [1.0, 5.0],
     ("ChokingLoops", "MaximumNumberOfLoops"): [1, 2],
     ("HandleFilling", "FillHandlesBelow"): [0.1, 3.0],
     ("MoleculeCartoon", "Sides"): [4, 6],
@@ -77,7 +80,7 @@ VALUES = {
 LIMIT = "a bound on work that small data do not reach"
 SILENT = {
     **{("AtomSelection", name): "the atoms are one chain: TestAtomSelection has each kind of residue"
-       for name in ("KeepHydrogens", "KeepIons", "KeepLigands", "KeepProstheticGroups", "KeepWaters")},
+       for name in ("IncludeHydrogens", "IncludeIons", "IncludeLigands", "IncludeProstheticGroups", "IncludeWaters")},
     ("BindingSites", "UsePockets"): "without atoms there are no pockets: BindingSitesInPockets has them",
     **{("BindingSitesInPockets", name): "a ball has no pockets: BindingSites.py has a molecule's"
        for name in ("Amplitude", "Classes", "MergeDistance", "MinimumArea", "Quantile", "RankBy",
@@ -89,18 +92,15 @@ SILENT = {
     ("ChokingLoops", "MemoryLimit"): LIMIT,
     ("ChokingLoops", "TrustedOnly"):
         "all loops of the ring are trusted, 205 of 244 of Map Choking Loops are: SignificantLoops.py has a noisy map",
-    ("MapChokingLoops", "MemoryLimit"): LIMIT,
-    ("MapChokingLoops", "ProposedLevel"): "what a new filter began with: GivenValues.py",
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("ForceFieldCharges", "ForceField"): "the atoms have charges: TestProteinCharges has some without",
     ("FeatureTracks", "MaximumDistance"): "needs steps of time: FeatureTracks.py",
     ("FeatureTracks", "MaximumGap"): "the same",
-    ("DenoiseFromHalfMaps", "Order"): "not used any more, kept for state files",
     ("HighOrderDiffusion", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("IsosurfaceStuffing", "MemoryLimit"): LIMIT,
     **{(name, silent): why for name in ("IonTransport", "IonTransportOnSurface") for silent, why in (
-        ("KeepWaters", "the tube has no residues: MolecularFlowSurface.py has"),
+        ("IncludeWaters", "the tube has no residues: MolecularFlowSurface.py has"),
         ("UnitedAtoms", "the same"),
         ("Species", "rows of five numbers: IonTransport.py sets them"))},
     ("IonTransportOnSurface", "ProbeRadius"): "the surface is given",
@@ -114,14 +114,14 @@ SILENT = {
                     "MaximumUpdates", "Padding", "Pressure", "ProbeRadius", "DielectricModel", "SoluteDielectric",
                     "SolventDielectric", "Spacing", "SurfaceRelaxation", "SurfaceTension", "Temperature",
                     "UpdatePeriod")},
-    ("SolvationSurface", "KeepWaters"): "the atoms have no residues: MolecularFlowSurface.py has",
+    ("SolvationSurface", "IncludeWaters"): "the atoms have no residues: MolecularFlowSurface.py has",
     ("SolvationSurface", "UnitedAtoms"): "the same",
     ("MolecularFlowSurface", "CoarseToFine"): "a quicker way to a surface that small grids reach at once",
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"
        for name in ("OuterRadius", "ShownPocket", "UsePolarizedCurvature")},
     ("MolecularPockets", "MinimumVolume"): "sites of any volume are listed: TestPocketSurface has whole pockets",
     **{("MoleculeCartoon", name): "the atoms are one chain without names: TestMoleculeCartoon has each kind of residue"
-       for name in ("ComputeSecondaryStructure", "KeepIons", "KeepLigands", "KeepWaters", "RibbonThickness", "RibbonWidth",
+       for name in ("ComputeSecondaryStructure", "IncludeIons", "IncludeLigands", "IncludeWaters", "RibbonThickness", "RibbonWidth",
                     "StickRadius", "StickResidues")},
     ("PDETransform", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     **{("PoreProfile", name): "the hollow ball has one pore or none: TestPoreProfile has tubes"
@@ -135,7 +135,7 @@ SILENT = {
        for name in ("PoissonBoltzmann", "PoissonBoltzmannOnSurface")},
     **{(name, asked): "of a volume given as the surface: TestPoissonBoltzmannFilter"
        for name in ("PoissonBoltzmann", "PoissonBoltzmannOnSurface")
-       for asked in ("IsoValue", "InsideIsHigher")},
+       for asked in ("Level", "InsideIsHigher")},
     ("TetrahedralMesher", "Repair"): "there is nothing to repair: TestMeshingFuzz has what there is",
 }
 
@@ -172,6 +172,9 @@ def domains_of(vector):
 
 def values_of(vector):
     """Up to three sensible values other than the default, for each element."""
+    if vector.GetClassName() == "vtkSMStringVectorProperty":  # output arrays: none and all
+        domain = next(domains_of(vector))
+        return [[], [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]]
     whole = vector.GetClassName() != "vtkSMDoubleVectorProperty"
     default = vector.GetElement(0)
     low, high = None, None
@@ -199,6 +202,7 @@ def values_of(vector):
 
 
 def properties_of(proxy):
+    proxy.UpdatePipelineInformation()  # names of output arrays
     for name in proxy.ListProperties():
         vector = proxy.SMProxy.GetProperty(name)
         if vector is not None and vector.GetCommand() and not vector.GetInformationOnly():
@@ -206,6 +210,8 @@ def properties_of(proxy):
                                          "vtkSMIdTypeVectorProperty"):
                 if vector.GetNumberOfElements():
                     yield name, vector
+            elif name == "OutputArrays":
+                yield name, vector
 
 
 def digest(algorithm):
@@ -249,7 +255,11 @@ def outcome(name, data, settings):
     proxy = made(name, replaced=data, optional=False)
     algorithm = proxy.GetClientSideObject()
     listener = robustness_trials.Listener(algorithm)
+    proxy.UpdatePipelineInformation()
     for property_name, value in settings:
+        if isinstance(value, list):  # of names
+            setattr(proxy, property_name, value)
+            continue
         vector = proxy.SMProxy.GetProperty(property_name)
         whole = vector.GetClassName() != "vtkSMDoubleVectorProperty"
         for element in range(max(1, vector.GetNumberOfElements())):

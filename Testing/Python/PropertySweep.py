@@ -37,7 +37,6 @@ IGNORES_NAN = {
        for name in ("MergeDistance", "MinimumArea", "Quantile", "Threshold")},
     ("DualContouring", "Spacing", "vtkImageData"): "of surfaces",
     ("DualContouring", "Level", "vtkPolyData"): "of volumes",
-    ("MapChokingLoops", "ProposedLevel", "vtkImageData"): "no level was proposed",
     ("MapHandles", "MinimumPersistence", "vtkImageData"): "the good half maps are equal, which is refused before",
     **{(name, ignored, "vtkPointSet"): ATOMS_OUTSIDE for name in ("PoissonBoltzmann", "PoissonBoltzmannOnSurface")
        for ignored in ("Ions", "Spacing")},
@@ -45,8 +44,8 @@ IGNORES_NAN = {
        for name in ("EnergyTolerance", "Enlargement", "FieldRelaxation", "Padding", "Pressure", "ProbeRadius",
                     "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation", "SurfaceTension",
                     "Temperature")},
-    **{("SurfaceMeasures", name, "vtkPolyData"): "of volumes" for name in ("InsideValue", "IsoValue", "OutsideValue")},
-    ("SurfaceToGrid", "IsoValue", "vtkPolyData"): "of volumes",
+    **{("SurfaceMeasures", name, "vtkPolyData"): "of volumes" for name in ("InsideValue", "Level", "OutsideValue")},
+    ("SurfaceToGrid", "Level", "vtkPolyData"): "of volumes",
     ("SurfaceToGrid", "Spacing", "vtkPolyData"): "the good data have a grid",
     ("SurfaceToGrid", "Spacing", "vtkImageData"): "of surfaces",
 }

@@ -115,8 +115,8 @@ def check_keywords():
                                   maximum_number_of_loops=numpy.int64(1))
     assert found._fields == ("loops", "membranes", "choke_points", "persistence_diagram")
     assert found.loops.GetNumberOfCells() == 1
-    # The names of the panel for renamed properties, and the numbers of choices.
-    same = isthmus.choking_loops(torus, maximum_distance=100, side=0, shortening=2)
+    # Numbers of choices instead of their names.
+    same = isthmus.choking_loops(torus, maximum_radius=100, side=0, shortening=2)
     assert same.loops.GetNumberOfCells() == 1
     # A level switches the automatic one off, unless that is asked for.
     volume = samples.volume()

@@ -5,7 +5,7 @@ empty output. Seed and number make the damage, so any case can be had again by i
 are how many surfaces and volumes each (default 4, for ctest), the first number, and filters.
 
     ISTHMUS_SEED=7 pvpython RandomDamage.py 1000
-    ISTHMUS_SEED=7 pvpython RandomDamage.py 1 312 MapChokingLoops
+    ISTHMUS_SEED=7 pvpython RandomDamage.py 1 312 MapHandles
 """
 
 import math

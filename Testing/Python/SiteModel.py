@@ -51,7 +51,7 @@ def density_at(place, places, probabilities):
 
 for name, lines, mask in list(tools.complexes())[:3]:
     atoms = tools.read([line for line, is_ligand in zip(lines, mask) if not is_ligand])
-    finder = tools.pockets(atoms, KeepDescriptors=True)
+    finder = tools.pockets(atoms, arrays=["SiteDescriptors"])
     judged = finder.GetSiteSurface()
     places = vtk_to_numpy(judged.GetPoints().GetData())
     array = judged.GetPointData().GetArray("SiteDescriptors")

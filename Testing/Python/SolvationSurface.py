@@ -21,7 +21,7 @@ SPACING = 0.7
 
 atoms = OpenDataFile(str(shared_data("molecules/1hew/1hew.pqr")))
 solvation = SolvationSurface(Input=atoms, Spacing=SPACING)
-assert solvation.Charges == "Charge" and solvation.Radii == "Radius"
+assert solvation.Charges[:] == ["POINTS", "Charge"] and solvation.Radii[:] == ["POINTS", "Radius"]
 solvation.UpdatePipeline()
 surface = servermanager.Fetch(solvation)
 image = servermanager.Fetch(solvation, idx=1)

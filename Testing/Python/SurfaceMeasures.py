@@ -21,7 +21,7 @@ assert table.GetValueByName(0, "Component").ToInt() == -1
 assert table.GetValueByName(0, "Genus").ToInt() == 0
 
 wave = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
-level = SurfaceMeasures(Input=wave, Scalars=["POINTS", "RTData"], IsoValue=160.0)
+level = SurfaceMeasures(Input=wave, Scalars=["POINTS", "RTData"], Level=160.0)
 level.UpdatePipeline()
 assert level.FieldData["Area"].GetRange()[0] > 0
 inside = level.FieldData["Volume"].GetRange()[0]

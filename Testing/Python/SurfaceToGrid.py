@@ -20,7 +20,7 @@ assert crossings.GetNumberOfPoints() > 500
 assert crossings.GetPointData().GetNormals() is not None
 
 wave = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
-level = SurfaceToGrid(Input=wave, Scalars=["POINTS", "RTData"], IsoValue=200.0)
+level = SurfaceToGrid(Input=wave, Scalars=["POINTS", "RTData"], Level=200.0)
 level.UpdatePipeline()
 assert level.PointData["RTData"] is not None
 assert level.PointData["SignedDistance"].GetRange()[0] < 0 < level.PointData["SignedDistance"].GetRange()[1]

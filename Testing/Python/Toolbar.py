@@ -15,7 +15,7 @@ from window_play import APPLY, NOTHING_TO_APPLY, PANEL, button, entry, play_all
 ANSWERS = ((17, 74), (231, 48), (362, 376))
 PROTEIN = "molecules/1AJJ_pH7_PARSE.pqr"
 BARE_PROTEIN = "molecules/1ubq.pdb" if shutil.which("pdb2pqr") else PROTEIN  # that finds its charges
-NO_LEVEL = (PANEL + "IsoValue", "check visible", "false")  # where no volume is the surface
+NO_LEVEL = (PANEL + "Level", "check visible", "false")  # where no volume is the surface
 PROTEIN_WITH_POCKETS = "molecules/1hew/1hew.pqr"  # the other has none, of which the window warns
 
 # Name, data, what the user does, least share of strongly coloured pixels, clicks in a dialog.

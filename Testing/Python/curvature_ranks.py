@@ -40,8 +40,10 @@ def main(folder):
         for scale in (0.0, 1.2, AUTOMATIC):
             for name, surface in surfaces.items():
                 curvature = simple.HessianCurvature(
-                    Input=field, Scalars=["POINTS", "Field"], Accuracy=accuracy, SurfaceType=1,
+                    Input=field, Scalars=["POINTS", "Field"], Accuracy=accuracy,
                     AutomaticScale=scale == AUTOMATIC, Scale=max(scale, 0.0), **surface)
+                curvature.OutputArrays = ["GaussianCurvature", "MeanCurvature", "MaximumCurvature", "MinimumCurvature",
+                                          "ShapeIndex", "Curvedness", "SurfaceType"]
                 curvature.UpdatePipeline()
                 save_part(folder, f"{name}_{accuracy}_{scale}", curvature)
 

@@ -1,5 +1,4 @@
-"""Opens the map of LevelWindow.py with Map Surface and its loops, or with Map Choking Loops, and writes down when a
-preview of a level is asked for, how long it took until it was drawn, and the loops that are shown."""
+"""Opens the map of LevelWindow.py with Map Surface and its loops, and records when a preview of a level is asked for, how long it took until it was drawn, and the loops that are shown."""
 
 import os
 import time
@@ -37,15 +36,8 @@ def count(loops, view, call=isthmus_loops.count):
 drawing = []
 source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
 view = simple.GetActiveViewOrCreate("RenderView")
-if os.environ["ISTHMUS_SESSION_NAME"].startswith("MapSurface"):
-    surface, loops = pipelines.map_to_loops(source, significant=True)
-    pipelines.show(surface, loops)
-    simple.SetActiveSource(surface)
-else:
-    loops = simple.MapChokingLoops(
-        Input=source, Scalars=["POINTS", "Density"], AutomaticLevel="Off", Level=2.35, LargestComponents=10,
-        MaximumNumberOfLoops=20, TrustedOnly=1)
-    pipelines.show(loops)
-    simple.SetActiveSource(loops)
+surface, loops = pipelines.map_to_loops(source, significant=True)
+pipelines.show(surface, loops)
+simple.SetActiveSource(surface)
 view.GetRenderWindow().AddObserver("StartEvent", lambda *_: drawing.append(time.monotonic()))
 pipelines.preview_level, isthmus_loops.count = preview, count

@@ -351,9 +351,11 @@ class Volume:
 
 # ---- Running
 
-def settle(algorithm, inputs, **properties):
-    """A filter with inputs by port and properties, run; an error of it is one of the test."""
+def settle(algorithm, inputs, arrays=(), **properties):
+    """A filter with inputs by port, optional arrays and properties, run; an error of it is one of the test."""
     listener = robustness_trials.Listener(algorithm)
+    for name in arrays:
+        algorithm.GetOutputArraySelection().EnableArray(name)
     for name, value in properties.items():
         setter = getattr(algorithm, "Set" + name)
         setter(*value) if isinstance(value, (tuple, list)) else setter(value)

@@ -50,8 +50,10 @@ def read(lines):
     return reader.GetOutput()
 
 
-def pockets(atoms, **settings):
+def pockets(atoms, arrays=(), **settings):
     finder = isthmus.vtkMolecularPockets()
+    for name in arrays:
+        finder.GetOutputArraySelection().EnableArray(name)
     finder.SetInputData(atoms)
     for name, value in settings.items():
         getattr(finder, "Set" + name)(value)

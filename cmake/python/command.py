@@ -112,6 +112,8 @@ def write_data(data, path):
 
 NO_PICTURE = ("no picture can be drawn here: VTK found no OpenGL. Install it (Debian and Ubuntu: apt install libegl1 "
               "libgl1-mesa-dri libxrender1), or leave --picture out; the other results do not need it.")
+NO_DISPLAY = ("no picture can be drawn here: there is no display, and this VTK draws to X11 only. Run it with xvfb-run, or "
+              "leave --picture out; the other results do not need it.")
 VERMILION, BLUE, ORANGE, GREY = (0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.902, 0.624, 0.0), (0.8, 0.8, 0.8)
 
 
@@ -169,6 +171,8 @@ def draw(actors, path, size=1200):
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # without a display, VTK warns and draws all the same
     renderer, window, image, writer = (core.vtkRenderer(), core.vtkRenderWindow(), core.vtkWindowToImageFilter(),
                                        vtkPNGWriter())
+    if window.IsA("vtkXOpenGLRenderWindow") and not os.environ.get("DISPLAY"):
+        raise ValueError(NO_DISPLAY)  # VTK would end the program; from 9.4 on it has a window without X11 for this
     renderer.SetBackground(1, 1, 1)
     for actor in actors:
         renderer.AddActor(actor)
@@ -259,9 +263,6 @@ def _limit(data, name):
     return (sizes[int(0.95 * (len(sizes) - 1))] if sizes else 0.0) or 1.0
 
 
-DEPRECATED = ("Distance", "Fill", "Widening")  # names of Radius, Death and Persistence
-
-
 def loops(arguments, isthmus):
     data = isthmus.read(arguments.file)
     if data.IsA("vtkPolyData") and data.GetNumberOfPolys():
@@ -269,8 +270,7 @@ def loops(arguments, isthmus):
     else:
         found = isthmus.map_to_loops(data, arguments.level)
         shape = found.surface
-    rows = [{name: value for name, value in row.items() if name not in DEPRECATED}
-            for row in rows_of(found.loops.GetCellData(), found.loops.GetNumberOfCells())]
+    rows = rows_of(found.loops.GetCellData(), found.loops.GetNumberOfCells())
     count = {word: sum(row.get("Kind") == kind for row in rows)
              for kind, word in enumerate(("handles", "tunnels", "additional"))}
     return Result({"level": _field(shape, "Level"), "loops": len(rows), **count}, rows, found.loops,

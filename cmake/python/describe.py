@@ -8,8 +8,7 @@ docstrings (function_examples.txt) of the tree SOURCE, and writes into the folde
 filters.json, which functions.py makes functions of, __init__.py with the names of the classes, and stubs
 (__init__.pyi) for editors and type checkers.
 
-A keyword is the name of the property in snake_case. Properties that were renamed keep their name in the
-panel for the sake of state files: here they have that of the class, and the panel's is accepted as well.
+A keyword is the name of the property in snake_case.
 """
 import json
 import pathlib
@@ -18,12 +17,10 @@ import sys
 import textwrap
 import xml.etree.ElementTree as ElementTree
 
+import output_arrays
+
 # Commands of panels that differ from the setters of the class, which Python calls.
-PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetPanelLevel": "SetLevel",
-                  "SetPanelAutomaticLevel": "SetAutomaticLevel"}
-# Setters of arrays with a name by default (ArrayProperty.h), with the number of the array.
-NAMED_ARRAYS = {"SetPotentialArray": 2, "SetRadiusArray": 0, "SetRankedArray": 0}
-PANEL_COMMANDS.update(dict.fromkeys(NAMED_ARRAYS, "SetInputArrayToProcess"))
+PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetScaleOnly": "SetScale", "SetNamedInputArray": "SetInputArrayToProcess"}
 # Proxies of the same class under another name, of ParaView's own readers, and those that are no filter of ours.
 SKIPPED = {"MRCSeriesReader", "DensityMapReader", "pdbreader", "xyzreader", "TrajectoryReader"}
 # Names of proxies that differ from those of their class without a reason for Python.
@@ -33,7 +30,7 @@ SHORT_NAMES = {"pockets": "molecular_pockets", "pores": "pore_profile", "read_ma
                "read_molecule": "macromolecule_reader", "tetgen_mesh_reader": "tet_gen_mesh_reader",
                "tetgen_mesh_writer": "tet_gen_mesh_writer", "opendx_reader": "open_dx_reader",
                "opendx_writer": "open_dx_writer"}
-NOT_PROPERTIES = {"TimestepValues", "FileNames", "ProposedLevel"}
+NOT_PROPERTIES = {"TimestepValues", "FileNames"}
 
 
 def snake_case(name):
@@ -66,12 +63,11 @@ def describe_input(element):
 
 
 def array_property(element, described):
-    """Property that names an array: SetInputArrayToProcess(index, port, connection, association, name)."""
+    """Property that names an array: SetInputArrayToProcess(index, port, connection, association, name), or with a
+    name by default SetNamedInputArray(name, index, connection, association, name) of ArrayProperty.h."""
     words = (element.get("default_values") or "").split(element.get("default_values_delimiter"))
     described["kind"] = "array"
-    described["index"] = NAMED_ARRAYS.get(element.get("command"), 0)
-    if words and words[0].isdigit():
-        described["index"] = int(words[0])
+    described["index"] = int(next((word for word in words if word.isdigit()), 0))
     described["default"] = words[-1] if words and not words[-1].isdigit() else None
     domain = element.find("ArrayListDomain")
     attribute = domain.get("attribute_type") if domain is not None else None
@@ -96,22 +92,20 @@ def describe_property(element):
         described["name"] = keyword_of_choice(label) if " " in label else snake_case(label)
         array_property(element, described)
     else:
-        stem = setter[3:] if setter.startswith("Set") else name
-        renamed = stem != name and not stem.endswith("ArrayName") and element.get("repeat_command") != "1"
-        described["name"] = snake_case(stem if renamed else name)
+        described["name"] = snake_case(name)
         kind = {"IntVectorProperty": int, "DoubleVectorProperty": float, "IdTypeVectorProperty": int,
                 "StringVectorProperty": str}[element.tag]
         count = int(element.get("number_of_elements") or 1)
         default = default_values(element)
-        if element.get("repeat_command") == "1":
+        if element.get("si_class") == "vtkSIDataArraySelectionProperty":
+            described["kind"], described["default"] = "arrays", []  # describe() adds those of the class
+        elif element.get("repeat_command") == "1":
             described["kind"] = "rows"
             described["width"] = int(element.get("number_of_elements_per_command") or 1)
             described["clear"] = element.get("clean_command")
             described["number"] = element.get("set_number_command")
             described["columns"] = [found.get("label") for found in element.iter("ComponentLabel")]
             described["default"] = numbers(default, float)
-        elif command == "SetPanelAutomaticLevel":
-            described["kind"], described["default"] = "bool", True  # a level that is given switches it off
         elif element.find("EnumerationDomain") is not None:
             described["kind"] = "choice"
             described["choices"] = {keyword_of_choice(entry.get("text")): int(entry.get("value"))
@@ -130,9 +124,6 @@ def describe_property(element):
             described["default"] = (values or [kind(0)])[0] if count == 1 else values
             if element.find("ArrayRangeDomain") is not None or element.find("BoundsDomain") is not None:
                 described["from_input"] = True # the panel proposes a value by the input
-    aliases = {snake_case(name), keyword_of_choice(label) if " " in label else snake_case(label)}
-    aliases -= {described["name"]}
-    described["aliases"] = sorted(aliases)
     return described
 
 
@@ -183,9 +174,16 @@ def describe(source):
                     proxies[proxy.get("name")] = proxy
                     groups[proxy.get("name")] = group.get("name")
     examples = read_examples(source / "cmake" / "python" / "function_examples.txt")
+    tables = output_arrays.read_tables(source)
     functions = {}
     for name, proxy in proxies.items():
         described = describe_proxy(proxy, groups[name], proxies)
+        for found in described["properties"]:
+            if found["kind"] == "arrays":
+                rows = output_arrays.optional(tables[described["class"]])
+                found["arrays"] = {row["name"]: row["text"] + (f", {row['unit']}" if row["unit"] else "")
+                                   for row in rows}
+                found["default"] = [row["name"] for row in rows if row["choice"] == "on"]
         described["example"] = examples.pop(described["name"], "")
         functions[described["name"]] = described
     if examples:
@@ -204,7 +202,7 @@ def describe(source):
 # ---------------------------------------------------------------------------- stubs
 
 TYPES = {"bool": "bool", "int": "int", "float": "float", "str": "str", "path": "str | os.PathLike[str]",
-         "choice": "int | str", "array": "str | None", "rows": "Sequence[float] | Sequence[Sequence[float]]"}
+         "choice": "int | str", "array": "str | None", "arrays": "Sequence[str]", "rows": "Sequence[float] | Sequence[Sequence[float]]"}
 
 
 def default_of(described):

@@ -318,11 +318,23 @@ def set_array(algorithm, value, found, inputs, where):
     algorithm.SetInputArrayToProcess(found["index"], port, 0, number, value)
 
 
+def choose_arrays(selection, value, found, where):
+    """Enables the named arrays of a vtkDataArraySelection, and no other."""
+    names = [value] if isinstance(value, str) else list(value)
+    unknown = [name for name in names if name not in found["arrays"]]
+    if unknown:
+        raise ValueError(f"{where} has {unknown[0]!r}; choose among {', '.join(map(repr, found['arrays']))}.")
+    for name in found["arrays"]:
+        selection.SetArraySetting(name, int(name in names))
+
+
 def set_property(algorithm, value, found, inputs, function):
     where = f"{function}(): {found['name']}"
     kind, setter = found["kind"], getattr(algorithm, found["command"], None)
     if kind == "array":
         set_array(algorithm, value, found, inputs, where)
+    elif kind == "arrays":
+        choose_arrays(setter(), value, found, where)
     elif kind == "rows":
         rows = _rows(value, found, where)
         if found["clear"]:
@@ -391,15 +403,10 @@ def class_of(name):
 
 def run(algorithm, function, execute=None):
     """Executes; errors of the algorithm are raised, its warnings issued."""
-    from vtkmodules.vtkCommonCore import vtkLogger
     watch = _Watch(algorithm)
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    if verbosity >= vtkLogger.VERBOSITY_INFO:  # estimates of time and memory are for the log of a program
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
     try:
         (execute or algorithm.Update)()
     finally:
-        vtkLogger.SetStderrVerbosity(verbosity)
         watch.end()
     for text in watch.warnings:
         warnings.warn(f"{function}(): {text}", IsthmusWarning, stacklevel=4)
@@ -418,18 +425,15 @@ def _bind(described, arguments, given):
         raise TypeError(f"{function}() takes {len(positional)} positional arguments ({', '.join(positional)}); "
                         f"{len(arguments)} were given. Properties are given by keyword.")
     values = dict(zip(positional, arguments))
-    known = {found["name"]: found["name"] for found in described["inputs"] + described["properties"]}
-    for found in described["properties"]:
-        for alias in found["aliases"]:
-            known.setdefault(alias, found["name"])
+    known = {found["name"] for found in described["inputs"] + described["properties"]}
     for name, value in given.items():
         if name not in known:
             close = difflib.get_close_matches(name, known, 1, 0.5)
             raise TypeError(f"{function}() has no argument {name!r}" +
                             (f"; did you mean {close[0]!r}?" if close else "."))
-        if known[name] in values:
-            raise TypeError(f"{function}() has several values for {known[name]!r}.")
-        values[known[name]] = value
+        if name in values:
+            raise TypeError(f"{function}() has several values for {name!r}.")
+        values[name] = value
     return values
 
 
@@ -506,6 +510,8 @@ def _type_text(found):
         text = "{" + ", ".join(repr(word) for word in found["choices"]) + "}"
     elif kind == "array":
         text = "str: name of an array, or (\"point\" or \"cell\", name)"
+    elif kind == "arrays":
+        text = "sequence of names of arrays"
     elif kind == "rows":
         columns = ", ".join(word.lower() for word in found["columns"]) or "number"
         text = f"sequence of rows ({columns})"
@@ -529,6 +535,7 @@ def docstring_of(described):
     for found in described["properties"]:
         parts.append(f"{found['name']} : {_type_text(found)}")
         parts.append(_paragraph(found["text"] or "Path of the file.", "    "))
+        parts += [_paragraph(f"{name}: {text}", "        ") for name, text in found.get("arrays", {}).items()]
     parts += ["", "Returns", "-------"]
     if described["kind"] == "writer":
         parts += ["None", "    The file is written."]
@@ -563,19 +570,4 @@ def function(name):
     made.__module__ = "isthmus"
     made.__doc__ = docstring_of(described)
     made.__signature__ = signature_of(described)
-    if name == "pockets":
-        for former in FORMERLY_IN_POCKETS:
-            setattr(made, former, _forward(former))
     return made
-
-
-# Of the module isthmus.pockets, which was before the function and is pocket_views; removed in 1.1.
-FORMERLY_IN_POCKETS = ("protein_to_pockets", "protein_to_pores", "residues_of", "chart_of", "choose", "follow",
-                       "look", "show", "sticks")
-
-
-def _forward(name):
-    def forward(*arguments, **properties):
-        warnings.warn(f"isthmus.pockets.{name} is isthmus.pocket_views.{name}", DeprecationWarning, stacklevel=2)
-        return getattr(importlib.import_module("isthmus.pocket_views"), name)(*arguments, **properties)
-    return forward

@@ -8,7 +8,7 @@ file fit Linux as well, since all wheels of a version are configured alike; they
 their libraries redirected to those of the `vtk` package of the Python that runs this script. Nothing of VTK
 is compiled. The wrapping tools of the SDK are programs of macOS; those of an installed VTK or ParaView take
 their place (ISTHMUS_WRAP_TOOLS: their folder), else those of Debian 12's paraview package, which is
-downloaded and unpacked, not installed.
+downloaded and unpacked, not installed. The archive is that of the machine's apt configuration, or ISTHMUS_MIRROR.
 
 The last line of the output is the folder for VTK_DIR. A complete FOLDER is left as it is.
 """
@@ -29,7 +29,8 @@ import textwrap
 import urllib.request
 import zipfile
 
-DEBIAN = "https://deb.debian.org/debian"
+ARCHIVE_SCRIPT = pathlib.Path(__file__).resolve().parents[1] / "archive.sh"
+KEYRING = pathlib.Path("/usr/share/keyrings/debian-archive-keyring.gpg")
 TOOLS_SUITE, TOOLS_PACKAGE = "bookworm", "paraview"
 TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
 # Files of the SDK that fit: the processor decides about vtkMathConfigure.h.
@@ -119,16 +120,36 @@ def match_binary(cmake, headers, libraries):
             sys.exit(f"linux_sdk.py: vtkSMP.h and libvtkCommonCore.so disagree about {backend}.")
 
 
+def checked_download(address, path, sha256):
+    urllib.request.urlretrieve(address, path)
+    if hashlib.sha256(path.read_bytes()).hexdigest() != sha256:
+        sys.exit(f"linux_sdk.py: the SHA-256 of {address} is not the one that the archive states; try again.")
+
+
 def download_tools(work, folder):
     """Debian's wrapping tools, unpacked."""
-    index = work / "Packages.xz"
-    processor = DEBIAN_PROCESSORS[platform.machine()]
-    urllib.request.urlretrieve(f"{DEBIAN}/dists/{TOOLS_SUITE}/main/binary-{processor}/Packages.xz", index)
+    asked = subprocess.run(["bash", "-c", 'source "$0" && archive_address', str(ARCHIVE_SCRIPT)],
+                           capture_output=True, text=True)
+    if asked.returncode:
+        sys.exit(f"linux_sdk.py: {asked.stderr.strip()} ISTHMUS_WRAP_TOOLS=FOLDER names installed tools instead.")
+    archive = asked.stdout.strip()
+    suite = f"{archive}/dists/{TOOLS_SUITE}"
+    release, signature = work / "Release", work / "Release.gpg"
+    urllib.request.urlretrieve(f"{suite}/Release", release)
+    # Each file is checked by the one that lists it, and the first by its signature, else by TLS.
+    if shutil.which("gpgv") and KEYRING.exists():
+        urllib.request.urlretrieve(f"{suite}/Release.gpg", signature)
+        run("gpgv", "--quiet", "--keyring", str(KEYRING), str(signature), str(release))
+    elif not archive.startswith(("https:", "file:")):
+        sys.exit(f"linux_sdk.py: the signature of {suite}/Release cannot be verified: install gpgv and "
+                 "debian-archive-keyring, or set ISTHMUS_MIRROR to an address with https.")
+    packages = f"main/binary-{DEBIAN_PROCESSORS[platform.machine()]}/Packages.xz"
+    listed = re.search(rf"^SHA256:\n(?: .+\n)*? (\w+) +\d+ {packages}$", release.read_text(), re.MULTILINE)[1]
+    index, deb = work / "Packages.xz", work / "tools.deb"
+    checked_download(f"{suite}/{packages}", index, listed)
     entry = re.search(rf"^Package: {TOOLS_PACKAGE}\n(?:.+\n)*", lzma.open(index, "rt").read(), re.MULTILINE)[0]
-    deb = work / "tools.deb"
-    urllib.request.urlretrieve(f"{DEBIAN}/{re.search('^Filename: (.+)$', entry, re.MULTILINE)[1]}", deb)
-    if hashlib.sha256(deb.read_bytes()).hexdigest() != re.search("^SHA256: (.+)$", entry, re.MULTILINE)[1]:
-        sys.exit("linux_sdk.py: the download of Debian's wrapping tools is damaged.")
+    checked_download(f"{archive}/{re.search('^Filename: (.+)$', entry, re.MULTILINE)[1]}", deb,
+                     re.search("^SHA256: (.+)$", entry, re.MULTILINE)[1])
     unpacked = work / "tools"
     unpacked.mkdir()
     # A .deb is an archive of `ar`, of which every compiler's tools have one.

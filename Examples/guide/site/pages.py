@@ -9,10 +9,14 @@ import ast
 import os
 import re
 import shutil
+import sys
 from pathlib import Path
 
 import headers
 import panels
+
+sys.path.append(str(Path(__file__).resolve().parents[3] / "cmake" / "python"))
+import output_arrays  # noqa: E402
 
 GUIDE = Path("Examples/guide")
 LINK = re.compile(r"(!?\[(?:[^\[\]`]|`[^`]*`|!\[[^\]]*\]\([^)]*\))*\]\()([^)\s]+)(\))")
@@ -41,6 +45,7 @@ class Site:
         self.scenes = scenes
         self.panels = panels.read_panels(root / "Plugin")
         self.classes = headers.read_classes(root)
+        self.arrays = output_arrays.read_tables(root)
         self.modules = headers.declared_modules(root)
         self.gpl = headers.uses_cgal(root, self.modules)
         self.pages = {}  # site path -> text
@@ -157,6 +162,22 @@ class Site:
             rows.append(f"| {cell(entry.label)}{optional} | {kinds} | {cell(entry.help)} |")
         return ["\n".join(["## Inputs", "", "| input | type | meaning |", "|---|---|---|", *rows])]
 
+    def array_table(self, panel):
+        """The arrays that the filter adds, from the table in its source."""
+        table = self.arrays.get(panel.vtk_class, [])
+        if not table:
+            return []
+        ports = {row["port"] for row in table}
+        rows = []
+        for row in table:
+            output = f"{row['port']}: " if len(ports) > 1 else ""
+            width = row["components"]
+            kind = {"field": "field data"}.get(row["place"], row["place"]) + (f", {width} components" if width > 1 else "")
+            made = {"on": "on", "off": "off"}.get(row["choice"], "")
+            rows.append(f"| {output}`{row['name']}` | {kind} | {cell(row['unit'])} | {made} | {cell(row['text'])} |")
+        return ["\n".join(["## Output arrays", "", "| array | of | unit | by default, if optional | meaning |",
+                           "|---|---|---|---|---|", *rows])]
+
     @staticmethod
     def output_list(panel):
         if len(panel.outputs) < 2:
@@ -167,6 +188,7 @@ class Site:
     def filter_page(self, panel, hand_written):
         parts = [hand_written.rstrip(), self.facts(panel), headers.escaped(panel.documentation)]
         parts += self.property_tables(panel) + self.input_table(panel) + self.output_list(panel)
+        parts += self.array_table(panel)
         comment = self.classes.get(panel.vtk_class)
         if comment:
             text = self.with_links(f"{comment.brief}\n\n{comment.text}", panel.name)

@@ -84,6 +84,8 @@ def values_and_default(element):
         domain = element.find(tag)
         if domain is not None:
             return range_of(domain), defaults
+    if element.find("ArraySelectionDomain") is not None:
+        return "names of arrays, listed below" if element.get("si_class") else "", defaults
     if element.find("ArrayListDomain") is not None:
         return "an array", defaults
     return "", defaults

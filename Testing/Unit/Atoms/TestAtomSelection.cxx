@@ -121,14 +121,15 @@ using Ids = std::vector<int>;
 TEST(AtomSelection, EachSwitchAddsItsResidues)
 {
   EXPECT_EQ(Kept([](vtkAtomSelection*) {}), (Ids{ 0, 1, 2, 3, 4 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->KeepHydrogensOff(); }), (Ids{ 0, 2, 3, 4 }));
+  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->IncludeHydrogensOff(); }), (Ids{ 0, 2, 3, 4 }));
+  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->IncludeProstheticGroupsOn(); }),
+    (Ids{ 0, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->IncludeIonsOn(); }), (Ids{ 0, 1, 2, 3, 4, 7 }));
   EXPECT_EQ(
-    Kept([](vtkAtomSelection* f) { f->KeepProstheticGroupsOn(); }), (Ids{ 0, 1, 2, 3, 4, 5, 6 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->KeepIonsOn(); }), (Ids{ 0, 1, 2, 3, 4, 7 }));
+    Kept([](vtkAtomSelection* f) { f->IncludeLigandsOn(); }), (Ids{ 0, 1, 2, 3, 4, 5, 6, 8, 9 }));
   EXPECT_EQ(
-    Kept([](vtkAtomSelection* f) { f->KeepLigandsOn(); }), (Ids{ 0, 1, 2, 3, 4, 5, 6, 8, 9 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->KeepWatersOn(); }), (Ids{ 0, 1, 2, 3, 4, 10, 11 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->SetKeepResidues("ZN, LIG"); }),
+    Kept([](vtkAtomSelection* f) { f->IncludeWatersOn(); }), (Ids{ 0, 1, 2, 3, 4, 10, 11 }));
+  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->SetIncludeResidues("ZN, LIG"); }),
     (Ids{ 0, 1, 2, 3, 4, 7, 8, 9 }));
 }
 
@@ -139,28 +140,29 @@ TEST(AtomSelection, WithoutChainsTheRestIsKept)
     return Kept(
       [&](vtkAtomSelection* f)
       {
-        f->KeepChainsOff();
+        f->IncludeChainsOff();
         set(f);
       });
   };
   EXPECT_EQ(rest([](vtkAtomSelection*) {}), Ids{});
-  EXPECT_EQ(rest([](vtkAtomSelection* f) { f->KeepLigandsOn(); }), (Ids{ 5, 6, 8, 9 }));
+  EXPECT_EQ(rest([](vtkAtomSelection* f) { f->IncludeLigandsOn(); }), (Ids{ 5, 6, 8, 9 }));
   EXPECT_EQ(rest(
               [](vtkAtomSelection* f)
               {
-                f->KeepWatersOn();
-                f->KeepHydrogensOff();
+                f->IncludeWatersOn();
+                f->IncludeHydrogensOff();
               }),
     Ids{ 10 });
-  EXPECT_EQ(rest([](vtkAtomSelection* f) { f->SetKeepResidues("GLY"); }), (Ids{ 0, 1, 2, 3, 4 }));
+  EXPECT_EQ(
+    rest([](vtkAtomSelection* f) { f->SetIncludeResidues("GLY"); }), (Ids{ 0, 1, 2, 3, 4 }));
 }
 
 TEST(AtomSelection, BondsOfKeptAtomsStayWithTheirArrays)
 {
   vtkNew<vtkAtomSelection> filter;
   filter->SetInputDataObject(Molecule());
-  filter->KeepChainsOff();
-  filter->SetKeepResidues("LIG");
+  filter->IncludeChainsOff();
+  filter->SetIncludeResidues("LIG");
   filter->Update();
   auto* output = vtkPolyData::SafeDownCast(filter->GetOutput());
   ASSERT_NE(output, nullptr);

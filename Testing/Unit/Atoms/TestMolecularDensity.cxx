@@ -313,7 +313,7 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   filter->SetSpacing(1e-12);
   EXPECT_NE(saidOf(atoms).find("more than 2^31 nodes"), std::string::npos);
   filter->SetSpacing(2e-5);
-  EXPECT_NE(saidOf(atoms).find("choose a larger Spacing"), std::string::npos);
+  EXPECT_NE(saidOf(atoms).find("choose a Spacing larger than 2e-05"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   filter->SetSpacing(0.5);
   filter->SetDecay(0.0);

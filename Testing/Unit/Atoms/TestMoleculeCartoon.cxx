@@ -502,12 +502,12 @@ TEST(MoleculeCartoon, OutputsHaveWhatColoursAndTablesNeed)
   EXPECT_EQ(elements, (std::set<double>{ 6, 8, 30 }));
   EXPECT_EQ(filter->GetSticks()->GetNumberOfCells(), 3 * 320 + 2 * 12);
 
-  filter->KeepIonsOff();
-  filter->KeepWatersOn();
+  filter->IncludeIonsOff();
+  filter->IncludeWatersOn();
   filter->Update();
   EXPECT_EQ(Text(filter->GetResidues()->GetPointData(), "Residue", 9), "HOH 102 B");
-  filter->KeepLigandsOff();
-  filter->KeepWatersOff();
+  filter->IncludeLigandsOff();
+  filter->IncludeWatersOff();
   filter->Update();
   EXPECT_EQ(filter->GetSticks()->GetNumberOfCells(), 0);
   EXPECT_EQ(filter->GetResidues()->GetNumberOfPoints(), 8);

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -171,10 +173,27 @@ TEST(TetCutaway, BeginsAtAFaceByItsNumber)
       filter->SetSeedMode(vtkTetCutaway::AtFace);
       filter->SetSeedFace(108);
     });
-  EXPECT_NE(wrong.Messages().find("SeedFace 108 does not exist: the mesh has the faces 0 ... 107"),
-    std::string::npos);
+  EXPECT_NE(
+    wrong.Messages().find("SeedFace is 108, but it must be from 0 to 107"), std::string::npos);
   EXPECT_EQ(wrong.Surface(0)->GetNumberOfPoints(), 0);
   EXPECT_EQ(wrong.Grid(1)->GetNumberOfPoints(), 0);
+}
+
+TEST(TetCutaway, WhatIsOutOfRangeIsNamed)
+{
+  const std::pair<const char*, std::function<void(vtkTetCutaway*)>> cases[] = {
+    { "SeedMode is 2, but it must be from 0 to 1", [](auto* f) { f->SetSeedMode(2); } },
+    { "StopRule is 3, but it must be from 0 to 2", [](auto* f) { f->SetStopRule(3); } },
+    { "NumberOfCells is -1", [](auto* f) { f->SetNumberOfCells(-1); } },
+    { "Distance is -1", [](auto* f) { f->SetDistance(-1.0); } },
+    { "SeedPoint is not a number", [](auto* f) { f->SetSeedPoint(0.0, std::nan(""), 0.0); } },
+    { "PlaneNormal is not a number", [](auto* f) { f->SetPlaneNormal(0.0, 0.0, std::nan("")); } },
+  };
+  for (const auto& [words, spoil] : cases)
+  {
+    FilterRun run(GridOf(Hexahedra(3)), spoil);
+    EXPECT_NE(run.Messages().find(words), std::string::npos) << words << ": " << run.Messages();
+  }
 }
 
 TEST(TetCutaway, WarnsWhenTheSeedIsOnTheOtherSide)

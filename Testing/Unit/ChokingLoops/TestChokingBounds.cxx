@@ -71,10 +71,6 @@ std::map<int, Told> ToldByLoops(vtkPolyData* loops)
     EXPECT_EQ(ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1)) << "not closed";
     EXPECT_EQ(At(data, "Birth", c), t.Radius);
     EXPECT_EQ(At(data, "Persistence", c), At(data, "Death", c) - At(data, "Birth", c));
-    // Deprecated names.
-    EXPECT_EQ(At(data, "Distance", c), t.Radius);
-    EXPECT_EQ(At(data, "Fill", c), At(data, "Death", c));
-    EXPECT_EQ(At(data, "Widening", c), At(data, "Persistence", c));
   }
   return told;
 }

@@ -46,7 +46,7 @@ Errors HyperboloidErrors(int around)
   ChokingLoops loops(Revolution(
     [neck](double z) { return HyperboloidRadius(z, neck); }, -2.0, 2.0, around, 2 * around + 1));
   FeatureSelection selection;
-  selection.MinimumPersistence = { 10.0, true };
+  selection.MinimumPersistence = 10.0;
   const std::vector<std::size_t> chosen = loops.Select(selection);
   EXPECT_EQ(chosen.size(), 1U);
   return chosen.empty() ? Errors{ HUGE_VAL, HUGE_VAL } : ErrorsOf(loops, chosen[0], neck);
@@ -155,7 +155,7 @@ TEST(ChokingGeometry, StrutsOfABuckyball)
   const int cells = static_cast<int>(std::ceil(2.0 * size / (2.0 * M_PI * radius / samples)));
   ChokingLoops loops(LevelSet(level, size, cells));
   FeatureSelection selection;
-  selection.Outside = false;
+  selection.Side = SideSelection::Inside;
   const std::vector<std::size_t> chosen = loops.Select(selection);
   const std::array<int, 4> counts = CountFeatures(loops, selection);
   EXPECT_EQ(counts[0], 31);

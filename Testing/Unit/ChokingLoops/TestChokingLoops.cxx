@@ -17,8 +17,8 @@ namespace
 FeatureSelection Percent(double distance, double persistence)
 {
   FeatureSelection selection;
-  selection.MaximumRadius = { distance, true };
-  selection.MinimumPersistence = { persistence, true };
+  selection.MaximumRadius = distance;
+  selection.MinimumPersistence = persistence;
   return selection;
 }
 

@@ -9,7 +9,6 @@
 #include <vtkCellData.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
-#include <vtkLogger.h>
 #include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
@@ -31,7 +30,6 @@ class Steered
 public:
   explicit Steered(const TriangleMesh& mesh)
   {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING);
     vtkNew<vtkPolyData> surface;
     SetMesh(mesh, surface);
     this->Loops->AddObserver(vtkCommand::ErrorEvent, this->Observer);
@@ -119,7 +117,7 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
     { [loops] { loops->SetShortening(vtkChokingLoops::Geodesic); }, 31 + 59 },
     { [loops] { loops->SetSide(vtkChokingLoops::Outside); }, 31 + 1 },
     { [loops] { loops->SetMaximumRadius(25.0); }, 31 },
-    { [loops] { loops->SetAlwaysReportHandles(false); }, 12 },
+    { [loops] { loops->SetAlwaysIncludeHandles(false); }, 12 },
     { [loops] { loops->SetMaximumRadiusUnit(vtkChokingLoops::Absolute); }, 31 + 1 },
     { [loops] { loops->SetShorteningRounds(2); }, 31 + 1 },
   };
@@ -161,7 +159,7 @@ TEST(ChokingLoopsFilter, UntrustedFeaturesCanBeDropped)
   EXPECT_EQ(SelectFeatures(diagram, selection), (std::vector<std::size_t>{ 0, 1, 2, 3 }));
   selection.TrustedOnly = true;
   EXPECT_EQ(SelectFeatures(diagram, selection), (std::vector<std::size_t>{ 0, 2 }));
-  selection.MaximumNumber = 1; // of those that remain, the most persistent one
+  selection.MaximumNumberOfLoops = 1; // of those that remain, the most persistent one
   EXPECT_EQ(SelectFeatures(diagram, selection), (std::vector<std::size_t>{ 2 }));
 }
 
@@ -249,9 +247,9 @@ TEST(ChokingLoopsFilter, WhereTheFirstOfTwoThatShareGoesTheOtherStandsAlone)
   const ShownFeature first{ tunnel, &loop, -1 };
   std::vector<ShownFeature> shown{ first, { handle, &loop, static_cast<std::ptrdiff_t>(tunnel) } };
   EXPECT_NEAR(ReachOf(loops, first), 1.3 / 0.7, 0.05);
-  ApplyLimits(loops, { 0.0, 2.0, false }, shown);
+  ApplyLimits(loops, { 0.0, 2.0 }, shown);
   EXPECT_EQ(shown.size(), 2U);
-  ApplyLimits(loops, { 0.0, 1.5, false }, shown);
+  ApplyLimits(loops, { 0.0, 1.5 }, shown);
   ASSERT_EQ(shown.size(), 1U);
   EXPECT_EQ(shown[0].Index, handle);
   EXPECT_EQ(shown[0].SharedWith, -1);

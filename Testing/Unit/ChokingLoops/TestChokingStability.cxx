@@ -186,7 +186,7 @@ TriangleMesh SurfaceOf(const std::string& name)
   const TriangleMesh mesh = tangle ? TangleCube(IsLong() ? 60 : 30) : ReadSurface(name);
   // Level sets have slivers, which cross as soon as they are touched.
   return tangle || name == "emd_5043.obj"
-    ? RemeshSurface(mesh, { MeanEdgeLength(mesh), 5, 180.0 }).Mesh
+    ? RemeshSurface(mesh, { MeanEdgeLength(mesh), 180.0, 5 }).Mesh
     : mesh;
 }
 

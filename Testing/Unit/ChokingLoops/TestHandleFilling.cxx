@@ -50,7 +50,7 @@ std::array<std::vector<double>, 2> RadiiOf(const TriangleMesh& mesh)
 FilledSurface Filled(const TriangleMesh& mesh, double below)
 {
   HandleFillingParameters parameters;
-  parameters.Below = below;
+  parameters.FillHandlesBelow = below;
   return FillHandles(mesh, parameters);
 }
 
@@ -226,8 +226,8 @@ std::string ErrorOf(vtkPolyData* surface, double below, double thickness = 0.25)
 TEST(HandleFilling, TakesTheSideAskedFor)
 {
   HandleFillingParameters parameters;
-  parameters.Below = 1.2;
-  parameters.Inside = false; // though the ring is narrower than its hole
+  parameters.FillHandlesBelow = 1.2;
+  parameters.Side = SideSelection::Outside; // though the ring is narrower than its hole
   const TriangleMesh torus = Torus(1.6, 0.6);
   const FilledSurface filled = FillHandles(torus, parameters);
   ASSERT_EQ(filled.Fills.size(), 1U);
@@ -342,7 +342,7 @@ TEST(HandleFilling, SaysWhatIsWrong)
   EXPECT_NE(ErrorOf(torus, 0.0).find("above 0"), std::string::npos);
   EXPECT_NE(ErrorOf(torus, -1.0).find("above 0"), std::string::npos);
   EXPECT_NE(ErrorOf(torus, std::nan("")).find("above 0"), std::string::npos);
-  EXPECT_NE(ErrorOf(torus, 0.5, 0.0).find("thickness"), std::string::npos);
+  EXPECT_NE(ErrorOf(torus, 0.5, 0.0).find("Thickness is 0"), std::string::npos);
   TriangleMesh open = Torus(1.1, 0.6);
   open.Triangles.pop_back();
   EXPECT_NE(ErrorOf(DataOf(open), 0.5).find("at a hole"), std::string::npos)

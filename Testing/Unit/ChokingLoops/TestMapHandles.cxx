@@ -8,6 +8,7 @@
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -144,10 +145,11 @@ TEST(MapHandles, ContourAndLoopsAtTheLevelChosen)
   const auto image = Image(31, [](double x, double y, double z) { return Necklace(5, x, y, z); });
   vtkNew<vtkMapHandles> filter;
   filter->SetInputData(image);
-  filter->UseStableLevelOff();
   filter->SetLevel(0.2);
-  filter->UseRecommendedLevelOn();
-  filter->SetRecommendedLevel(0.5);
+  vtkNew<vtkDoubleArray> recommended;
+  recommended->SetName("RecommendedLevel");
+  recommended->InsertNextValue(0.5);
+  image->GetFieldData()->AddArray(recommended);
   filter->LoopsOn();
   filter->Update();
   vtkPolyData* contour = Points(filter, 4);
@@ -157,7 +159,7 @@ TEST(MapHandles, ContourAndLoopsAtTheLevelChosen)
     const double* p = contour->GetPoint(i);
     EXPECT_NEAR(Necklace(5, p[0], p[1], p[2]), 0.2, 0.02);
   }
-  EXPECT_EQ(Fact(contour, "ChosenLevel"), 0.2);
+  EXPECT_EQ(Fact(contour, "Level"), 0.2);
   EXPECT_EQ(Fact(contour, "RecommendedLevel"), 0.5);
   // A ring of five beads: one handle, at the narrowest of the five necks, one tunnel, and by
   // symmetry nothing but the other necks.
@@ -307,6 +309,7 @@ TEST(MapHandles, BadInputIsToldInASentence)
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTest::ErrorObserver> pipeline;
   filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
   filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
   const auto said = [&]()
   {
@@ -326,19 +329,16 @@ TEST(MapHandles, BadInputIsToldInASentence)
   filter->SetRange(2.0, 1.0);
   EXPECT_NE(said().find("Range goes from 2"), std::string::npos);
   filter->SetRange(50.0, 60.0);
-  EXPECT_NE(said().find("no stable level"), std::string::npos);
+  EXPECT_EQ(said(), "");
+  EXPECT_NE(observer->GetWarningMessage().find("no stable level"), std::string::npos);
+  EXPECT_TRUE(std::isnan(filter->GetStableLevel()));
   filter->UseRangeOff();
-  filter->UseStableLevelOff();
   filter->SetLevel(std::nan(""));
   EXPECT_NE(said().find("Level is not a number"), std::string::npos);
-  filter->UseStableLevelOn();
+  filter->SetLevel(0.5);
   filter->SetNumberOfLevels(0);
   EXPECT_NE(said().find("NumberOfLevels is 0"), std::string::npos);
   filter->SetNumberOfLevels(64);
-  filter->UseRecommendedLevelOn();
-  filter->SetRecommendedLevel(std::nan(""));
-  EXPECT_NE(said().find("RecommendedLevel is not a number"), std::string::npos);
-  filter->UseRecommendedLevelOff();
   EXPECT_EQ(said(), "");
   image->GetPointData()->GetScalars()->SetComponent(22, 0, std::nan(""));
   image->GetPointData()->GetScalars()->Modified();
@@ -438,7 +438,6 @@ vtkSmartPointer<vtkMapHandles> Bootstrapped(unsigned seed, int resamples)
   auto filter = vtkSmartPointer<vtkMapHandles>::New();
   filter->SetInputData(HalfMap(0.5, 2 * seed));
   filter->SetOtherHalfData(HalfMap(0.5, 2 * seed + 1));
-  filter->UseStableLevelOff();
   filter->SetLevel(0.5);
   filter->SetMinimumPersistence(0.3);
   filter->SetNumberOfResamples(resamples);
@@ -486,7 +485,6 @@ TEST(MapHandles, HalfMapsOfWideIntegersAreNotRounded)
     auto filter = vtkSmartPointer<vtkMapHandles>::New();
     filter->SetInputData(half(2));
     filter->SetOtherHalfData(half(3));
-    filter->UseStableLevelOff();
     filter->SetLevel(1e9 + 50.25);
     filter->SetMinimumPersistence(0.3);
     filter->SetNumberOfResamples(20);
@@ -569,7 +567,6 @@ TEST(MapHandles, HalfMapsWithNothingInCommonAreWarnedOf)
     filter->AddObserver(vtkCommand::WarningEvent, messages);
     filter->SetInputData(one);
     filter->SetOtherHalfData(other);
-    filter->UseStableLevelOff();
     filter->SetLevel(0.5);
     filter->SetNumberOfResamples(2);
     filter->Update();

@@ -206,6 +206,19 @@ TEST(OffsetSurface, SaysWhatItCannotDo)
   EXPECT_EQ(Offset({}, 0.3).Error(), "");
 }
 
+TEST(OffsetSurface, ValuesOutOfRangeAreKeptAndRefusedWhenItRuns)
+{
+  vtkNew<vtkOffsetSurface> filter;
+  filter->SetResolution(4);
+  EXPECT_EQ(filter->GetResolution(), 4);
+  EXPECT_NE(Offset(Cube(), 0.3, vtkOffsetSurface::Both, 4)
+              .Error()
+              .find("Resolution is 4, but it must be from 8 to 1024."),
+    std::string::npos);
+  EXPECT_NE(Offset(Cube(), 0.3, 3).Error().find("Side is 3, but it must be from 0 to 2."),
+    std::string::npos);
+}
+
 TEST(OffsetSurface, SidesOfShellsThatCrossAreRefusedWithThePlace)
 {
   for (const double unit : { 1.0, 1e9 })
@@ -244,7 +257,7 @@ TEST(OffsetSurface, StopsWheneverItIsAskedTo)
   const TriangleMesh torus = Torus(1.0, 0.4, 60, 30);
   double last = 0.0;
   int calls = 0;
-  OffsetDistances(torus, 0.2, OffsetSide::Inside, 60,
+  OffsetDistances(torus, { 0.2, SideSelection::Inside, 60 },
     [&](double fraction)
     {
       EXPECT_GE(fraction, last);
@@ -257,7 +270,7 @@ TEST(OffsetSurface, StopsWheneverItIsAskedTo)
   // By the fraction: how many reports there are depends on the time that they take.
   for (int stop = 0; stop <= 20; ++stop)
   {
-    EXPECT_THROW(OffsetDistances(torus, 0.2, OffsetSide::Inside, 60,
+    EXPECT_THROW(OffsetDistances(torus, { 0.2, SideSelection::Inside, 60 },
                    [stop](double fraction) { return fraction < 0.05 * stop; }),
       Cancelled);
   }

@@ -25,7 +25,7 @@ constexpr int UntilGeodesic = 1000;
 std::vector<std::size_t> AllFeatures(const ChokingLoops& loops)
 {
   FeatureSelection selection;
-  selection.MinimumPersistence.Value = 1.0;
+  selection.MinimumPersistence = 1.0;
   return loops.Select(selection);
 }
 

@@ -47,6 +47,7 @@ TriangleMesh ContourOf(vtkDataObject* input, Change&& change)
 {
   vtkNew<vtkDualContouring> filter;
   filter->SetInputDataObject(input);
+  filter->SetLevel(0.0);
   change(filter.Get());
   filter->Update();
   return MeshOf(filter->GetOutput());

@@ -150,6 +150,7 @@ TEST(DelaunayIsosurface, SphereHasItsAnglesItsTopologyAndItsVolume)
     Sampled(41, [](double x, double y, double z) { return Ball(x, y, z, 0, 0, 0, 0.7); });
   vtkNew<vtkDelaunayIsosurface> filter;
   filter->SetInputData(image);
+  filter->SetLevel(0.0);
   filter->Update();
   const auto set = CloseLevelSet(image, image->GetPointData()->GetScalars(), 0.0, true);
   const auto result = Isosurface(set, 0.0, 0.05);
@@ -200,6 +201,7 @@ TEST(DelaunayIsosurface, LowerInsideFacesAwayFromIt)
   vtkNew<vtkDelaunayIsosurface> filter;
   filter->SetInputData(image);
   filter->InsideIsHigherOff();
+  filter->SetLevel(0.0);
   filter->Update();
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 100);
   double bounds[6];
@@ -267,6 +269,9 @@ TEST(DelaunayIsosurface, BadParametersAndValuesEndInASentence)
   auto* scalars = image->GetPointData()->GetScalars();
   const auto set = CloseLevelSet(image, scalars, 0.0, true);
   DelaunayIsosurfaceParameters wrong;
+  EXPECT_THROW(DelaunayIsosurface(set.Field, set.Bounds, set.Guide, wrong), std::invalid_argument)
+    << "without sizes";
+  SetAutomaticSizes(0.2, wrong);
   wrong.Angle = 40.0;
   EXPECT_THROW(DelaunayIsosurface(set.Field, set.Bounds, set.Guide, wrong), std::invalid_argument);
   for (const double allowed : { 0.0, 30.0 })
@@ -284,7 +289,7 @@ TEST(DelaunayIsosurface, BadParametersAndValuesEndInASentence)
     DelaunayIsosurfaceParameters finest;
     finest.Radius = 0.5;
     finest.Distance = part * diagonal;
-    finest.MaximumPoints = 4;
+    finest.MaximumNumberOfPoints = 4;
     try
     {
       DelaunayIsosurface(set.Field, set.Bounds, set.Guide, finest);
@@ -298,7 +303,7 @@ TEST(DelaunayIsosurface, BadParametersAndValuesEndInASentence)
   }
   DelaunayIsosurfaceParameters fine;
   fine.Radius = fine.Distance = 0.01;
-  fine.MaximumPoints = 300;
+  fine.MaximumNumberOfPoints = 300;
   EXPECT_THROW(DelaunayIsosurface(set.Field, set.Bounds, set.Guide, fine), std::runtime_error);
   EXPECT_THROW(
     DelaunayIsosurface(set.Field, set.Bounds, set.Guide, fine, [](double) { return false; }),

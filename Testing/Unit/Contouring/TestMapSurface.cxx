@@ -6,6 +6,9 @@
 #include "SampledGrid.h"
 #include "SharedData.h"
 #include "Surfaces/SurfaceTopology.h"
+#include "vtkDelaunayIsosurface.h"
+#include "vtkDualContouring.h"
+#include "vtkIsosurfaceStuffing.h"
 #include "vtkMRCMapReader.h"
 #include "vtkMapSurface.h"
 
@@ -21,6 +24,8 @@
 #include <vtkPolyData.h>
 #include <vtkShortArray.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkVariant.h>
 
 #include <gtest/gtest.h>
 
@@ -55,9 +60,14 @@ vtkSmartPointer<vtkImageData> ImageOf(const Grid& grid)
   return image;
 }
 
-double FieldOf(vtkPolyData* surface, const char* name)
+double FieldOf(vtkDataObject* surface, const char* name)
 {
   return surface->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+std::string SourceOf(vtkDataObject* output)
+{
+  return output->GetFieldData()->GetAbstractArray("LevelSource")->GetVariantValue(0).ToString();
 }
 
 }
@@ -132,9 +142,9 @@ TEST(VTKMapSurface, AutomaticLevelNormalsComponentsAndFieldData)
   filter->SetInputData(image);
   filter->Update();
   vtkPolyData* surface = filter->GetOutput();
-  EXPECT_GT(filter->GetUsedLevel(), 10.0);
-  EXPECT_LT(filter->GetUsedLevel(), 90.0);
-  EXPECT_EQ(FieldOf(surface, "Level"), filter->GetUsedLevel());
+  EXPECT_GT(FieldOf(surface, "Level"), 10.0);
+  EXPECT_LT(FieldOf(surface, "Level"), 90.0);
+  EXPECT_EQ(FieldOf(surface, "Level"), FieldOf(surface, "Level"));
   EXPECT_EQ(FieldOf(surface, "ComponentsFound"), 2.0);
   auto* component = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray("Component"));
   ASSERT_NE(component, nullptr);
@@ -172,10 +182,50 @@ TEST(VTKMapSurface, TakesTheRecommendedLevel)
   vtkNew<vtkMapSurface> filter;
   filter->SetInputData(image);
   filter->Update();
-  EXPECT_EQ(filter->GetUsedLevel(), 33.25);
+  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), 33.25);
+  EXPECT_EQ(SourceOf(filter->GetOutput()), "recommended by the depositors");
   filter->SetLevel(44.0);
   filter->Update();
-  EXPECT_EQ(filter->GetUsedLevel(), 44.0);
+  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), 44.0);
+  EXPECT_EQ(SourceOf(filter->GetOutput()), "given");
+}
+
+/// Each filter that contours a volume has the level of Map Surface.
+template <typename Filter>
+void ExpectLevel(vtkImageData* image, double level, const std::string& source)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(image);
+  filter->InsideIsHigherOff();
+  filter->Update();
+  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), level);
+  EXPECT_EQ(SourceOf(filter->GetOutput()), source);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(AutomaticLevel, OfASignedDistanceIsZeroInAllFilters)
+{
+  const auto image = ImageOf(TwoBalls());
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  vtkNew<vtkMapSurface> estimate;
+  estimate->SetInputData(image);
+  estimate->InsideIsHigherOff();
+  estimate->Update();
+  const double estimated = FieldOf(estimate->GetOutput(), "Level");
+  EXPECT_NE(estimated, 0.0);
+  ExpectLevel<vtkDualContouring>(image, estimated, "estimated from the values");
+  ExpectLevel<vtkDelaunayIsosurface>(image, estimated, "estimated from the values");
+  ExpectLevel<vtkIsosurfaceStuffing>(image, estimated, "estimated from the values");
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, 20.0 - values->GetComponent(i, 0));
+  }
+  values->SetName("SignedDistance");
+  const std::string natural = "natural level of the quantity";
+  ExpectLevel<vtkMapSurface>(image, 0.0, natural);
+  ExpectLevel<vtkDualContouring>(image, 0.0, natural);
+  ExpectLevel<vtkDelaunayIsosurface>(image, 0.0, natural);
+  ExpectLevel<vtkIsosurfaceStuffing>(image, 0.0, natural);
 }
 
 TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
@@ -225,7 +275,7 @@ TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
 
   filter->SetAutomaticLevel(true);
   filter->Update();
-  const double before = filter->GetUsedLevel();
+  const double before = FieldOf(filter->GetOutput(), "Level");
   for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
   {
     values->SetValue(i, static_cast<short>(i % 2 == 0 ? 1000 : 2000));
@@ -234,7 +284,7 @@ TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
   image->Modified();
   filter->Update();
   EXPECT_LT(before, 1000.0);
-  EXPECT_EQ(filter->GetUsedLevel(), 1500.0); // the level that was kept is not that of other values
+  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), 1500.0);
 }
 
 TEST(VTKMapSurface, DelaunayQualityIsClosedToo)
@@ -264,7 +314,7 @@ TEST(VTKMapSurface, RefusesWithASentenceAndAnEmptyOutput)
       << observer->GetErrorMessage();
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   };
-  refused([](auto* f) { f->SetLevel(Nan); }, "Level must be");
+  refused([](auto* f) { f->SetLevel(Nan); }, "Level is not a number");
   refused([](auto* f) { f->SetMinimumComponentArea(-1); }, "MinimumComponentArea");
   refused([](auto* f) { f->SetMinimumComponentShare(Nan); }, "MinimumComponentShare");
   refused([](auto* f) { f->SetLargestComponents(-2); }, "LargestComponents");

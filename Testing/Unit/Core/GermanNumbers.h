@@ -16,6 +16,16 @@
 #include <optional>
 #include <string>
 
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#include <sanitizer/lsan_interface.h>
+#define ISTHMUS_IGNORE_LEAKS __lsan::ScopedDisabler ignoreLeaks
+#endif
+#endif
+#ifndef ISTHMUS_IGNORE_LEAKS
+#define ISTHMUS_IGNORE_LEAKS
+#endif
+
 namespace isthmus::testing
 {
 
@@ -27,6 +37,7 @@ public:
   {
     if (HasLocale())
     {
+      ISTHMUS_IGNORE_LEAKS; // glibc's newlocale() does not free the parts of LOCPATH
       this->Before = std::locale::global(std::locale(Name)); // calls setlocale, too
     }
   }

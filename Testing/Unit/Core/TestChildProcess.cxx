@@ -19,7 +19,7 @@ namespace
 ChildResult Shell(const char* script, const TemporaryFolder& folder, double seconds = 60.0)
 {
   ChildLimits limits;
-  limits.Seconds = seconds;
+  limits.TimeLimit = seconds;
   return RunChild({ "sh", "-c", script }, limits, folder.Path() / "log", {});
 }
 

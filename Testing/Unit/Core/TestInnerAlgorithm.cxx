@@ -3,7 +3,6 @@
 #include "Core/InnerAlgorithm.h"
 
 #include "vtkDenoiseFromHalfMaps.h"
-#include "vtkMapChokingLoops.h"
 #include "vtkOffsetSurface.h"
 
 #include <vtkCallbackCommand.h>
@@ -270,9 +269,6 @@ TEST(InnerAlgorithm, WantOfMemoryIsOneErrorOfTheOuterFilter)
   denoise->SetInputData(one);
   denoise->SetOtherHalfData(other);
   ExpectErrors(denoise, "Denoise From Half Maps");
-  vtkNew<vtkMapChokingLoops> loops;
-  loops->SetInputData(Map(18, 0.0));
-  ExpectErrors(loops, "Map Choking Loops");
 }
 
 #endif

@@ -55,6 +55,28 @@ TEST(MemoryBudget, WithoutALimitWhatIsAvailableMayBeTaken)
   EXPECT_EQ(why.find("MemoryLimit"), std::string::npos) << why;
 }
 
+TEST(MemoryBudget, NegativeLimitsAreRefused)
+{
+  EXPECT_THROW(MemoryBudget(-1.0), std::invalid_argument);
+  EXPECT_THROW(MemoryBudget::OfMachine(-1.0), std::invalid_argument);
+}
+
+TEST(MemoryBudget, GridsStateTheirDimensions)
+{
+  MemoryBudget(1.0).RequireGrid({ 10, 10, 10 }, 8.0, "");
+  try
+  {
+    MemoryBudget(1.0).RequireGrid({ 1024, 1024, 2 }, 8.0, "choose a larger Spacing");
+    ADD_FAILURE() << "no error";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ(error.what(),
+      "A grid of 1024 x 1024 x 2 nodes needs about 16 MiB of memory, but MemoryLimit is 1 MiB: "
+      "choose a larger Spacing, or raise MemoryLimit.");
+  }
+}
+
 TEST(MemoryBudget, NoMachineHasWhatIsNoNumber)
 {
   const MemoryBudget unlimited = MemoryBudget::OfBytes(0);

@@ -59,6 +59,18 @@ TEST(RangeChecks, OnlyTheUpperEndBelongsToWhatIsAbove)
   EXPECT_THROW(RequireAbove("Length", std::nan(""), 1.0, 2.0), std::invalid_argument);
 }
 
+TEST(RangeChecks, ARangeWithoutEndNeedsAFiniteNumber)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_NO_THROW(RequireRange("Length", 1e300, 0.0, Unlimited));
+  EXPECT_EQ(RefusalOf([] { RequireRange("Length", -1.0, 0.0, Unlimited); }),
+    "Length is -1, but it must be a finite number of at least 0.");
+  EXPECT_THROW(RequireRange("Length", infinity, 0.0, Unlimited), std::invalid_argument);
+  EXPECT_EQ(RefusalOf([] { RequireAbove("Length", 0.0, 0.0, Unlimited); }),
+    "Length is 0, but it must be a finite number above 0.");
+  EXPECT_THROW(RequireAbove("Length", infinity, 0.0, Unlimited), std::invalid_argument);
+}
+
 TEST(RangeChecks, AConditionThatHoldsIsNoRefusal)
 {
   EXPECT_NO_THROW(RequireThat(true, "Length", 3.0, "it must be even"));

@@ -13,7 +13,7 @@ namespace isthmus::testing
 inline SurfaceCurvatureOptions Tensor(CurvatureNeighbourhood neighbourhood, double radius = 0.0)
 {
   SurfaceCurvatureOptions options;
-  options.Estimate = CurvatureEstimate::EdgeTensor;
+  options.Method = CurvatureEstimate::EdgeTensor;
   options.Neighbourhood = neighbourhood;
   options.Radius = radius;
   return options;

@@ -92,7 +92,7 @@ TEST(CurvatureDescriptors, ImpossibleSignsHaveNoType)
 {
   // K > 0 with H = 0 takes a tolerance for H that swallows every H.
   SurfaceTypeTolerance tolerance;
-  tolerance.Mean = 10.0;
+  tolerance.MeanTolerance = 10.0;
   EXPECT_EQ(ClassifySurface(1.0, 0.0, 1.0, tolerance), SurfaceType::None);
 }
 
@@ -109,7 +109,7 @@ TEST(CurvatureDescriptors, EveryTypeHasAName)
 TEST(CurvatureDescriptors, FlatUpToTheToleranceItself)
 {
   SurfaceTypeTolerance tolerance;
-  tolerance.Flat = 2.0;
+  tolerance.FlatTolerance = 2.0;
   EXPECT_EQ(ClassifySurface(2.0, 0.0, 1.0, tolerance), SurfaceType::Flat);
   EXPECT_NE(ClassifySurface(2.5, 0.0, 1.0, tolerance), SurfaceType::Flat);
 }

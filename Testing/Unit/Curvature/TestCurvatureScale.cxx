@@ -390,23 +390,25 @@ TEST(CurvatureScale, SettingAScaleSwitchesItOff)
 {
   vtkNew<vtkHessianCurvature> filter;
   EXPECT_TRUE(filter->GetAutomaticScale());
-  filter->SetScale(0.0); // as programs do that were written for fixed scales
+  filter->SetScale(0.0);
   EXPECT_FALSE(filter->GetAutomaticScale());
   filter->AutomaticScaleOn();
   filter->SetScale(2.0);
-  EXPECT_TRUE(filter->GetAutomaticScale());
+  EXPECT_FALSE(filter->GetAutomaticScale());
   EXPECT_EQ(filter->GetScale(), 2.0);
   const vtkMTimeType before = filter->GetMTime();
-  filter->AutomaticScaleOn();
   filter->SetScale(2.0);
   EXPECT_EQ(filter->GetMTime(), before);
+  filter->AutomaticScaleOn();
+  filter->SetScaleOnly(3.0);
+  EXPECT_TRUE(filter->GetAutomaticScale());
 }
 
 TEST(CurvatureScale, MeanCurvatureNeedNotBeAnOutput)
 {
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(NoisyBall(0.1, 0.0));
-  filter->GenerateMeanCurvatureOff();
+  filter->GetOutputArraySelection()->DisableArray("MeanCurvature");
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("MeanCurvature"), nullptr);
   EXPECT_GT(PointArray(filter->GetOutput(), "CurvatureError")->GetRange()[1], 0.0);

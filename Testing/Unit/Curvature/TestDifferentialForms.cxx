@@ -62,8 +62,7 @@ TEST(DifferentialForms, OfAGraphAreThoseOfItsDerivatives)
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(graph);
   filter->AutomaticScaleOff();
-  filter->GenerateDifferentialFormsOn();
-  filter->GenerateNormalCurvatureOn();
+  filter->GetOutputArraySelection()->EnableAllArrays();
   filter->SetNormalCurvatureDirection(0.0, 3.0, 0.0);
   filter->Update();
   int checked = 0;
@@ -110,8 +109,8 @@ TEST(DifferentialForms, NormalCurvatureOfACylinderIsEulers)
   filter->SetInputData(cylinder);
   filter->AutomaticScaleOff();
   filter->InsideIsHigherOff();
-  filter->GenerateNormalCurvatureOn();
-  filter->GenerateMaximumCurvatureOff();
+  filter->GetOutputArraySelection()->EnableArray("NormalCurvature");
+  filter->GetOutputArraySelection()->DisableArray("MaximumCurvature");
   double halfway[3] = { 0.5, 0.0, 0.0 };
   const vtkIdType onX = cylinder->FindPoint(halfway);
   const double radius = cylinder->GetPoint(onX)[0];
@@ -142,7 +141,7 @@ TEST(DifferentialForms, GaussMapPointsOutwards)
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(image);
   filter->SetAccuracy(4);
-  filter->GenerateDifferentialFormsOn();
+  filter->GetOutputArraySelection()->EnableAllArrays();
   for (const bool higher : { true, false })
   {
     filter->SetInsideIsHigher(higher);
@@ -173,7 +172,7 @@ TEST(DifferentialForms, AreMadeOnRequestAlone)
     EXPECT_FALSE(PointArray(onMesh->GetOutputDataObject(0), name)) << name;
   }
   EXPECT_FALSE(PointArray(onMesh->GetOutputDataObject(0), "MeanCurvatureNormal"));
-  onMesh->GenerateNormalCurvatureOn();
+  onMesh->GetOutputArraySelection()->EnableArray("NormalCurvature");
   onMesh->SetNormalCurvatureDirection(0, 0, 0);
   vtkNew<vtkTest::ErrorObserver> observer;
   onMesh->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -188,8 +187,7 @@ TEST(DifferentialForms, OfATorusMesh)
   filter->SetMethod(vtkSurfaceCurvature::EdgeTensor);
   filter->SetNeighbourhood(vtkSurfaceCurvature::Ball);
   filter->SetRadius(0.4);
-  filter->GenerateDifferentialFormsOn();
-  filter->GenerateNormalCurvatureOn();
+  filter->GetOutputArraySelection()->EnableAllArrays();
   filter->SetNormalCurvatureDirection(0, 0, 1);
   filter->Update();
   vtkPolyData* torus = filter->GetOutput();
@@ -229,7 +227,7 @@ TEST(DifferentialForms, MeanCurvatureNormalIsTheCotangentFormula)
       filter->SetInputData(ToPolyData(sphere));
       filter->SetMethod(method);
       filter->SetOrientation(vtkSurfaceCurvature::AsWound);
-      filter->GenerateMeanCurvatureNormalOn();
+      filter->GetOutputArraySelection()->EnableArray("MeanCurvatureNormal");
       filter->Update();
       for (vtkIdType id = 0; id < filter->GetOutput()->GetNumberOfPoints(); ++id)
       {

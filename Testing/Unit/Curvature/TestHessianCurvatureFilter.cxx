@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
+#include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
@@ -113,15 +114,10 @@ TEST(HessianCurvatureFilter, EachArrayCanBeSwitched)
   filter->AutomaticScaleOff();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 1 + 6 + 1);
-  filter->GenerateGaussianCurvatureOff();
-  filter->GenerateMeanCurvatureOff();
-  filter->GenerateMaximumCurvatureOff();
-  filter->GenerateMinimumCurvatureOff();
-  filter->GenerateShapeIndexOff();
-  filter->GenerateCurvednessOff();
-  filter->GeneratePrincipalDirection1On();
-  filter->GeneratePrincipalDirection2On();
-  filter->GenerateSurfaceTypeOn();
+  filter->GetOutputArraySelection()->DisableAllArrays();
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection1");
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection2");
+  filter->GetOutputArraySelection()->EnableArray("SurfaceType");
   filter->Update();
   vtkPointData* data = filter->GetOutput()->GetPointData();
   EXPECT_EQ(data->GetNumberOfArrays(), 1 + 3 + 1);
@@ -191,13 +187,34 @@ TEST(HessianCurvatureFilter, ProgressIsMonotoneAndStopsOnRequest)
   }
 }
 
+TEST(HessianCurvatureFilter, ArraysAreChosenByTheNamesOfItsTable)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkHessianCurvature> filter;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInputData(SampledImage(Block(), Ellipsoids));
+  filter->AutomaticScaleOff();
+  filter->GetOutputArraySelection()->RemoveAllArrays(); // as ParaView does
+  filter->GetOutputArraySelection()->EnableArray("GaussMap");
+  filter->Update();
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetNumberOfArrays(), 1 + 1 + 1) << "scalars, CurvatureValid";
+  EXPECT_TRUE(data->GetArray("GaussMap"));
+  EXPECT_TRUE(filter->GetOutputArraySelection()->ArrayExists("ShapeIndex"));
+  filter->GetOutputArraySelection()->EnableArray("Gaussian");
+  filter->Update();
+  EXPECT_NE(observer->GetErrorMessage().find("OutputArraySelection has Gaussian, but it must be"),
+    std::string::npos);
+}
+
 TEST(HessianCurvatureFilter, PrintsItsParameters)
 {
   vtkNew<vtkHessianCurvature> filter;
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "Accuracy: 2", "Scale: 0", "InsideIsHigher: 1", "AutomaticScale: 1",
-         "ShapeIndexConvention: 0", "GenerateSurfaceType: 0", "MeanTolerance: 0.001" })
+         "ShapeIndexConvention: 0", "OutputArrays: GaussianCurvature MeanCurvature",
+         "MeanTolerance: 0.001" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -30,8 +30,8 @@ void ExpectEllipsoids(const Lattice& lattice)
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(image);
   filter->SetAccuracy(4);
-  filter->GeneratePrincipalDirection1On();
-  filter->GeneratePrincipalDirection2On();
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection1");
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection2");
   filter->Update();
   vtkIdType checked = 0;
   for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
@@ -135,9 +135,9 @@ TEST(HessianCurvatureFilter, CylinderDirectionsAndUmbilics)
     SampledImage(CentredCube(15, 1.0), [](double x, double y, double) { return -x * x - y * y; });
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(cylinder);
-  filter->GeneratePrincipalDirection1On();
-  filter->GeneratePrincipalDirection2On();
-  filter->GenerateSurfaceTypeOn();
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection1");
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection2");
+  filter->GetOutputArraySelection()->EnableArray("SurfaceType");
   filter->Update();
   double place[3] = { 4.0 / 7.0, 3.0 / 7.0, 0.0 }; // VTK 9.3 hides the overload of three numbers
   const vtkIdType id = cylinder->FindPoint(place);

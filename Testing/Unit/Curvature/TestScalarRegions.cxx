@@ -329,7 +329,16 @@ TEST(vtkScalarRegions, BadInputIsToldInASentence)
   filter->SetSweepSteps(3);
   EXPECT_NE(message().find("SweepTarget is 0"), std::string::npos);
   EXPECT_EQ(filter->GetRegionTable()->GetNumberOfRows(), 0);
+  filter->SetSweepSteps(1001);
+  EXPECT_NE(message().find("SweepSteps is 1001, but it must be from 0 to 1000"), std::string::npos);
   filter->SetSweepSteps(0);
+  filter->SetHistogramBins(0);
+  EXPECT_EQ(filter->GetHistogramBins(), 0);
+  EXPECT_NE(message().find("HistogramBins is 0, but it must be from 1"), std::string::npos);
+  filter->SetHistogramBins(32);
+  filter->SetAreaRule(2);
+  EXPECT_NE(message().find("AreaRule is 2, but it must be from 0 to 1"), std::string::npos);
+  filter->SetAreaRule(vtkScalarRegions::Fractional);
   EXPECT_EQ(message(), "");
   filter->SetNumberOfThresholds(0);
   EXPECT_EQ(message(), "");

@@ -60,7 +60,7 @@ TEST(SurfaceCurvature, SphereStatisticsOfTables42And43)
     for (const DualArea rule : { DualArea::Voronoi, DualArea::Barycentric })
     {
       SurfaceCurvatureOptions options;
-      options.Area = rule;
+      options.DualArea = rule;
       const SurfaceCurvatureResult result = CurvatureOfSurface(sphere.View(), options);
       const Statistics k = StatisticsOf(result.Gaussian, result.Area);
       const Statistics h = StatisticsOf(result.Mean, result.Area);
@@ -86,7 +86,7 @@ TEST(SurfaceCurvature, AreasArePartitionsAndDefectsSumToTheEulerNumber)
   for (const DualArea rule : { DualArea::Voronoi, DualArea::Barycentric, DualArea::Mixed })
   {
     SurfaceCurvatureOptions options;
-    options.Area = rule;
+    options.DualArea = rule;
     const auto result = CurvatureOfSurface(mesh.View(), options);
     double total = 0.0;
     for (std::size_t i = 0; i < result.Area.size(); ++i)
@@ -114,7 +114,7 @@ TEST(SurfaceCurvature, OrientationDecidesTheSign)
   for (const auto estimate : { CurvatureEstimate::AngleDefect, CurvatureEstimate::EdgeTensor })
   {
     SurfaceCurvatureOptions options;
-    options.Estimate = estimate;
+    options.Method = estimate;
     const auto outward = CurvatureOfSurface(sphere.View(), options);
     EXPECT_NEAR(outward.Mean[0], 0.5, 0.05);
     TurnInsideOut(sphere);
@@ -166,7 +166,7 @@ TEST(SurfaceCurvature, NestedShellsAreOrientedByNesting)
       const std::size_t sheet = all.Points.size();
       Append(all, cap, { -9.0, 0.0, 0.0 });
       SurfaceCurvatureOptions options;
-      options.Estimate = estimate;
+      options.Method = estimate;
       const auto result = CurvatureOfSurface(all.View(), options);
       for (unsigned s = 0; s < 4; ++s)
       {
@@ -215,8 +215,7 @@ TEST(SurfaceCurvature, WhatHasNoCurvatureIsMarked)
   {
     const auto result = CurvatureOfSurface(model.View(), options);
     EXPECT_EQ(result.IrregularPoints, 2);
-    EXPECT_GE(
-      result.DegeneratePoints, 3 - (options.Estimate == CurvatureEstimate::AngleDefect) * 3);
+    EXPECT_GE(result.DegeneratePoints, 3 - (options.Method == CurvatureEstimate::AngleDefect) * 3);
     for (const vtkIdType point : { extra - 1, thin, model.Triangles[0][0] })
     {
       EXPECT_EQ(result.Valid[static_cast<std::size_t>(point)], 0);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkCurvatures.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
@@ -14,12 +15,14 @@
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
+#include <vtkTestErrorObserver.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 using namespace isthmus::testing;
@@ -191,7 +194,7 @@ TEST(vtkSurfaceCurvature, OpenCylinderOfQuads)
   tensor->SetMethod(vtkSurfaceCurvature::EdgeTensor);
   tensor->SetNeighbourhood(vtkSurfaceCurvature::GeodesicDisc);
   tensor->SetRadius(2.0);
-  tensor->GeneratePrincipalDirection2On();
+  tensor->GetOutputArraySelection()->EnableArray("PrincipalDirection2");
   tensor->Update();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
@@ -256,15 +259,15 @@ TEST(vtkSurfaceCurvature, NamesSignsAndTypesAreThoseOfTheHessian)
   hessian->SetInputData(1, ToPolyData(Icosphere(8, 1.0)));
   hessian->AutomaticScaleOff(); // its arrays of scale and error have no counterpart
   hessian->InsideIsHigherOff();
-  hessian->GenerateSurfaceTypeOn();
-  hessian->GeneratePrincipalDirection1On();
+  hessian->GetOutputArraySelection()->EnableArray("SurfaceType");
+  hessian->GetOutputArraySelection()->EnableArray("PrincipalDirection1");
   hessian->Update();
   vtkNew<vtkSurfaceCurvature> filter;
   filter->SetInputData(ToPolyData(Icosphere(8, 1.0)));
   filter->SetMethod(vtkSurfaceCurvature::EdgeTensor);
   filter->SetNeighbourhood(vtkSurfaceCurvature::Ball);
-  filter->GenerateSurfaceTypeOn();
-  filter->GeneratePrincipalDirection1On();
+  filter->GetOutputArraySelection()->EnableArray("SurfaceType");
+  filter->GetOutputArraySelection()->EnableArray("PrincipalDirection1");
   filter->Update();
   auto* theirs = vtkPolyData::SafeDownCast(hessian->GetOutputDataObject(0))->GetPointData();
   for (int i = 0; i < theirs->GetNumberOfArrays(); ++i)
@@ -312,8 +315,8 @@ TEST(vtkSurfaceCurvature, KeepsWhatTheInputHadAndSwitchesArrays)
   surface->GetPointData()->AddArray(other);
   vtkNew<vtkSurfaceCurvature> filter;
   filter->SetInputData(surface);
-  filter->GenerateShapeIndexOff();
-  filter->GeneratePointAreaOff();
+  filter->GetOutputArraySelection()->DisableArray("ShapeIndex");
+  filter->GetOutputArraySelection()->DisableArray("PointArea");
   filter->Update();
   vtkPointData* arrays = filter->GetOutput()->GetPointData();
   EXPECT_TRUE(arrays->HasArray("Potential"));
@@ -324,6 +327,31 @@ TEST(vtkSurfaceCurvature, KeepsWhatTheInputHadAndSwitchesArrays)
 }
 
 // Of a sphere 2, of a torus 0, of two spheres 4: by the mesh and by the image, to their own errors.
+TEST(vtkSurfaceCurvature, WhatIsOutOfRangeIsNamed)
+{
+  const std::pair<const char*, std::function<void(vtkSurfaceCurvature*)>> cases[] = {
+    { "Method is 2, but it must be from 0 to 1", [](auto* f) { f->SetMethod(2); } },
+    { "DualArea is -1, but it must be from 0 to 2", [](auto* f) { f->SetDualArea(-1); } },
+    { "Neighbourhood is 3", [](auto* f) { f->SetNeighbourhood(3); } },
+    { "Orientation is 4", [](auto* f) { f->SetOrientation(4); } },
+    { "ShapeIndexConvention is 2", [](auto* f) { f->SetShapeIndexConvention(2); } },
+    { "Radius is -1", [](auto* f) { f->SetRadius(-1.0); } },
+    { "FlatTolerance is -1", [](auto* f) { f->SetFlatTolerance(-1.0); } },
+  };
+  for (const auto& [words, spoil] : cases)
+  {
+    vtkNew<vtkSurfaceCurvature> filter;
+    vtkNew<vtkTest::ErrorObserver> errors;
+    filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    spoil(filter);
+    filter->SetInputData(ToPolyData(Icosphere(2, 1.0)));
+    filter->Update();
+    EXPECT_NE(errors->GetErrorMessage().find(words), std::string::npos)
+      << words << ": " << errors->GetErrorMessage();
+  }
+}
+
 TEST(GaussBonnet, CountsWhatIsThere)
 {
   struct Shape

@@ -95,7 +95,7 @@ struct SphereProblem
       p.Ions = { { 1.0, c }, { -1.0, c } };
     }
     // The series on the border, unless a test wants another condition.
-    p.Condition = BoundaryCondition::Given;
+    p.BoundaryCondition = BoundaryCondition::Given;
     p.Boundary = [this](const Point3& x) { return this->Sphere.Outside(this->World(x)); };
     p.Padding = 0.0;
   }

@@ -22,12 +22,12 @@ double ChargedSphere(double layer, double h, int& steps, BoundaryCondition condi
   sphere.Radius = 10.0;
   sphere.Charges.push_back({ sphere.Centre, 40.0, 10.0 });
   SphereProblem problem(sphere, 20, h);
-  problem.Parameters.Dielectric = model;
+  problem.Parameters.DielectricModel = model;
   problem.Parameters.Ions = salt;
   problem.Parameters.IonRadius = layer;
   problem.Parameters.Nonlinear = true;
   problem.Parameters.Tolerance = 1e-7;
-  problem.Parameters.Condition = condition;
+  problem.Parameters.BoundaryCondition = condition;
   const IonAtmosphere ions(problem.Parameters.Ions, 298.15);
   const RadialSolution exact(40.0, 10.0, layer, ions);
   problem.Parameters.Boundary = [&](const Point3& x)

@@ -93,11 +93,11 @@ TEST(PoissonBoltzmann, BorderOfItsOwnIsAsGoodAsTheSeries)
   SphereProblem exact(Kirkwood(2), 12, 0.5);
   const SphereErrors with = ErrorsOf(exact, *exact.Solve());
   SphereProblem own(Kirkwood(2), 12, 0.5);
-  own.Parameters.Condition = BoundaryCondition::SelfConsistent;
+  own.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
   const SphereErrors without = ErrorsOf(own, *own.Solve());
   EXPECT_LT(without.Outside, with.Outside + 0.015);
   SphereProblem sum(Kirkwood(2), 12, 0.5);
-  sum.Parameters.Condition = BoundaryCondition::MultipleDebyeHueckel;
+  sum.Parameters.BoundaryCondition = BoundaryCondition::MultipleDebyeHueckel;
   // What is known of the sum: it does not feel the cavity.
   EXPECT_GT(ErrorsOf(sum, *sum.Solve()).Outside, 0.1);
 }
@@ -143,7 +143,7 @@ TEST(PoissonBoltzmann, SameBitsOnOneAndTwoThreads)
       [&]()
       {
         SphereProblem problem(Kirkwood(3), 10, 0.625);
-        problem.Parameters.Condition = BoundaryCondition::SelfConsistent;
+        problem.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
         potentials[threads - 1] = problem.Solve()->GetPotential();
       });
   }
@@ -232,14 +232,14 @@ TEST(PoissonBoltzmann, ForcesAreTheSlopeOfTheSeriesEnergy)
 TEST(PoissonBoltzmann, IterationsOfTheBorderAreCounted)
 {
   SphereProblem problem(Kirkwood(2), 12, 1.0);
-  problem.Parameters.Condition = BoundaryCondition::SelfConsistent;
+  problem.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
   problem.Parameters.Padding = 8.0;
   problem.Parameters.Tolerance = 1e-3;
   const auto same = problem.Solve(); // the border by the same grid
   EXPECT_EQ(same->GetReport().BorderIterations, 0);
   EXPECT_GT(same->GetReport().Iterations, static_cast<int>(same->GetReport().Residuals.size()));
   SphereProblem fine(Kirkwood(2), 12, 0.5);
-  fine.Parameters.Condition = BoundaryCondition::SelfConsistent;
+  fine.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
   const auto coarser = fine.Solve();
   EXPECT_GT(coarser->GetReport().BorderIterations, 1);
   EXPECT_EQ(

@@ -65,7 +65,7 @@ TEST(PoissonBoltzmannOptions, MapsAreWhatTheEquationWasSolvedWith)
   const auto filter = Solved(Atoms(),
     [](vtkPoissonBoltzmann* f)
     {
-      f->ComputeMapsOn();
+      f->GetOutputArraySelection()->EnableAllArrays();
       f->SetIonicStrength(0.15);
     });
   vtkImageData* image = filter->GetOutput();
@@ -141,7 +141,7 @@ TEST(PoissonBoltzmannOptions, ForcesOnTwoMoleculesAddUpToNothing)
     const auto filter = Solved(Atoms(gap),
       [](vtkPoissonBoltzmann* f)
       {
-        f->ComputeBoundaryForcesOn();
+        f->GetOutputArraySelection()->EnableAllArrays();
         f->SetIonicStrength(0.15);
       });
     double largest = 0.0;
@@ -160,7 +160,7 @@ TEST(PoissonBoltzmannOptions, ForcesOnASurfaceOfPolygonsAddUpToNothing)
     [&](vtkPoissonBoltzmann* f)
     {
       f->SetInputDataObject(1, first->GetSurface());
-      f->ComputeBoundaryForcesOn();
+      f->GetOutputArraySelection()->EnableAllArrays();
     });
   double largest = 0.0;
   const double net = NetForce(second->GetAtoms(), "PolarForce", largest);

@@ -86,7 +86,7 @@ std::vector<NamedAtom> Molecule()
 ChildLimits Short(double seconds)
 {
   ChildLimits limits;
-  limits.Seconds = seconds;
+  limits.TimeLimit = seconds;
   return limits;
 }
 

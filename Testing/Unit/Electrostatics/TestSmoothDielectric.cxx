@@ -24,7 +24,7 @@ namespace
 SphereErrors SmoothErrors(const KirkwoodSphere& sphere, double half, double h)
 {
   SphereProblem problem(sphere, half, h);
-  problem.Parameters.Dielectric = DielectricModel::SmoothDielectric;
+  problem.Parameters.DielectricModel = DielectricModel::SmoothDielectric;
   const auto solution = problem.Solve();
   const SphereErrors errors = ErrorsOf(problem, *solution);
   const PoissonBoltzmannReport& report = solution->GetReport();
@@ -80,7 +80,7 @@ TEST(SmoothDielectric, FluxIsTheCharge)
   // The field's flux through the box is the charge within, as far as sums over the surface's edges
   // know that of charges two spacings under it.
   SphereProblem problem(Kirkwood(4), 10.0, 0.5);
-  problem.Parameters.Dielectric = DielectricModel::SmoothDielectric;
+  problem.Parameters.DielectricModel = DielectricModel::SmoothDielectric;
   const auto solution = problem.Solve();
   const SolverBox& box = solution->GetBox();
   double flux = 0.0;

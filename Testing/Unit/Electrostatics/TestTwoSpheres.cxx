@@ -70,7 +70,7 @@ PairErrors SolvePair(const TwoSpheres& pair, double half, double h)
   PoissonBoltzmannParameters parameters;
   parameters.Tolerance = 1e-9;
   parameters.Padding = 0.0;
-  parameters.Condition = BoundaryCondition::Given;
+  parameters.BoundaryCondition = BoundaryCondition::Given;
   parameters.Boundary = [&](const Point3& x) { return pair.Outside(onAxis(x)); };
   const IonAtmosphere ions({}, parameters.Temperature);
   const auto solution =

@@ -264,7 +264,7 @@ TEST(DenoisingRisk, TheChoiceBeatsATunedGaussianAndKnowsItsGain)
     for (const DenoisingGoal goal : { DenoisingGoal::Surfaces, DenoisingGoal::Volumes })
     {
       AutomaticParameters parameters;
-      parameters.Search.Goal = goal;
+      parameters.Goal = goal;
       parameters.KnownNoise = level;
       std::vector<float> known = values, estimated = values;
       const AutomaticResult result = Denoised(grid, parameters, known);
@@ -434,7 +434,7 @@ TEST(DenoisingRisk, GivesTheSameBitsOnAnyNumberOfThreads)
   {
     const std::vector<float> values = Sum(Phantom(grid), Noise(grid, 0.3));
     AutomaticParameters parameters;
-    parameters.Search.Goal = goal;
+    parameters.Goal = goal;
     std::array<std::vector<float>, 2> results{ values, values };
     std::array<AutomaticResult, 2> told;
     for (const std::size_t n : { 0, 1 })
@@ -457,7 +457,7 @@ TEST(DenoisingRisk, StrongerMeansSmoother)
   for (const double strength : { 0.0, 0.5, 1.0 })
   {
     AutomaticParameters parameters;
-    parameters.Search.Strength = strength;
+    parameters.Strength = strength;
     std::vector<float> result = values;
     Denoised(grid, parameters, result);
     EXPECT_LT(Deviation(result), last);

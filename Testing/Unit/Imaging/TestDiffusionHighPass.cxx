@@ -30,7 +30,10 @@ std::array<std::vector<double>, 2> Evolved(const HighPassParameters& parameters)
 TEST(DiffusionHighPass, WithoutCouplingBothAreDiffusionsOfTheirOwn)
 {
   HighPassParameters parameters;
-  parameters.Diffusivity = { 0.2, 1.5 };
+  parameters.DiffusivityU = 0.2;
+  parameters.DiffusivityV = 1.5;
+  parameters.CouplingU = parameters.CouplingV = 0.0;
+  parameters.Time = 1.0;
   parameters.Sigma = 0.8;
   const auto fields = Evolved(parameters);
   const auto grid = Grid<double>(12, 11, 10);
@@ -39,7 +42,7 @@ TEST(DiffusionHighPass, WithoutCouplingBothAreDiffusionsOfTheirOwn)
   diffusion.Sigma = 0.8;
   for (std::size_t field = 0; field < 2; ++field)
   {
-    diffusion.Diffusivity[0] = parameters.Diffusivity[field];
+    diffusion.Diffusivity[0] = field == 0 ? parameters.DiffusivityU : parameters.DiffusivityV;
     EXPECT_EQ(fields[field], Diffused(grid, diffusion, Noise(grid)));
   }
 }
@@ -50,8 +53,10 @@ TEST(DiffusionHighPass, CouplingPullsEachFieldByItsOwnRate)
 {
   const auto grid = Grid<double>(5, 4, 3);
   HighPassParameters parameters;
-  parameters.Diffusivity = { 0.0, 0.0 };
-  parameters.Coupling = { 0.5, 0.1 };
+  parameters.DiffusivityU = 0.0;
+  parameters.DiffusivityV = 0.0;
+  parameters.CouplingU = 0.5;
+  parameters.CouplingV = 0.1;
   parameters.Time = 1.5;
   const std::vector<double> u = Noise(grid);
   std::vector<double> v(u.rbegin(), u.rend());
@@ -68,21 +73,26 @@ TEST(DiffusionHighPass, CouplingPullsEachFieldByItsOwnRate)
 TEST(DiffusionHighPass, CouplingKeepsEqualFieldsEqual)
 {
   HighPassParameters parameters;
-  parameters.Coupling = { 0.5, 0.3 };
-  parameters.Diffusivity = { 0.4, 0.4 };
+  parameters.CouplingU = 0.5;
+  parameters.CouplingV = 0.3;
+  parameters.DiffusivityU = 0.4;
+  parameters.DiffusivityV = 0.4;
   parameters.Time = 2.0;
   parameters.Steps = 8;
   const auto fields = Evolved(parameters);
   EXPECT_EQ(fields[0], fields[1]);
-  parameters.Coupling = { 0.0, 0.0 };
+  parameters.CouplingU = 0.0;
+  parameters.CouplingV = 0.0;
   EXPECT_EQ(Evolved(parameters)[0], fields[0]);
 }
 
 TEST(DiffusionHighPass, TheSplittingIsOfSecondOrder)
 {
   HighPassParameters parameters;
-  parameters.Coupling = { 0.5, 0.3 };
-  parameters.Diffusivity = { 0.1, 1.0 };
+  parameters.CouplingU = 0.5;
+  parameters.CouplingV = 0.3;
+  parameters.DiffusivityU = 0.1;
+  parameters.DiffusivityV = 1.0;
   parameters.Time = 2.0;
   auto difference = [&](int few, int many)
   {
@@ -98,7 +108,9 @@ TEST(DiffusionHighPass, TheSplittingIsOfSecondOrder)
 TEST(DiffusionHighPass, TheFieldsSynchronise)
 {
   HighPassParameters parameters;
-  parameters.Coupling = { 0.2, 0.2 };
+  parameters.DiffusivityU = 0.0;
+  parameters.CouplingU = 0.2;
+  parameters.CouplingV = 0.2;
   double last = 1e9;
   for (const double time : { 10.0, 30.0, 90.0 })
   {
@@ -142,7 +154,7 @@ TEST(DiffusionHighPass, AConstantHasNoEdgesAndAStepHasOne)
 TEST(DiffusionHighPass, HasTheFieldsOnRequestAndRefusesInASentence)
 {
   Filter filter(BumpImage());
-  filter->OutputFieldsOn();
+  filter->GetOutputArraySelection()->EnableAllArrays();
   vtkPointData* const arrays = filter.Update()->GetPointData();
   ASSERT_TRUE(arrays->GetArray("SlowField") && arrays->GetArray("FastField"));
   const std::vector<double> u = Values(arrays->GetArray("SlowField")),
@@ -153,7 +165,9 @@ TEST(DiffusionHighPass, HasTheFieldsOnRequestAndRefusesInASentence)
     EXPECT_NEAR(w[n], u[n] - v[n], 1e-5);
   }
   filter->SetCouplingU(-1.0);
-  EXPECT_NE(filter.Complaint().find("A coupling is -1"), std::string::npos);
+  EXPECT_NE(
+    filter.Complaint().find("CouplingU is -1, but it must be a finite number of at least 0"),
+    std::string::npos);
   filter->SetCouplingU(0.1);
   filter->SetTime(-1.0);
   EXPECT_NE(filter.Complaint().find("Time"), std::string::npos);

@@ -225,6 +225,7 @@ TEST(HighOrderDiffusion, EvaluationsAreThoseOfTheStages)
   const auto grid = Grid<double>(6, 5, 4);
   DiffusionParameters parameters;
   parameters.Order = 0;
+  parameters.Sigma = 1.0;
   parameters.Steps = 1;
   const double limit = ExplicitStepLimit(parameters, grid.Spacing);
   const struct
@@ -273,6 +274,7 @@ TEST(HighOrderDiffusion, MeanIsKept)
       DiffusionParameters parameters;
       parameters.Order = order;
       parameters.EdgeStopping = edge;
+      parameters.Sigma = 1.0;
       parameters.Time = 2.0;
       EXPECT_NEAR(Mean(Diffused(grid, parameters, start)) / Mean(start), 1.0, 1e-6);
     }
@@ -293,6 +295,7 @@ std::vector<DiffusionParameters> AllCoefficients(int order)
   for (DiffusionParameters& parameters : all)
   {
     parameters.Order = order;
+    parameters.Sigma = 1.0;
   }
   return all;
 }
@@ -384,6 +387,7 @@ TEST(HighOrderDiffusion, AFloatIsWorkedOnInFloat)
   const std::vector<float> start = Noise(single);
   DiffusionParameters parameters;
   parameters.Order = 2;
+  parameters.Sigma = 1.0;
   parameters.Time = 20.0;
   const std::vector<double> exact =
     Diffused(twice, parameters, std::vector<double>(start.begin(), start.end()));

@@ -220,6 +220,14 @@ TEST(HighOrderDiffusionFilter, RefusesInASentence)
     { "Order is 7", [](auto* f) { f->SetOrder(7); } },
     { "Sigma is -2", [](auto* f) { f->SetSigma(-2.0); } },
     { "Flow is 2", [](auto* f) { f->SetFlow(2); } },
+    { "Strength is 1.5, but it must be from 0 to 1",
+      [](auto* f)
+      {
+        f->AutomaticOn();
+        f->SetStrength(1.5);
+      } },
+    { "Goal is 2, but it must be from 0 to 1", [](auto* f) { f->SetGoal(2); } },
+    { "KnownNoise is -1", [](auto* f) { f->SetKnownNoise(-1.0); } },
     { "EdgeStopping is -1", [](auto* f) { f->SetEdgeStopping(-1); } },
     { "Integrator is 5", [](auto* f) { f->SetIntegrator(5); } },
     { "Window is 6",

@@ -19,7 +19,7 @@ std::vector<std::vector<T>> Modes(
   const DiffusionGrid<T>& grid, const PDETransformParameters& parameters, std::vector<T>& values)
 {
   std::vector<std::vector<T>> modes(
-    static_cast<std::size_t>(parameters.Modes), std::vector<T>(values.size()));
+    static_cast<std::size_t>(parameters.NumberOfModes), std::vector<T>(values.size()));
   std::vector<T*> pointers;
   for (auto& mode : modes)
   {
@@ -111,7 +111,7 @@ TEST(PDETransform, LowPassesAreExactExponentials)
   auto grid = Grid<double>(18, 15, 12);
   grid.Spacing = { 1.0, 1.2, 0.9 };
   PDETransformParameters parameters;
-  parameters.Modes = 6;
+  parameters.NumberOfModes = 6;
   for (const auto& wave :
     std::vector<std::array<int, 3>>{ { 0, 1, 0 }, { 3, 2, 1 }, { 17, 14, 11 } })
   {
@@ -132,7 +132,7 @@ TEST(PDETransform, LowPassesAreExactExponentials)
     const std::vector<double> input = values;
     const auto modes = Modes(grid, parameters, values);
     double before = 1.0;
-    for (int k = 0; k < parameters.Modes; ++k)
+    for (int k = 0; k < parameters.NumberOfModes; ++k)
     {
       const DiffusionParameters lowPass = LowPass(parameters, k);
       const double after = before * std::exp(-lowPass.Time * std::pow(symbol, lowPass.Order + 1));
@@ -179,7 +179,7 @@ TEST(PDETransform, LongWavesAreWithinReachAndTheLongestRefused)
 {
   const auto grid = Grid<double>(3000, 1, 1);
   PDETransformParameters parameters;
-  parameters.Modes = 8; // up to 512 nodes
+  parameters.NumberOfModes = 8; // up to 512 nodes
   std::vector<double> values;
   for (int i = 0; i < 3000; ++i)
   {
@@ -189,14 +189,14 @@ TEST(PDETransform, LongWavesAreWithinReachAndTheLongestRefused)
   Modes(grid, parameters, values);
   double exponent = 0.0;
   const double symbol = 2 - 2 * std::cos(std::acos(-1.0) * 2 / 3000);
-  for (int k = 0; k < parameters.Modes; ++k)
+  for (int k = 0; k < parameters.NumberOfModes; ++k)
   {
     const DiffusionParameters lowPass = LowPass(parameters, k);
     exponent += lowPass.Time * std::pow(symbol, lowPass.Order + 1);
   }
   EXPECT_NEAR(Deviation(values) / before, std::exp(-exponent), 1e-9);
-  parameters.Modes = 16;
-  parameters.Ratio = 4.0;
+  parameters.NumberOfModes = 16;
+  parameters.WavelengthRatio = 4.0;
   EXPECT_THROW(Modes(grid, parameters, values), std::invalid_argument);
 }
 
@@ -207,8 +207,13 @@ TEST(PDETransform, RefusesInASentence)
   EXPECT_NE(filter.Complaint().find("NumberOfModes"), std::string::npos);
   filter->SetNumberOfModes(2);
   filter->SetFirstOrder(4);
-  EXPECT_NE(filter.Complaint().find("Orders must not increase"), std::string::npos);
+  EXPECT_NE(
+    filter.Complaint().find("FirstOrder is 4, but it must be from 0 to 3"), std::string::npos);
   filter->SetFirstOrder(2);
+  filter->SetLastOrder(3);
+  EXPECT_NE(
+    filter.Complaint().find("LastOrder is 3, but it must be from 0 to 2"), std::string::npos);
+  filter->SetLastOrder(0);
   filter->SetWavelengthRatio(1.0);
   EXPECT_NE(filter.Complaint().find("WavelengthRatio"), std::string::npos);
   vtkNew<vtkImageData> nothing;

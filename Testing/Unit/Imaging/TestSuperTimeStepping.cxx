@@ -74,6 +74,7 @@ TEST(DiffusionSteps, TheLargestStepIsStableAndTheNextIsRefused)
       DiffusionParameters parameters;
       parameters.Flow = flow;
       parameters.Order = order;
+      parameters.Sigma = 1.0;
       parameters.Integrator = Integrator::ForwardEuler;
       parameters.Steps = 60;
       const double limit = ExplicitStepLimit(parameters, grid.Spacing);
@@ -97,6 +98,7 @@ TEST(DiffusionSteps, TheLongestSuperStepIsStableAndTheNextIsRefused)
   {
     DiffusionParameters parameters;
     parameters.Order = order;
+    parameters.Sigma = 1.0;
     const double s = MaximumStages;
     const double limit = ExplicitStepLimit(parameters, grid.Spacing) * (s * s + s - 2) / 4;
     parameters.Steps = 4;
@@ -163,6 +165,7 @@ TEST(DiffusionSteps, ResultsDoNotDependOnThreads)
     DiffusionParameters parameters;
     parameters.Order = 1;
     parameters.EdgeStopping = edge;
+    parameters.Sigma = 1.0;
     parameters.Time = 0.2;
     DiffusionReport reports[2];
     std::vector<float> results[2];
@@ -214,6 +217,7 @@ TEST(DiffusionSteps, TheReportIsACurveThatFalls)
   for (const Integrator integrator : { Integrator::ForwardEuler, Integrator::SuperTimeStepping })
   {
     DiffusionParameters parameters;
+    parameters.Order = 1;
     parameters.Integrator = integrator;
     parameters.EdgeStopping = Edge::None;
     parameters.Time = 40.0;
@@ -237,11 +241,12 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
     { "Time is not a number", [](auto& p) { p.Time = std::nan(""); } },
     { "Steps is -2", [](auto& p) { p.Steps = -2; } },
     { "Sigma is 0", [](auto& p) { p.Sigma = 0.0; } },
+    { "Flow is 2", [](auto& p) { p.Flow = static_cast<Flow>(2); } },
     { "Fidelity is -1", [](auto& p) { p.Fidelity = -1.0; } },
     { "PreSmoothing is -1", [](auto& p) { p.PreSmoothing = -1.0; } },
     { "ResidualSmoothing is -1", [](auto& p) { p.ResidualSmoothing = -1.0; } },
-    { "diffusivity of the highest order is 0", [](auto& p) { p.Diffusivity[1] = 0.0; } },
-    { "A diffusivity is -1", [](auto& p) { p.Diffusivity[0] = -1.0; } },
+    { "Diffusivity of the highest order is 0", [](auto& p) { p.Diffusivity[1] = 0.0; } },
+    { "Diffusivity is -1", [](auto& p) { p.Diffusivity[0] = -1.0; } },
     { "Window is 4",
       [](auto& p)
       {
@@ -252,6 +257,8 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
   for (const auto& [words, spoil] : cases)
   {
     DiffusionParameters parameters;
+    parameters.Order = 1;
+    parameters.Sigma = 1.0;
     spoil(parameters);
     EXPECT_NE(Refusal(parameters).find(words), std::string::npos) << Refusal(parameters);
   }

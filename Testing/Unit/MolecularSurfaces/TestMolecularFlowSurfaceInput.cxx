@@ -172,11 +172,11 @@ TEST(MolecularFlowSurface, WaterIsLeftOutAndToldUnlessKept)
     ASSERT_EQ(notes->GetNumberOfValues(), 1);
     EXPECT_EQ(notes->GetValue(0), "Water was left out: 1 HOH (1 heavy atom).");
   }
-  filter->KeepWatersOn();
+  filter->IncludeWatersOn();
   filter->Update();
   EXPECT_EQ(MeasuresOf(filter->GetOutput()).Components.size(), 2u);
   Errors errors(filter);
-  filter->KeepWatersOff();
+  filter->IncludeWatersOff();
   const auto wet = AtomsOf({ { { 0.0, 0.0, 0.0 }, 1.5 } });
   vtkNew<vtkStringArray> residues;
   residues->SetName("ResidueName");

@@ -56,8 +56,8 @@ TEST(NonpolarEnergy, OneAtomInABall)
 {
   SolventParameters solvent;
   const DispersionAtom atom{ { 0.1, 0.2, 0.3 }, 1.9, 0.11 };
-  const double minimum = 1.9 + solvent.Radius;
-  const double depth = std::sqrt(0.11 * solvent.WellDepth);
+  const double minimum = 1.9 + solvent.SolventRadius;
+  const double depth = std::sqrt(0.11 * solvent.SolventWellDepth);
   std::vector<double> errors;
   for (const double h : { 0.5, 0.25 })
   {
@@ -66,7 +66,7 @@ TEST(NonpolarEnergy, OneAtomInABall)
     const std::vector<float> distance = BallDistances(grid, ball);
     const NonpolarEnergies found =
       NonpolarEnergy({ ball }, { atom }, grid, distance.data(), solvent);
-    const double exact = solvent.Density * Outside(depth, minimum, 4.5);
+    const double exact = solvent.SolventDensity * Outside(depth, minimum, 4.5);
     errors.push_back(std::abs(found.Whole.DispersionEnergy / exact - 1.0));
     EXPECT_NEAR(found.Whole.Area / (4.0 * Pi * 4.5 * 4.5), 1.0, 5e-3);
     EXPECT_NEAR(found.Whole.Volume / (4.0 / 3.0 * Pi * std::pow(4.5, 3)), 1.0, 8e-3);
@@ -109,7 +109,7 @@ TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatAddUp)
   }
   const NonpolarEnergies found = NonpolarEnergy(balls, atoms, grid, distance.data(), solvent);
   const DispersionPair pair(atoms[2], solvent);
-  const double inside = pair.Integral() - found.Atoms[2].DispersionEnergy / solvent.Density;
+  const double inside = pair.Integral() - found.Atoms[2].DispersionEnergy / solvent.SolventDensity;
   EXPECT_NEAR(inside / (found.Whole.Volume * pair.At(900.0)), 1.0, 0.06);
   EXPECT_NEAR(found.Atoms[0].Area / found.Atoms[1].Area, 1.0, 0.02);
   EXPECT_EQ(found.Atoms[2].Area, 0.0);
@@ -191,12 +191,12 @@ TEST(NonpolarEnergy, PullIsThatOfTheEquation)
         const double x = grid.Inner().Origin[k] + 0.8 * static_cast<double>(at[k]);
         r2 += (x - atom.Centre[k]) * (x - atom.Centre[k]);
       }
-      const double m = atom.Radius + solvent.Radius;
-      const double depth = std::sqrt(atom.WellDepth * solvent.WellDepth);
+      const double m = atom.Radius + solvent.SolventRadius;
+      const double depth = std::sqrt(atom.WellDepth * solvent.SolventWellDepth);
       const double r = std::max(std::sqrt(r2), m); // constant where repulsion would begin
       energy += r < 10.0 ? depth * (std::pow(m / r, 12) - 2.0 * std::pow(m / r, 6)) : 0.0;
     }
-    const double expected = (0.03 - solvent.Density * energy) / 0.05;
+    const double expected = (0.03 - solvent.SolventDensity * energy) / 0.05;
     EXPECT_NEAR(pull[static_cast<std::size_t>(grid.Index(at[0], at[1], at[2]))], expected, 1e-4);
   }
 }
@@ -218,7 +218,7 @@ TEST(NonpolarEnergy, SolventPullsTheSurfaceToTheAtoms)
   EXPECT_LT(pulled, 0.98 * plain);
   // No pressure, and no attraction: nothing changes.
   solvent.Pressure = 0.0;
-  solvent.WellDepth = 0.0;
+  solvent.SolventWellDepth = 0.0;
   const double still =
     SurfaceFlow(balls, parameters, SolventPull(atoms, solvent)).History.back().Volume;
   EXPECT_NEAR(still / plain, 1.0, 2e-3);

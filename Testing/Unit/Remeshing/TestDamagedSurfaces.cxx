@@ -209,7 +209,7 @@ TEST(SurfaceRemesh, TracesEndInASurfaceOrASentence)
 {
   SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.1;
-  parameters.Iterations = 3;
+  parameters.NumberOfIterations = 3;
   const auto seeds = SeedsAnd({}, 100);
   const int made = MadeOf(seeds,
     [&](std::uint64_t seed)

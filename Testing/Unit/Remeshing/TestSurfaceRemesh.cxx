@@ -14,12 +14,14 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSphereSource.h>
+#include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -311,10 +313,10 @@ TEST(SurfaceRemesh, DelaunayKeepsItsBounds)
   }
   for (const double angle : { 20.0, 28.0 })
   {
-    DelaunayRemeshParameters parameters;
+    SurfaceRemeshParameters parameters;
     parameters.EdgeLength = 0.15;
-    parameters.Angle = angle;
-    parameters.Distance = 0.002;
+    parameters.MinimumAngle = angle;
+    parameters.MaximumDistance = 0.002;
     const RemeshedSurface result = DelaunayRemesh(spheres, parameters);
     EXPECT_TRUE(FindDefects(result.Mesh).None());
     EXPECT_EQ(EulerCharacteristic(result.Mesh), 4) << "both parts are there";
@@ -336,7 +338,7 @@ TEST(SurfaceRemesh, DelaunayKeepsItsBounds)
 
 TEST(SurfaceRemesh, DelaunayKeepsSharpEdgesAndBoundaries)
 {
-  DelaunayRemeshParameters parameters;
+  SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.2;
   TriangleMesh cube = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
   const RemeshedSurface result = DelaunayRemesh(cube, parameters);
@@ -412,14 +414,14 @@ TEST(SurfaceRemesh, DelaunayOfPartsInAPlane)
     {
       for (const double length : { 3.0, 0.4 })
       {
-        DelaunayRemeshParameters parameters;
+        SurfaceRemeshParameters parameters;
         parameters.EdgeLength = length;
         const RemeshedSurface made = DelaunayRemesh(sheet, parameters);
         EXPECT_NEAR(SurfaceArea(made.Mesh), SurfaceArea(sheet), 1e-9 * SurfaceArea(sheet));
         EXPECT_EQ(EulerCharacteristic(made.Mesh), EulerCharacteristic(sheet));
         const auto [least, largest] =
           LeastAngleAndLargestCircle(made.Mesh, [](const Point3&) { return false; });
-        EXPECT_GE(least, parameters.Angle - 1e-9)
+        EXPECT_GE(least, parameters.MinimumAngle - 1e-9)
           << sheet.Triangles.size() << " triangles, " << length;
         EXPECT_LE(largest, length / std::sqrt(3.0) * (1.0 + 1e-6));
         const auto facing = [](const TriangleMesh& mesh)
@@ -438,7 +440,7 @@ TEST(SurfaceRemesh, DelaunayOfPartsInAPlane)
 
 TEST(SurfaceRemesh, DelaunayRefusesFoldedPartsAndStopsInAPlane)
 {
-  DelaunayRemeshParameters parameters;
+  SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.05;
   const TriangleMesh sheet = Squares(6, [](auto, auto) { return true; });
   EXPECT_THROW(
@@ -492,7 +494,7 @@ TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
   {
     ASSERT_NEAR(heights->GetTuple1(i), made->GetPoint(i)[2], 1e-5);
   }
-  DelaunayRemeshParameters parameters;
+  SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.06;
   EXPECT_THROW(
     DelaunayRemesh(MeshOf(sphere), parameters, [](double done) { return done < 0.3; }), Cancelled);
@@ -500,6 +502,33 @@ TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
   EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
   parameters.EdgeLength = 0.0;
   EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
+}
+
+TEST(SurfaceRemesh, WhatIsOutOfRangeIsNamed)
+{
+  const std::pair<const char*, std::function<void(vtkSurfaceRemesh*)>> cases[] = {
+    { "Target is 3, but it must be from 0 to 2", [](auto* f) { f->SetTarget(3); } },
+    { "Method is -1, but it must be from 0 to 1", [](auto* f) { f->SetMethod(-1); } },
+    { "RelativeEdgeLength is 0", [](auto* f) { f->SetRelativeEdgeLength(0.0); } },
+    { "EdgeLength is -1", [](auto* f) { f->SetEdgeLength(-1.0); } },
+    { "NumberOfTriangles is 0", [](auto* f) { f->SetNumberOfTriangles(0); } },
+    { "MinimumAngle is 31, but it must be from 0 to 30",
+      [](auto* f) { f->SetMinimumAngle(31.0); } },
+    { "MaximumDistance is -1", [](auto* f) { f->SetMaximumDistance(-1.0); } },
+    { "NumberOfIterations is 0", [](auto* f) { f->SetNumberOfIterations(0); } },
+    { "FeatureAngle is 181", [](auto* f) { f->SetFeatureAngle(181.0); } },
+  };
+  for (const auto& [words, spoil] : cases)
+  {
+    vtkNew<vtkSurfaceRemesh> filter;
+    vtkNew<vtkTest::ErrorObserver> errors;
+    filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->SetInputData(Sphere());
+    spoil(filter);
+    filter->Update();
+    EXPECT_NE(errors->GetErrorMessage().find(words), std::string::npos)
+      << words << ": " << errors->GetErrorMessage();
+  }
 }
 
 namespace

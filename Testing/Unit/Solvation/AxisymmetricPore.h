@@ -80,8 +80,8 @@ private:
   bool Held(int layer) const { return layer == 0 || layer == this->Layers - 1; }
   bool Wet(int ring, int layer) const
   {
-    return std::abs(this->Along(layer)) > 0.5 * this->P.Membrane.Thickness ||
-      this->H * (ring + 0.5) < this->P.Membrane.LumenRadius;
+    return std::abs(this->Along(layer)) > 0.5 * this->P.MembraneThickness ||
+      this->H * (ring + 0.5) < this->P.LumenRadius;
   }
   double Conductance(std::size_t k, int p, int q) const
   {

@@ -46,7 +46,7 @@ inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
 {
   constexpr int rings = 4, around = 10;
   constexpr double ball = 1.9;
-  const auto [n, u, v] = FrameAlong(m.Normal);
+  const auto [n, u, v] = FrameAlong(m.MembraneNormal);
   Tube tube;
   for (int ring = 0; ring < rings; ++ring)
   {
@@ -54,7 +54,7 @@ inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
     for (int i = 0; i < around; ++i)
     {
       const double angle = 2.0 * Pi * i / around;
-      Point3 at = m.Centre;
+      Point3 at = m.MembraneCenter;
       for (std::size_t a = 0; a < 3; ++a)
       {
         at[a] += along * n[a] + (radius + ball) * (std::cos(angle) * u[a] + std::sin(angle) * v[a]);
@@ -70,8 +70,8 @@ inline IonTransportParameters TubeParameters(double radius)
 {
   IonTransportParameters p;
   p.Species = { { "K", 1.0, 0.1, 0.1, 1.96, 1.0 }, { "Cl", -1.0, 0.1, 0.1, 2.03, 1.0 } };
-  p.Membrane.Thickness = 6.0;
-  p.Membrane.LumenRadius = radius + 1.9;
+  p.MembraneThickness = 6.0;
+  p.LumenRadius = radius + 1.9;
   p.Spacing = 1.0;
   p.Padding = 4.0;
   return p;

@@ -46,12 +46,12 @@ vtkSmartPointer<vtkIonTransport> TubeInSalt(double charge, double below, double 
 {
   constexpr double radius = 2.5;
   const IonTransportParameters p = TubeParameters(radius);
-  const Tube tube = MakeTube(p.Membrane, radius, charge);
+  const Tube tube = MakeTube(p, radius, charge);
   auto filter = vtkSmartPointer<vtkIonTransport>::New();
   filter->SetInputData(
     ChargedPoints(tube.Balls, std::vector<double>(tube.Balls.size(), charge), 0.1));
-  filter->SetMembraneThickness(p.Membrane.Thickness);
-  filter->SetLumenRadius(p.Membrane.LumenRadius);
+  filter->SetMembraneThickness(p.MembraneThickness);
+  filter->SetLumenRadius(p.LumenRadius);
   filter->SetSpacing(p.Spacing);
   filter->SetPadding(p.Padding);
   filter->ClearSpecies();

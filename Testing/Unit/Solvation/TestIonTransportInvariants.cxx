@@ -81,7 +81,7 @@ TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
 {
   IonTransportParameters p = TubeParameters(2.5);
   p.Tolerance = 1e-6;
-  const TransportGrid grid = GridOf(MakeTube(p.Membrane, 2.5, -0.05), p);
+  const TransportGrid grid = GridOf(MakeTube(p, 2.5, -0.05), p);
   PoissonNernstPlanck solution(grid, p);
   double least = 0.0;
   for (const double voltage : { 40.0, 120.0 })
@@ -132,7 +132,7 @@ TEST(IonTransportInvariants, IonsOfEveryValencePassWhole)
     IonTransportParameters p = TubeParameters(2.5);
     p.Species = c.Species;
     p.Voltage = c.Voltage;
-    const TransportGrid grid = GridOf(MakeTube(p.Membrane, 2.5, c.Charge), p);
+    const TransportGrid grid = GridOf(MakeTube(p, 2.5, c.Charge), p);
     PoissonNernstPlanck solution(grid, p);
     const CurrentProfile currents = Sound(solution, c.Name);
     std::cout << c.Name << ":";
@@ -166,10 +166,10 @@ TEST(IonTransportInvariants, MembranesLieAnywhere)
     IonTransportParameters p = TubeParameters(3.0);
     if (trial > 0)
     {
-      p.Membrane.Centre = { 300.0 * part(random), -50.0 * part(random), 7.7 };
-      p.Membrane.Normal = { 40.0 * part(random), 40.0 * part(random), -20.0 };
+      p.MembraneCenter = { 300.0 * part(random), -50.0 * part(random), 7.7 };
+      p.MembraneNormal = { 40.0 * part(random), 40.0 * part(random), -20.0 };
     }
-    const TransportGrid grid = GridOf(MakeTube(p.Membrane, 3.0, -0.05), p);
+    const TransportGrid grid = GridOf(MakeTube(p, 3.0, -0.05), p);
     PoissonNernstPlanck solution(grid, p);
     const double current = Sound(solution, "anywhere").Mean();
     std::cout << "trial " << trial << ": " << current << " pA\n";
@@ -202,13 +202,13 @@ TEST(IonTransportInvariants, TurningMoleculeAndMembraneChangesTheCurrentByLessTh
     IonTransportParameters p = TubeParameters(c.Radius);
     p.Spacing = 0.5;
     p.Padding = 2.0;
-    const Tube tube = MakeTube(p.Membrane, c.Radius, c.Charge);
+    const Tube tube = MakeTube(p, c.Radius, c.Charge);
     double least = HUGE_VAL, most = 0.0;
     for (int pose = 0; pose < poses; ++pose)
     {
       const Tube turned = pose == 0
         ? tube
-        : TurnedTube(tube, p.Membrane.Normal = { part(random), part(random), part(random) },
+        : TurnedTube(tube, p.MembraneNormal = { part(random), part(random), part(random) },
             2.0 * Pi * part(random));
       const TransportGrid grid = GridOf(turned, p);
       PoissonNernstPlanck solution(grid, p);
@@ -232,7 +232,7 @@ TEST(IonTransportInvariants, OverflowIsReported)
     p.Species = { { "Al", 3.0, 0.1, 0.1, 0.5, 1.0 }, { "Cl", -1.0, 0.3, 0.3, 2.0, 1.0 } };
     p.Voltage = 1000.0;
     p.MaximumIterations = 10;
-    Tube tube = MakeTube(p.Membrane, 2.5, 0.0);
+    Tube tube = MakeTube(p, 2.5, 0.0);
     tube.Charges.assign(1, { { 0.3, 0.2, 0.1 }, charge, 1.0 });
     const TransportGrid grid = GridOf(tube, p);
     PoissonNernstPlanck solution(grid, p);
@@ -260,7 +260,7 @@ TEST(IonTransportInvariants, MoreIonsThanFloatsCountAreRefused)
   {
     IonTransportParameters p = TubeParameters(2.5);
     p.MaximumIterations = 10;
-    Tube tube = MakeTube(p.Membrane, 2.5, 0.0);
+    Tube tube = MakeTube(p, 2.5, 0.0);
     tube.Charges.assign(1, { { 0.3, 0.2, 0.1 }, charge, 1.0 });
     const TransportGrid grid = GridOf(tube, p);
     PoissonNernstPlanck solution(grid, p);
@@ -288,7 +288,7 @@ TEST(IonTransportInvariants, LostCurrentIsReported)
   // rounding leaves of what turns over in the well. The potential converges all the same.
   IonTransportParameters p = TubeParameters(2.5);
   p.Species = { { "Al", 3.0, 1e-6, 1e-6, 0.5, 1.0 }, { "Cl", -1.0, 3e-6, 3e-6, 2.0, 1.0 } };
-  Tube tube = MakeTube(p.Membrane, 2.5, 1.0);
+  Tube tube = MakeTube(p, 2.5, 1.0);
   for (std::size_t i = tube.Charges.size() / 2; i < tube.Charges.size(); ++i)
   {
     tube.Charges[i].Charge = -1.0;

@@ -27,8 +27,8 @@ IonTransportParameters BarePore(double radius, double spacing)
 {
   IonTransportParameters p;
   p.Species = { { "K", 1.0, 0.1, 0.1, 1.96, 1.0 }, { "Cl", -1.0, 0.1, 0.1, 2.03, 1.0 } };
-  p.Membrane.LumenRadius = radius;
-  p.Membrane.Thickness = 20.0;
+  p.LumenRadius = radius;
+  p.MembraneThickness = 20.0;
   p.Spacing = spacing;
   p.Padding = 4.0;
   p.SoluteDielectric = 80.0;
@@ -51,7 +51,8 @@ std::vector<ChargedAtom> ChargedWall(const MembraneSlab& m, double radius, doubl
   constexpr int around = 24;
   constexpr double step = 0.5;
   std::vector<ChargedAtom> charges;
-  for (double along = 0.5 * (step - m.Thickness); along < 0.5 * m.Thickness; along += step)
+  for (double along = 0.5 * (step - m.MembraneThickness); along < 0.5 * m.MembraneThickness;
+       along += step)
   {
     for (int i = 0; i < around; ++i)
     {
@@ -186,11 +187,10 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
     IonTransportParameters p = BarePore(radius, spacing);
     p.SoluteDielectric = dielectric;
     p.Voltage = 0.0;
-    p.Membrane.Thickness = 60.0;
+    p.MembraneThickness = 60.0;
     p.Padding = 3.6;
     const TransportDomain domain = DomainAround({}, p);
-    MovingChannel channel(
-      domain, {}, ChargedWall(p.Membrane, 7.0, charge), {}, p, Walls(0.07, 0.0, 1, 1));
+    MovingChannel channel(domain, {}, ChargedWall(p, 7.0, charge), {}, p, Walls(0.07, 0.0, 1, 1));
     channel.Run();
     const WallValues wall = channel.ForceAtWall();
     double sum = 0.0, count = 0.0;
@@ -219,13 +219,13 @@ TEST(MovingChannel, ChargedPoreMovesAsTensionFieldAndIonsHaveIt)
   for (const double dielectric : { 2.0, 40.0 })
   {
     IonTransportParameters p = BarePore(radius, 0.8);
-    p.Membrane.Thickness = 60.0;
+    p.MembraneThickness = 60.0;
     p.SoluteDielectric = dielectric;
     p.Voltage = 0.0;
     const double push = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     const double tension = 3.0 * push * radius; // field and ions are a third as strong
-    MovingChannel channel(DomainAround({}, p), {}, ChargedWall(p.Membrane, 7.5, charge), {}, p,
-      Walls(tension, 0.0, 40, 2));
+    MovingChannel channel(
+      DomainAround({}, p), {}, ChargedWall(p, 7.5, charge), {}, p, Walls(tension, 0.0, 40, 2));
     channel.Run();
     double r = radius;
     constexpr int steps = 400;
@@ -247,7 +247,7 @@ TEST(MovingChannel, WithoutForcesItIsTheSurfaceAtRest)
   IonTransportParameters p = TubeParameters(3.0);
   p.Voltage = 50.0;
   p.SoluteDielectric = p.SolventDielectric;
-  Tube tube = MakeTube(p.Membrane, 3.0, 0.0);
+  Tube tube = MakeTube(p, 3.0, 0.0);
   const TransportDomain domain = DomainAround(tube.Balls, p);
   const std::vector<float> obstacle =
     DistanceToAtoms(MovingChannel::Padded(domain), tube.Balls, p.ProbeRadius);
@@ -280,7 +280,7 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
 {
   IonTransportParameters p = TubeParameters(3.0);
   p.Species[0].Above = p.Species[1].Above = 0.3;
-  const Tube tube = MakeTube(p.Membrane, 3.0, -0.05);
+  const Tube tube = MakeTube(p, 3.0, -0.05);
   const TransportDomain domain = DomainAround(tube.Balls, p);
   std::vector<DispersionAtom> attracting;
   for (const Ball& ball : tube.Balls)
@@ -288,7 +288,7 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
     attracting.push_back({ ball.Centre, ball.Radius, 0.1 });
   }
   MovingChannelParameters walls = Walls(0.07, 0.0464, 20, 10);
-  walls.Policy.Tolerance = 3e-3;
+  walls.UpdateTolerance = 3e-3;
   std::vector<double> first;
   for (const int threads : { 1, 2, 4 })
   {
@@ -327,7 +327,7 @@ TEST(MovingChannel, WhatDoesNotRestIsKeptAsItChangedLeast)
   channel.Run();
   EXPECT_FALSE(channel.HasConverged());
   ASSERT_EQ(channel.GetUpdates().size(), 4u);
-  EXPECT_GT(channel.LastChange(), m.Policy.Tolerance);
+  EXPECT_GT(channel.LastChange(), m.UpdateTolerance);
   EXPECT_EQ(channel.GetShown(), 1u);
   EXPECT_NEAR(
     CurrentsOf(channel.GetSolution()).Mean() / channel.GetUpdates()[1].Current(), 1.0, 1e-4);

@@ -41,7 +41,7 @@ TEST(PoissonNernstPlanck, ConstantFieldIsGoldmanHodgkinKatz)
   constexpr double length = 50.0;
   const TransportGrid line = TransportLine(26, length);
   IonTransportParameters p = Salt(1e-7, 5e-8);
-  p.Membrane.Thickness = length;
+  p.MembraneThickness = length;
   p.Species.push_back({ "Ca", 2.0, 1e-8, 3e-8, 0.79, 1.0 });
   p.Species[1].Below += 2e-8;
   p.Species[1].Above += 6e-8;
@@ -112,7 +112,7 @@ TEST(PoissonNernstPlanck, LongLiquidJunctionIsHendersons)
   const TransportGrid line = TransportLine(401, length);
   IonTransportParameters p = Salt(0.5, 0.05);
   p.Species[0] = { "Na", 1.0, 0.5, 0.05, 1.33, 1.0 };
-  p.Membrane.Thickness = length;
+  p.MembraneThickness = length;
   p.Tolerance = 1e-7;
   const double henderson = (1.33 - 2.03) / (1.33 + 2.03) * std::log(10.0); // of Above less Below
   PoissonNernstPlanck solution(line, p);
@@ -246,10 +246,10 @@ TEST(PoissonNernstPlanck, RefusesWhatHasNoAnswer)
   }
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[1].Diffusion = 0.0; }), "diffusion"));
   EXPECT_TRUE(has(refused([](auto& p) { p.Species[1].ChannelFraction = 0.0; }), "fraction"));
-  EXPECT_TRUE(has(refused([](auto& p) { p.Membrane.Normal = { 0.0, 0.0, 0.0 }; }), "normal"));
-  EXPECT_TRUE(has(refused([&](auto& p) { p.Membrane.Centre[1] = nan; }), "MembraneCenter"));
-  EXPECT_TRUE(has(refused([](auto& p) { p.Membrane.Thickness = 0.0; }), "MembraneThickness"));
-  EXPECT_TRUE(has(refused([](auto& p) { p.Membrane.LumenRadius = -1.0; }), "LumenRadius"));
+  EXPECT_TRUE(has(refused([](auto& p) { p.MembraneNormal = { 0.0, 0.0, 0.0 }; }), "normal"));
+  EXPECT_TRUE(has(refused([&](auto& p) { p.MembraneCenter[1] = nan; }), "MembraneCenter"));
+  EXPECT_TRUE(has(refused([](auto& p) { p.MembraneThickness = 0.0; }), "MembraneThickness"));
+  EXPECT_TRUE(has(refused([](auto& p) { p.LumenRadius = -1.0; }), "LumenRadius"));
   EXPECT_TRUE(has(refused([&](auto& p) { p.Voltage = nan; }), "Voltage"));
   EXPECT_TRUE(has(refused([](auto& p) { p.SolventDielectric = 0.0; }), "SolventDielectric"));
   EXPECT_TRUE(has(refused([](auto& p) { p.Spacing = 0.0; }), "Spacing"));

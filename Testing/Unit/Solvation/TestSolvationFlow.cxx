@@ -27,6 +27,7 @@ SolvationParameters IonParameters(double spacing)
 {
   SolvationParameters p;
   p.Flow.Spacing = spacing;
+  p.Flow.ProbeRadius = 0.0;
   p.Potential.SoluteDielectric = 1.0;
   p.Potential.SolventDielectric = 80.0;
   return p;
@@ -83,7 +84,7 @@ TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
   for (std::size_t i = 0; i < 3; ++i)
   {
     SolvationParameters p = IonParameters(0.25);
-    p.Potential.Dielectric = DielectricModel::SmoothDielectric;
+    p.Potential.DielectricModel = DielectricModel::SmoothDielectric;
     p.Potential.Padding = 5.0;
     SolvationFlow flow(Ion(radii[i]), p);
     flow.Run();
@@ -303,14 +304,16 @@ TEST(SolvationFlow, BadInputIsToldInASentence)
     double Value;
   };
   for (const Case& c : { Case{ "SurfaceRelaxation", &UpdatePolicy::SurfaceRelaxation, 0.0 },
-         Case{ "FieldRelaxation", &UpdatePolicy::FieldRelaxation, 1.5 },
-         Case{ "Tolerance", &UpdatePolicy::Tolerance, std::nan("") } })
+         Case{ "FieldRelaxation", &UpdatePolicy::FieldRelaxation, 1.5 } })
   {
     SolvationParameters p = IonParameters(0.5);
     p.Policy.*c.Number = c.Value;
     EXPECT_NE(said(Ion(2.0), p).find(std::string(c.Name) + " is "), std::string::npos) << c.Name;
   }
   SolvationParameters p = IonParameters(0.5);
+  p.EnergyTolerance = std::nan("");
+  EXPECT_NE(said(Ion(2.0), p).find("EnergyTolerance is "), std::string::npos);
+  p = IonParameters(0.5);
   p.Policy.UpdatePeriod = 0;
   EXPECT_NE(said(Ion(2.0), p).find("UpdatePeriod is "), std::string::npos);
   p = IonParameters(0.5);

@@ -202,7 +202,9 @@ TEST(AreaQuantiles, WrongFractionsAndArraysAreASentence)
   Trial fraction(Sphere(10));
   fraction.Filter->SetUpper(1.5);
   fraction.Filter->Update();
-  EXPECT_TRUE(fraction.Observer->GetError());
+  EXPECT_NE(fraction.Observer->GetErrorMessage().find("Upper is 1.5, but it must be from 0 to 1"),
+    std::string::npos)
+    << fraction.Observer->GetErrorMessage();
   EXPECT_EQ(fraction.Filter->GetOutput()->GetNumberOfRows(), 0);
   Trial array(Sphere(10), vtkDataObject::FIELD_ASSOCIATION_POINTS, "NoSuchArray");
   array.Filter->Update();

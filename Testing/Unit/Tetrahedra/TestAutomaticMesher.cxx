@@ -44,7 +44,7 @@ TEST(AutomaticMesher, TakesTheWayThatMovesTheSurfaceLeast)
 
   // Without TetGen's program a clean surface goes to CGAL.
   TetrahedralParameters noTetGen = Limited();
-  noTetGen.TetGen.Command = "no-such-program";
+  noTetGen.TetGen.TetGenCommand = "no-such-program";
   const AutomaticMesh cgal = AutomaticTetrahedra(clean, noTetGen);
   EXPECT_EQ(cgal.Backend, MeshingBackend::RepairedCGAL) << cgal.Report;
   EXPECT_NEAR(cgal.VolumeAfter / SignedVolume(clean), 1.0, 0.02);

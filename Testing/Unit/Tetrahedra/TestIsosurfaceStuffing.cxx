@@ -71,8 +71,9 @@ double RandomValue(std::uint64_t seed, const Point3& x)
   }
 }
 
-IsosurfaceStuffingResult Random(std::uint64_t seed, const StuffingParameters& parameters)
+IsosurfaceStuffingResult Random(std::uint64_t seed, StuffingParameters parameters)
 {
+  parameters.CellSize = 1.0;
   return IsosurfaceStuffing([seed](const Point3& x) { return RandomValue(seed, x); },
     { { 0, 0, 0 }, { NoiseSide, NoiseSide, NoiseSide } }, parameters);
 }
@@ -288,6 +289,7 @@ TEST(IsosurfaceStuffing, AnyNumberOfThreadsGivesTheSameBits)
 TEST(IsosurfaceStuffing, ExtremeValuesAndExactLevelsAreFine)
 {
   StuffingParameters parameters;
+  parameters.CellSize = 1.0;
   parameters.Side = MeshedSide::Both;
   for (const double scale : { 1e-310, 1e300 })
   {
@@ -327,14 +329,15 @@ TEST(IsosurfaceStuffing, WhatCannotBeMetIsRefused)
     }
     return std::string();
   };
-  EXPECT_NE(fails(0.0, 0, 0).find("positive length"), std::string::npos);
-  EXPECT_NE(fails(std::nan(""), 0, 0).find("positive length"), std::string::npos);
+  EXPECT_NE(fails(0.0, 0, 0).find("CellSize is 0, but"), std::string::npos);
+  EXPECT_NE(fails(std::nan(""), 0, 0).find("CellSize is not a number"), std::string::npos);
   EXPECT_NE(fails(1e-9, 0, 0).find("262144 cells"), std::string::npos);
-  EXPECT_NE(fails(0.1, 9, 0).find("0 (uniform) to 8"), std::string::npos);
+  EXPECT_NE(
+    fails(0.1, 9, 0).find("GradingLevels is 9, but it must be from 0 to 8"), std::string::npos);
   EXPECT_NE(fails(0.01, 0, 1 << 20).find("MemoryLimit is 1 MiB"), std::string::npos);
   EXPECT_EQ(fails(0.5, 0, 0), "");
   EXPECT_THROW(IsosurfaceStuffing([](const Point3&) { return -1.0; }, { { 0, 0, 0 }, { 1, 1, 1 } },
-                 {}, [](double) { return false; }),
+                 StuffingParameters{ 1.0 }, [](double) { return false; }),
     Cancelled);
 }
 

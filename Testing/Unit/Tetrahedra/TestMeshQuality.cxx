@@ -14,6 +14,7 @@
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 #include <vtkTable.h>
+#include <vtkTestErrorObserver.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
@@ -223,6 +224,20 @@ TEST(MeshQuality, HistogramCountsEveryAngleOnce)
   EXPECT_EQ(count, 1200.0);
   EXPECT_NEAR(fraction, 1.0, 1e-12);
   EXPECT_EQ(report->GetSummary().rfind("200 tetrahedra, volume ", 0), 0u) << report->GetSummary();
+}
+
+TEST(MeshQuality, NoBinsAreRefused)
+{
+  vtkNew<vtkMeshQualityReport> report;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  report->AddObserver(vtkCommand::ErrorEvent, observer);
+  vtkNew<vtkSphereSource> sphere;
+  report->SetInputConnection(sphere->GetOutputPort());
+  report->SetNumberOfBins(0);
+  report->Update();
+  EXPECT_NE(
+    observer->GetErrorMessage().find("NumberOfBins is 0, but it must be from 1"), std::string::npos)
+    << observer->GetErrorMessage();
 }
 
 TEST(MeshQuality, EmptyInputGivesEmptyOutput)

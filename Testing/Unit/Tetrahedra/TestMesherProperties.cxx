@@ -80,7 +80,7 @@ Mesh TetGen(const Change& change)
     [&](vtkTetrahedralMesher* m)
     {
       m->SetLibrary(vtkTetrahedralMesher::TetGen);
-      m->KeepSurfaceOff();
+      m->PreserveSurfaceOff();
       change(m);
     });
 }
@@ -124,7 +124,7 @@ TEST(MesherProperties, OfTetGen)
   const Mesh kept = TetGen(
     [](vtkTetrahedralMesher* m)
     {
-      m->KeepSurfaceOn();
+      m->PreserveSurfaceOn();
       m->SetRadiusEdgeRatio(0.0);
     });
   EXPECT_EQ(kept.Points, 8);
@@ -197,7 +197,15 @@ TEST(MesherProperties, OutOfRangeEndsInASentence)
   EXPECT_NE(TetGen([](vtkTetrahedralMesher* m) { m->SetTimeLimit(-1.0); }).Error, "");
   EXPECT_NE(TetGen([&](vtkTetrahedralMesher* m) { m->SetMaximumVolume(nan); }).Error, "");
   EXPECT_NE(TetGen([&](vtkTetrahedralMesher* m) { m->SetRadiusEdgeRatio(nan); }).Error, "");
-  EXPECT_NE(CGAL([](vtkTetrahedralMesher* m) { m->SetFacetAngle(45.0); }).Error, "");
+  const auto says = [](const Mesh& made, const char* words)
+  { EXPECT_NE(made.Error.find(words), std::string::npos) << made.Error; };
+  says(TetGen([](vtkTetrahedralMesher* m) { m->SetLibrary(3); }),
+    "Library is 3, but it must be from 0 to 2");
+  says(TetGen([](vtkTetrahedralMesher* m) { m->SetSide(-1); }),
+    "Side is -1, but it must be from 0 to 2");
+  says(TetGen([](vtkTetrahedralMesher* m) { m->SetMemoryLimit(-1); }), "MemoryLimit is -1, but");
+  says(CGAL([](vtkTetrahedralMesher* m) { m->SetFacetAngle(45.0); }),
+    "FacetAngle is 45, but it must be from 0 to 30");
   EXPECT_NE(CGAL([](vtkTetrahedralMesher* m) { m->SetCellSize(-1.0); }).Error, "");
   EXPECT_NE(CGAL([](vtkTetrahedralMesher* m) { m->SetLloydIterations(-1); }).Error, "");
   EXPECT_NE(CGAL([&](vtkTetrahedralMesher* m) { m->SetOptimisationTimeLimit(nan); }).Error, "");

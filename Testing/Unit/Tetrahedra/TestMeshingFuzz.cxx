@@ -152,7 +152,7 @@ TEST(MeshingFuzz, TetGen)
   TetrahedralParameters parameters;
   parameters.TetGen.Limits = { 5.0, std::uint64_t{ 2 } << 30 };
   Fuzz("TetGen pYq", 0.1, [&](const TriangleMesh& mesh) { return Fills(mesh, parameters); });
-  parameters.TetGen.KeepSurface = false;
+  parameters.TetGen.PreserveSurface = false;
   parameters.Side = MeshedSide::Both;
   Fuzz("TetGen pq both", 0.1, [&](const TriangleMesh& mesh) { return Fills(mesh, parameters); });
 }
@@ -249,7 +249,7 @@ TEST(MeshingFuzz, Remesh)
 {
   SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.1;
-  parameters.Iterations = 3;
+  parameters.NumberOfIterations = 3;
   Fuzz("Remesh", 0.1,
     [&](const TriangleMesh& mesh)
     { return FindDefects(RemeshSurface(mesh, parameters).Mesh).NonManifoldTriangles.empty(); });
@@ -279,7 +279,8 @@ TEST(MeshingFuzz, IsosurfacesOfNoise)
     DelaunayIsosurfaceParameters parameters;
     parameters.Level = i % 3 ? 700.5 : 0.5;
     parameters.Radius = 0.5;
-    parameters.MaximumPoints = 20000;
+    parameters.Distance = 0.2;
+    parameters.MaximumNumberOfPoints = 20000;
     try
     {
       const auto set = CloseLevelSet(image, values, parameters.Level, true);

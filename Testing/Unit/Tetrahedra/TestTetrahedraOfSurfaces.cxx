@@ -125,7 +125,7 @@ TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
       const bool cgal = std::string(way) == "CGAL";
       auto parameters =
         With(cgal ? TetrahedralLibrary::CGAL : TetrahedralLibrary::TetGen, MeshedSide::Inside);
-      parameters.TetGen.KeepSurface = std::string(way) == "TetGen pYq";
+      parameters.TetGen.PreserveSurface = std::string(way) == "TetGen pYq";
       parameters.CGAL.MaximumPoints = 1'000'000;
       const auto start = std::chrono::steady_clock::now();
       const auto seconds = [start]

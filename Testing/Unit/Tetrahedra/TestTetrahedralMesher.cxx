@@ -138,7 +138,7 @@ TEST(TetrahedralMesher, KeptSurfaceComesOutAsItWentIn)
 TEST(TetrahedralMesher, TetGenKeepsItsBounds)
 {
   TetrahedralParameters parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
-  parameters.TetGen.KeepSurface = false;
+  parameters.TetGen.PreserveSurface = false;
   parameters.TetGen.MaximumVolume = 0.5;
   parameters.TetGen.RadiusEdgeRatio = 1.4;
   const TetrahedralMesh mesh = MeshTetrahedra(NestedCubes(), parameters);
@@ -221,11 +221,11 @@ TEST(TetrahedralMesher, WrongParametersEndInASentence)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
   auto parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
-  parameters.TetGen.Command = "no-such-program";
+  parameters.TetGen.TetGenCommand = "no-such-program";
   EXPECT_NE(WhyRefused(cube, parameters).find("was not found"), std::string::npos);
   parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
   parameters.TetGen.RadiusEdgeRatio = 0.3;
-  EXPECT_NE(WhyRefused(cube, parameters).find("at least 1"), std::string::npos);
+  EXPECT_NE(WhyRefused(cube, parameters).find("from 1 to"), std::string::npos);
   parameters = With(TetrahedralLibrary::CGAL, MeshedSide::Inside);
   parameters.CGAL.FacetAngle = 45.0;
   EXPECT_NE(WhyRefused(cube, parameters).find("0 to 30"), std::string::npos);
@@ -253,7 +253,7 @@ TEST(TetrahedralMesher, TimeAndMemoryLimitsEndInASentence)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
   auto parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
-  parameters.TetGen.KeepSurface = false;
+  parameters.TetGen.PreserveSurface = false;
   parameters.TetGen.MaximumVolume = 1e-9;
   parameters.TetGen.Limits = { 0.3, std::uint64_t{ 4 } << 30 };
   EXPECT_NE(WhyRefused(cube, parameters).find("stopped after 0 s"), std::string::npos);
@@ -268,7 +268,7 @@ TEST(TetrahedralMesher, StopsWhenAskedTo)
   for (const auto library : { TetrahedralLibrary::TetGen, TetrahedralLibrary::CGAL })
   {
     auto parameters = With(library, MeshedSide::Inside);
-    parameters.TetGen.KeepSurface = false;
+    parameters.TetGen.PreserveSurface = false;
     parameters.TetGen.MaximumVolume = 1e-9;
     parameters.CGAL.CellSize = 0.001;
     const auto start = std::chrono::steady_clock::now();

@@ -83,7 +83,7 @@ Measured Measure(const TetrahedralMesh& mesh, const TriangleMesh& surface)
 TetrahedralParameters TetGen()
 {
   TetrahedralParameters parameters;
-  parameters.TetGen.KeepSurface = false;
+  parameters.TetGen.PreserveSurface = false;
   parameters.TetGen.Limits = { 120.0, std::uint64_t{ 4 } << 30 };
   return parameters;
 }
@@ -114,7 +114,7 @@ TEST(TetrahedralProperties, TetGenKeepsRatioVolumeAndDihedral)
   }
   TetrahedralParameters parameters = TetGen();
   parameters.TetGen.MaximumVolume = 0.002;
-  parameters.TetGen.MinimumDihedral = 18.0;
+  parameters.TetGen.MinimumDihedralAngle = 18.0;
   EXPECT_GE(Measure(MeshTetrahedra(cube, parameters), cube).SmallestDihedral, 18.0);
   parameters.TetGen.RadiusEdgeRatio = 0.0;
   parameters.TetGen.MaximumVolume = 0.0;
@@ -175,12 +175,12 @@ TEST(TetrahedralProperties, OptimisationRaisesTheSmallestAngles)
     return Measure(mesh, sphere).SmallestDihedral;
   };
   EXPECT_GT(with([](CGALCriteria& c) { c.Exude = true; }), plain);
-  EXPECT_GT(with([](CGALCriteria& c) { c.PerturbSeconds = 20.0; }), plain);
+  EXPECT_GT(with([](CGALCriteria& c) { c.PerturbTimeLimit = 20.0; }), plain);
   EXPECT_GT(with(
               [](CGALCriteria& c)
               {
                 c.LloydIterations = 5;
-                c.PerturbSeconds = 20.0;
+                c.PerturbTimeLimit = 20.0;
                 c.Exude = true;
               }),
     plain);
@@ -188,13 +188,13 @@ TEST(TetrahedralProperties, OptimisationRaisesTheSmallestAngles)
               [](CGALCriteria& c)
               {
                 c.ODTIterations = 5;
-                c.PerturbSeconds = 20.0;
+                c.PerturbTimeLimit = 20.0;
                 c.Exude = true;
               }),
     plain);
   parameters.CGAL.LloydIterations = -1;
   EXPECT_THROW(MeshTetrahedra(sphere, parameters), std::invalid_argument);
   parameters.CGAL.LloydIterations = 0;
-  parameters.CGAL.PerturbSeconds = std::nan("");
+  parameters.CGAL.PerturbTimeLimit = std::nan("");
   EXPECT_THROW(MeshTetrahedra(sphere, parameters), std::invalid_argument);
 }

@@ -33,7 +33,7 @@ inline std::string AtomLine(const std::string& serial, const std::string& name,
 inline Macromolecule FromPDB(const std::string& text, std::int64_t model = 0)
 {
   MoleculeOptions options;
-  options.Model = model;
+  options.ModelIndex = model;
   return Parsed(text, MoleculeFormat::PDB, options);
 }
 
@@ -41,7 +41,7 @@ inline Macromolecule FromPDB(const std::string& text, std::int64_t model = 0)
 inline Macromolecule FromReport(const std::string& name, std::int64_t model = 0)
 {
   MoleculeOptions options;
-  options.Model = model;
+  options.ModelIndex = model;
   return ReadMacromolecule((SharedDataFolder() / "reports" / name).string(), options);
 }
 

@@ -33,7 +33,7 @@ std::string FileText(const std::filesystem::path& path)
 Macromolecule FromCIF(const std::string& text, std::int64_t model = 0)
 {
   MoleculeOptions options;
-  options.Model = model;
+  options.ModelIndex = model;
   return Parsed(text, MoleculeFormat::MMCIF, options);
 }
 

@@ -34,7 +34,7 @@ std::string Symbols(const Macromolecule& molecule)
 Macromolecule Model(const std::string& text, MoleculeFormat format, std::int64_t model)
 {
   MoleculeOptions options;
-  options.Model = model;
+  options.ModelIndex = model;
   options.BondsByDistance = false;
   return Parsed(text, format, options);
 }

@@ -63,17 +63,17 @@ TEST(MacromoleculeReader, Selections)
   options.AltLoc.clear();
   options.Chains = " B,C";
   EXPECT_EQ(NamesOf(Parsed(SmallPDB, MoleculeFormat::PDB, options)), "FE O ");
-  options.Water = false;
+  options.ReadWater = false;
   const Macromolecule iron = Parsed(SmallPDB, MoleculeFormat::PDB, options);
   EXPECT_EQ(NamesOf(iron), "FE ");
   EXPECT_TRUE(iron.Bonds.empty()); // its partner is gone
-  options.Hetero = false;
+  options.ReadHetero = false;
   EXPECT_TRUE(Parsed(SmallPDB, MoleculeFormat::PDB, options).Atoms.empty());
   options = MoleculeOptions();
-  options.Model = 1;
+  options.ModelIndex = 1;
   EXPECT_EQ(Parsed(SmallPDB, MoleculeFormat::PDB, options).Atoms.at(0).Position[0], 5.0);
-  options.Radii = RadiusTable::Alvarez;
-  options.Model = 0;
+  options.RadiusTable = RadiusTable::Alvarez;
+  options.ModelIndex = 0;
   EXPECT_TRUE(Parsed(SmallPDB, MoleculeFormat::PDB, options).Warnings.empty());
 
   options = MoleculeOptions();
@@ -88,7 +88,7 @@ TEST(MacromoleculeReader, Selections)
   EXPECT_NE(
     WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("one letter"), std::string::npos);
   options = MoleculeOptions();
-  options.Model = 2;
+  options.ModelIndex = 2;
   EXPECT_EQ(WhyRefused(SmallPDB, MoleculeFormat::PDB, options),
     "test: there is no model 2, they are numbered 0 to 1.");
 }

@@ -181,7 +181,7 @@ TEST(MacromoleculeReader, XYZFrames)
   EXPECT_EQ(water.Bonds.size(), 2u);
   EXPECT_EQ(water.Atoms[2].Position[1], 0.93);
   MoleculeOptions second;
-  second.Model = 1;
+  second.ModelIndex = 1;
   EXPECT_EQ(NamesOf(Parsed(text, MoleculeFormat::XYZ, second)), "C Fe ");
   EXPECT_EQ(
     Parsed("1\nProperties=species:S:1:pos:R:3:forces:R:3\nC 0 0 0 1 1 1\n", MoleculeFormat::XYZ)

@@ -288,7 +288,7 @@ TEST(PDBModels, OfPQRAndPDBQT)
       EXPECT_EQ(CountModels(plain.Path(), format), models) << name << pdb;
       EXPECT_EQ(CountModels(packed.Path(), format), models) << name << pdb;
       MoleculeOptions last;
-      last.Model = models - 1;
+      last.ModelIndex = models - 1;
       EXPECT_EQ(Parsed(text, format, last).Atoms.size(), atoms) << name << pdb;
     }
   }

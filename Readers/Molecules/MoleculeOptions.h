@@ -1,0 +1,50 @@
+/**
+ * @file MoleculeOptions.h
+ * @brief Which atoms of a file to read, and what to add to them.
+ */
+#ifndef isthmus_MoleculeOptions_h
+#define isthmus_MoleculeOptions_h
+
+#include "Atoms/AtomRadii.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
+
+#include <cstdint>
+#include <string>
+
+namespace isthmus
+{
+
+enum class MoleculeFormat
+{
+  ByName, ///< from the file's extension (.gz and .bz2 left out), else from its first lines
+  PDB,
+  MMCIF,
+  PQR,
+  XYZ, ///< also extended XYZ and TINKER's
+  PDBQT,
+  GRO,
+  MOL2,
+  SDF
+};
+
+/// Which atoms to read, and what to add to them.
+struct MoleculeOptions
+{
+  MoleculeFormat Format = MoleculeFormat::ByName;
+  std::int64_t ModelIndex = 0; ///< from 0, in the order of the file
+  std::string Assembly;        ///< that the file describes, by its name; empty: the file as it is
+  std::string Chains;          ///< names separated by blanks or commas; empty: all
+  /// Empty: of each residue the location with the highest occupancy; "*": all; else that letter.
+  std::string AltLoc;
+  bool ReadHetero = true; ///< HETATM atoms, water aside
+  bool ReadWater = true;
+  isthmus::RadiusTable RadiusTable = isthmus::RadiusTable::Bondi;
+  bool BondsByDistance = true;
+};
+
+/// @throws std::invalid_argument with property, value and range.
+VTKISTHMUSREADERSMOLECULES_EXPORT void Check(const MoleculeOptions& options);
+
+}
+
+#endif
