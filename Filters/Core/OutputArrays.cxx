@@ -1,5 +1,7 @@
 #include "Core/OutputArrays.h"
 
+#include "Core/NumberText.h"
+
 #include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkObject.h>
@@ -77,7 +79,7 @@ void OutputArraySelection::Check() const
     if (!isKnown)
     {
       throw std::invalid_argument(
-        "OutputArraySelection has " + name + ", but it must be of: " + known + ".");
+        TextOf("OutputArraySelection has ", name, ", but it must be of: ", known, "."));
     }
   }
 }
