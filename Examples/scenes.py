@@ -18,7 +18,7 @@ import gallery  # noqa: E402
 from output_folder import output_folder  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-TEMPLATE = HERE / "guide" / "site" / "scene.html"
+TEMPLATE = HERE.parent / "Documentation" / "site" / "scene.html"
 THREE = Path("/usr/share/javascript/three")
 SCRIPTS = ("three.min.js", "examples/js/controls/OrbitControls.js", "examples/js/loaders/GLTFLoader.js")
 # name: pipeline, data, direction from which it is seen first, title, caption

@@ -3,10 +3,10 @@
 
     check_guide.py [ROOT]
 
-- each filter, reader and writer of Plugin/*.xml has a hand-written part Examples/guide/filters/NAME.md that is
+- each filter, reader and writer of Plugin/*.xml has a hand-written part Documentation/filters/NAME.md that is
   headed by its label, those of filters have a picture, and each such part has a panel;
 - the page that is made of both names every property with its default, every input, and every output;
-- each page of Examples/guide is in a list of contents;
+- each page of Documentation is in a list of contents;
 - tests that pages name as `-R NAME` exist;
 - the version in CITATION.cff is that of the root CMakeLists.txt, from which all others come.
 
@@ -16,7 +16,7 @@ import pathlib
 import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Examples" / "guide" / "site"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Documentation" / "site"))
 import pages  # noqa: E402
 
 # Parts of filters/ that are no panel's.
@@ -27,25 +27,25 @@ def check_panels(site, root):
     folder = root / pages.GUIDE / "filters"
     parts = {path.stem: path.read_text() for path in folder.glob("*.md")}
     for name in sorted(set(parts) - set(site.panels) - OTHER):
-        yield f"Examples/guide/filters/{name}.md belongs to no panel"
+        yield f"Documentation/filters/{name}.md belongs to no panel"
     for name, panel in sorted(site.panels.items()):
         if name not in parts:
-            yield f"{panel.file}: {name} has no Examples/guide/filters/{name}.md"
+            yield f"{panel.file}: {name} has no Documentation/filters/{name}.md"
             continue
         heading = parts[name].split("\n", 1)[0]
         if heading != f"# {panel.label}":
-            yield f"Examples/guide/filters/{name}.md is headed {heading!r}, the panel {panel.label!r}"
+            yield f"Documentation/filters/{name}.md is headed {heading!r}, the panel {panel.label!r}"
         if panel.kind == "filter" and not re.search(r"^!\[[^\]]+\]\([^)]+\)$", parts[name], re.MULTILINE):
-            yield f"Examples/guide/filters/{name}.md has no picture"
+            yield f"Documentation/filters/{name}.md has no picture"
         page = site.filter_page(panel, parts[name])
         for entry in panel.properties:
             if entry.label not in page:
-                yield f"Examples/guide/filters/{name}.md: the page lacks the property {entry.label}"
+                yield f"Documentation/filters/{name}.md: the page lacks the property {entry.label}"
             elif entry.default and not entry.is_input and f"`{entry.default}`" not in page:
-                yield f"Examples/guide/filters/{name}.md: the page lacks the default of {entry.label}"
+                yield f"Documentation/filters/{name}.md: the page lacks the default of {entry.label}"
         for _, output in panel.outputs:
             if output not in page:
-                yield f"Examples/guide/filters/{name}.md: the page lacks the output {output}"
+                yield f"Documentation/filters/{name}.md: the page lacks the output {output}"
 
 
 def check_contents(root):
@@ -56,7 +56,7 @@ def check_contents(root):
             listed.update(line.strip() for line in block.split("\n") if line and not line.startswith(":"))
     for path in sorted(folder.glob("*.md")):
         if path.stem not in listed:
-            yield f"Examples/guide/{path.name} is in no list of contents"
+            yield f"Documentation/{path.name} is in no list of contents"
 
 
 def check_version(root):
@@ -79,7 +79,7 @@ def check_tests(root):
     for page in sorted((root / pages.GUIDE).glob("*.md")):
         for name in re.findall(r"`-R ([\w.]+)`", page.read_text()):
             if not any(name in test for test in names):
-                yield f"Examples/guide/{page.name}: there is no test {name}"
+                yield f"Documentation/{page.name}: there is no test {name}"
 
 
 def check(root):

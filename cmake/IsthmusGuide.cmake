@@ -5,7 +5,7 @@
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if (Python3_Interpreter_FOUND)
   add_custom_target(guide
-    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Examples/guide/build_guide.py"
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Documentation/build_guide.py"
       "${CMAKE_BINARY_DIR}/guide" --version "${PROJECT_VERSION}"
     COMMENT "Building the guide"
     USES_TERMINAL

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the table of Examples/guide/tested_versions.md from what release.sh has left: the last run of each system.
+"""Writes the table of Documentation/tested_versions.md from what release.sh has left: the last run of each system.
 
     tested_versions.py LOGS [PAGE]
 
@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "guide" / "tested_versions.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "tested_versions.md"
 SYSTEMS = {f"{suite}{kind}": system + what
            for suite, system in (("bookworm", "Debian 12"), ("trixie", "Debian 13"), ("testing", "Debian testing"))
            for kind, what in (("", ""), ("-plain", " without ParaView"))}

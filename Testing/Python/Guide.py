@@ -18,8 +18,10 @@ from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
-GUIDE = Path(os.environ["ISTHMUS_EXAMPLES_DIR"]) / "guide"
-sys.path.insert(0, str(GUIDE.parent))
+EXAMPLES = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
+ROOT = EXAMPLES.parent
+GUIDE = ROOT / "Documentation"
+sys.path.insert(0, str(EXAMPLES))
 import gramicidin  # noqa: E402
 import isthmus  # noqa: E402
 # Names of files in the guide, and the shared data that they stand for.
@@ -41,12 +43,12 @@ def blocks_of(page, language):
 
 
 PAGES = ([Path(name).resolve() for name in sys.argv[1:]] or
-         sorted([*GUIDE.rglob("*.md"), GUIDE.parents[1] / "README.md"]))
+         sorted([*GUIDE.rglob("*.md"), ROOT / "README.md"]))
 
 
 def check_cpp():
     """Lines of C++ blocks that are in no file of Examples/Consumer."""
-    known = {line.strip() for path in (GUIDE.parent / "Consumer").glob("*.cxx")
+    known = {line.strip() for path in (EXAMPLES / "Consumer").glob("*.cxx")
              for line in path.read_text().split("\n")}
     number = 0
     for page in PAGES:
@@ -159,7 +161,7 @@ try:
         if next(blocks_of(page, "python"), None) is None:
             continue
         number += 1
-        print(page.relative_to(GUIDE.parents[1]), flush=True)
+        print(page.relative_to(ROOT), flush=True)
         problem = run_page(page)
         if problem:
             failures.append(problem)
