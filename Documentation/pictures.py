@@ -14,9 +14,8 @@ from pathlib import Path
 import numpy
 from paraview import simple
 
-import isthmus_look as look
-import isthmus_molecules as molecules
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import molecule_views as molecules
 
 HERE = Path(__file__).resolve().parent
 SIZE = [720, 480]

@@ -16,7 +16,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import isthmus_look as look  # noqa: E402, there once paraview.simple has loaded the plugin
+from isthmus_plugin import look  # noqa: E402, there once paraview.simple has loaded the plugin
 import SurfaceReport  # noqa: E402
 from step_lines import step  # noqa: E402
 

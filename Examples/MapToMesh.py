@@ -13,7 +13,7 @@ from pathlib import Path
 from paraview import servermanager, simple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import isthmus_look as look  # noqa: E402, there once paraview.simple has loaded the plugin
+from isthmus_plugin import look  # noqa: E402, there once paraview.simple has loaded the plugin
 import MapToCurvature  # noqa: E402
 from MapToCurvature import (  # noqa: E402
     INK, look_along, points_of, set_properties, show_colour_bar, symmetry_axis)

@@ -14,7 +14,7 @@ from paraview import simple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import electrostatics  # noqa: E402
-import isthmus_pipelines as pipelines  # noqa: E402, there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # noqa: E402, there once paraview.simple has loaded the plugin
 from output_folder import output_folder  # noqa: E402
 
 HERE = Path(__file__).resolve().parent

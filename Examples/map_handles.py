@@ -12,7 +12,7 @@ import sys
 
 from paraview import simple
 
-import isthmus_look as look  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import look  # there once paraview.simple has loaded the plugin
 from output_folder import output_folder
 
 

@@ -110,7 +110,7 @@ void IsthmusFirstLook::CollectNotes(pqPipelineSource* source)
   this->ShowNotesSoon(texts);
 }
 
-// isthmus_messages.show_note.
+// messages.show_note().
 void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
 {
   this->Notes.clear();

@@ -2,7 +2,7 @@
  * @file IsthmusFirstLook.h
  * @brief Makes the first look at our filters' results right: what XML can't say.
  *
- * Follows the representations of the window and has isthmus_pipelines.first_look set colours and
+ * Follows the representations of the window and has pipelines.first_look set colours and
  * their range, tubes and opacity; a filter that waits for its first Apply gets values of the data
  * by first_values. Reports what is selected by selection_changed. What the user has changed stays
  * as it is.

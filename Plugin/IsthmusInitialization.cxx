@@ -242,7 +242,7 @@ void RegisterInitialization(vtkClientServerInterpreter* interpreter)
   interpreter->AddNewInstanceFunction(HelperName, NewInitialization);
 }
 
-/// Python modules lie in the folder python beside this library.
+/// The package isthmus_plugin is in the folder python beside this library.
 void AddPythonModules()
 {
   Dl_info library;

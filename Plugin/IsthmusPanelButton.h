@@ -7,7 +7,7 @@
  *     <PropertyWidgetDecorator type="isthmus_button" name="UseProposedThreshold"
  *       call="use_proposed_threshold" icon=":/Isthmus/Diagram.svg" title="..." tip="..."/>
  *
- * A click runs isthmus_pipelines.<call>(global id of the proxy). With `field="NAME"` the button is
+ * A click runs pipelines.<call>(global id of the proxy). With `field="NAME"` the button is
  * there only while the result has field data of that name, and shows its title.
  */
 #ifndef IsthmusPanelButton_h

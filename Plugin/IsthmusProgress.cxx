@@ -23,7 +23,7 @@
 namespace
 {
 
-/// The event of isthmus_messages.step(), sent to VTK's output window. Its data is a text.
+/// The event of messages.step(), sent to VTK's output window. Its data is a text.
 constexpr unsigned long StepEvent = vtkCommand::UserEvent + 100;
 
 constexpr int Interval = 50; // ms, at least, from one reading of events to the next

@@ -2,7 +2,7 @@
  * @file IsthmusProgress.h
  * @brief Progress of a button in the status bar, and its Cancel.
  *
- * A button makes its filters one after the other: isthmus_messages.step() reports each of them by
+ * A button makes its filters one after the other: messages.step() reports each of them by
  * an event, and the filters report their progress. On each of these the window draws itself and
  * reads the mouse and the keyboard, of which only Cancel and Escape are heeded. Between steps,
  * cancelling works with any server; within a filter with the built-in one only, whose filters are

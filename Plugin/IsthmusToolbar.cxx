@@ -184,7 +184,7 @@ void AddFilters(QMenu* menu, const QStringList& filters)
     });
 }
 
-/// Background, scale bar and shadows of the views: entries of isthmus_pipelines.change_look().
+/// Background, scale bar and shadows of the views: entries of pipelines.change_look().
 void AddLooks(QMenu* menu)
 {
   const QList<QPair<const char*, const char*>> looks{ { "white", "White background" },

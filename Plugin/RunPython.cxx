@@ -13,9 +13,10 @@ void RunPipelines(const QString& call)
   {
     vtkPythonInterpreter::Initialize();
   }
-  // The module lies beside the plugin (IsthmusInitialization.cxx).
+  // The package lies beside the plugin (IsthmusInitialization.cxx).
   const QString statement =
-    "import paraview.simple\nimport isthmus_pipelines\nisthmus_pipelines." + call + '\n';
+    "import paraview.simple\nimport isthmus_plugin.pipelines\nisthmus_plugin.pipelines." + call +
+    '\n';
   // Undone piece by piece, what a script has built comes apart, and a table's view that is taken
   // back ends ParaView 5.11.
   SCOPED_UNDO_EXCLUDE();

@@ -1,6 +1,7 @@
 /**
  * @file RunPython.h
- * @brief From the window's signals to isthmus_pipelines, the one place that knows what to do.
+ * @brief From the window's signals to isthmus_plugin.pipelines, the one place that knows what to
+ * do.
  */
 #ifndef isthmus_RunPython_h
 #define isthmus_RunPython_h
@@ -10,7 +11,7 @@
 namespace isthmus
 {
 
-/// Runs `isthmus_pipelines.<call>` in ParaView's Python; exceptions are shown as messages.
+/// Runs `isthmus_plugin.pipelines.<call>` in ParaView's Python; exceptions are shown as messages.
 void RunPipelines(const QString& call);
 
 }

@@ -3,7 +3,7 @@
 
     check_defaults.py [ROOT]
 
-For each step of the buttons' pipelines (Plugin/isthmus_steps.py) and each property that it sets: the value must be what
+For each step of the buttons' pipelines (Wrapping/Python/isthmus/steps.py) and each property that it sets: the value must be what
 a menu gives a new filter, which is steps.FIRST or else the default of the panel (Plugin/*.xml); and what a menu sets of
 a filter, the step must set. EXCEPTIONS lists what differs on purpose, with the reason, and must have no line too many.
 
@@ -74,7 +74,8 @@ def complaints(steps, panels, exceptions):
 
 
 def load_steps(root):
-    specification = importlib.util.spec_from_file_location("isthmus_steps", root / "Plugin" / "isthmus_steps.py")
+    path = root / "Wrapping" / "Python" / "isthmus" / "steps.py"
+    specification = importlib.util.spec_from_file_location("steps", path)
     steps = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(steps)
     return steps

@@ -108,10 +108,14 @@ function (isthmus_python_stubs wrapped folder destination)
   install(FILES ${stubs} DESTINATION "${destination}" COMPONENT python)
 endfunction ()
 
+# Modules of the Python package that serve ParaView; the plugin has a copy of them (Plugin/CMakeLists.txt).
+set(ISTHMUS_PARAVIEW_PYTHON diagram_views figures look loop_views messages molecule_views pipelines pocket_views
+  selections steps track_views trajectories)
+
 # isthmus_python_sources(FOLDER DESTINATION): what is not compiled, in the build tree and installed. Functions are
 # made of the panels, whose description is written at each build.
 function (isthmus_python_sources folder destination)
-  set(from "${CMAKE_CURRENT_SOURCE_DIR}/cmake/python")
+  set(from "${CMAKE_CURRENT_SOURCE_DIR}/Wrapping/Python")
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   file(GLOB panels CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/*.xml")
   file(GLOB lists CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*/CMakeLists.txt"
@@ -122,8 +126,8 @@ function (isthmus_python_sources folder destination)
     OUTPUT "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
     COMMAND "${Python3_EXECUTABLE}" -B "${from}/describe.py"
       "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}" "${PROJECT_VERSION}"
-    DEPENDS "${from}/describe.py" "${from}/output_arrays.py" "${from}/__init__.py.in"
-      "${from}/data_pipelines.py" "${from}/function_examples.txt" ${panels} ${lists} ${tables}
+    DEPENDS "${from}/describe.py" "${from}/output_arrays.py" "${from}/isthmus/__init__.py.in"
+      "${from}/isthmus/data_pipelines.py" "${from}/function_examples.txt" ${panels} ${lists} ${tables}
     COMMENT "Describing the filters for Python"
     VERBATIM)
   add_custom_target(isthmus_python_description ALL
@@ -138,24 +142,15 @@ function (isthmus_python_sources folder destination)
   install(FILES "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
     DESTINATION "${destination}" COMPONENT python)
 
-  set(sources "${from}/py.typed")
-  foreach (part IN ITEMS __main__ accessor command data_pipelines functions incidence samples)
-    list(APPEND sources "${from}/${part}.py")
+  set(sources "${from}/isthmus/py.typed")
+  foreach (part IN ITEMS __main__ accessor command data_pipelines functions incidence samples
+      ${ISTHMUS_PARAVIEW_PYTHON})
+    list(APPEND sources "${from}/isthmus/${part}.py")
   endforeach ()
   foreach (source IN LISTS sources)
     get_filename_component(name "${source}" NAME)
     configure_file("${source}" "${folder}/${name}" COPYONLY)
     install(FILES "${source}" DESTINATION "${destination}" COMPONENT python)
-  endforeach ()
-  # The same files lie beside the plugin, for windows without this package.
-  foreach (part IN ITEMS pipelines figures look messages pockets=pocket_views loops=loop_views
-      molecules=molecule_views diagrams=diagram_views tracks=track_views selections steps
-      trajectories)
-    string(REGEX REPLACE "=.*$" "" source "${part}")
-    string(REGEX REPLACE "^.*=" "" name "${part}")
-    set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${source}.py")
-    configure_file("${source}" "${folder}/${name}.py" COPYONLY)
-    install(FILES "${source}" DESTINATION "${destination}" COMPONENT python RENAME ${name}.py)
   endforeach ()
 endfunction ()
 

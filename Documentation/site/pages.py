@@ -15,7 +15,7 @@ from pathlib import Path
 import headers
 import panels
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "cmake" / "python"))
+sys.path.append(str(Path(__file__).resolve().parents[2] / "Wrapping" / "Python"))
 import output_arrays  # noqa: E402
 
 GUIDE = Path("Documentation")
@@ -257,13 +257,12 @@ class Site:
     def python_lines(self):
         """The functions of the Python package, from their docstrings, and its classes."""
         lines = []
-        names = {"pockets": "pocket_views", "loops": "loop_views", "diagrams": "diagram_views"}
-        for path in [*(self.root / "cmake" / "python").glob("data_pipelines.py"),
-                     *sorted((self.root / "Plugin").glob("isthmus_*.py"))]:
-            part = path.stem.removeprefix("isthmus_")
-            part = names.get(part, part)
+        package = self.root / "Wrapping" / "Python" / "isthmus"
+        listed = re.search(r"set\(ISTHMUS_PARAVIEW_PYTHON ([^)]*)\)",
+                           (self.root / "cmake" / "IsthmusBuild.cmake").read_text()).group(1).split()
+        for path in [package / f"{name}.py" for name in ("data_pipelines", *listed)]:
             tree = ast.parse(path.read_text())
-            lines += [f"## isthmus.{part}", "", headers.escaped(ast.get_docstring(tree) or ""), ""]
+            lines += [f"## isthmus.{path.stem}", "", headers.escaped(ast.get_docstring(tree) or ""), ""]
             for node in tree.body:
                 text = ast.get_docstring(node) if isinstance(node, ast.FunctionDef) else None
                 if text and not node.name.startswith("_"):

@@ -6,8 +6,8 @@ Usage: pvpython cartoon_with_pocket.py [FOLDER]. FOLDER: for the figure (PNG and
 from common import data, look_from, new_view, write
 from paraview import simple
 
-import isthmus_molecules as molecules
-import isthmus_pockets as pockets
+from isthmus_plugin import molecule_views as molecules
+from isthmus_plugin import pocket_views as pockets
 
 atoms, view = data("molecules/1hew.pdb"), new_view()
 cartoon = simple.MoleculeCartoon(atoms)

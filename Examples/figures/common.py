@@ -7,7 +7,7 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))

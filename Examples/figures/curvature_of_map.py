@@ -5,7 +5,7 @@ Usage: pvpython curvature_of_map.py [FOLDER]. FOLDER: for the figure (PNG and SV
 
 from common import data, look_from, new_view, write
 
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines
 
 view = new_view()
 pipelines.show(*pipelines.map_to_curvature(data("maps/emd_5170.map")), view=view)

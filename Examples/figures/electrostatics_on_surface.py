@@ -6,7 +6,7 @@ Usage: pvpython electrostatics_on_surface.py [FOLDER]. FOLDER: for the figure (P
 from common import data, look_from, new_view, write
 from paraview import simple
 
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines
 
 view = new_view()
 sites = pipelines.protein_to_sites(data("molecules/1hew/1hew.pqr"))[-1]

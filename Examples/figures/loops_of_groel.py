@@ -5,7 +5,7 @@ Usage: pvpython loops_of_groel.py [FOLDER]. FOLDER: for the figure (PNG and SVG)
 
 from common import data, look_from, new_view, write
 
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines
 
 view = new_view()
 pipelines.show(*pipelines.map_to_loops(data("maps/emd_5043.map"), significant=True), view=view)

@@ -7,8 +7,8 @@ Usage: pvpython map_with_model.py [FOLDER]. FOLDER: for the figure (PNG and SVG)
 from common import data, look_from, new_view, write
 from paraview import simple
 
-import isthmus_molecules as molecules
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines
+from isthmus_plugin import molecule_views as molecules
 
 model, view = data("molecules/1aon.pdb.gz"), new_view()
 density = simple.MolecularDensity(simple.AtomSelection(model), Spacing=2.0, Decay=0.3)

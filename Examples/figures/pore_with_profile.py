@@ -6,7 +6,7 @@ Usage: pvpython pore_with_profile.py [FOLDER]. FOLDER: for the figures (PNG and 
 from common import data, look_from, new_view, write
 from paraview import simple
 
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines
 
 view = new_view()
 pores = pipelines.protein_to_pores(data("molecules/channels/1grm_hole_example.pdb"))[-1]

@@ -5,6 +5,6 @@ Opens the file $ISTHMUS_FILE, or else maps/emd_5043.map in $ISTHMUS_DATA_DIR. Th
 
 import paraview.simple  # noqa: F401 (the plugin's modules come with it)
 
-import isthmus_pipelines
+from isthmus_plugin import pipelines
 
-isthmus_pipelines.state("map_to_surface", "maps/emd_5043.map")
+pipelines.state("map_to_surface", "maps/emd_5043.map")

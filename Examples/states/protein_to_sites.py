@@ -5,6 +5,6 @@ Opens the file $ISTHMUS_FILE, or else molecules/1hew/1hew.pqr in $ISTHMUS_DATA_D
 
 import paraview.simple  # noqa: F401 (the plugin's modules come with it)
 
-import isthmus_pipelines
+from isthmus_plugin import pipelines
 
-isthmus_pipelines.state("protein_to_sites", "molecules/1hew/1hew.pqr")
+pipelines.state("protein_to_sites", "molecules/1hew/1hew.pqr")

@@ -5,6 +5,6 @@ Opens the file $ISTHMUS_FILE, or else surfaces/torus.obj in $ISTHMUS_DATA_DIR. T
 
 import paraview.simple  # noqa: F401 (the plugin's modules come with it)
 
-import isthmus_pipelines
+from isthmus_plugin import pipelines
 
-isthmus_pipelines.state("surface_to_loops", "surfaces/torus.obj")
+pipelines.state("surface_to_loops", "surfaces/torus.obj")

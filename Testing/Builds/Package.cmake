@@ -10,7 +10,7 @@ file(GLOB package "${folder}/isthmus_*.deb")
 execute_process(COMMAND dpkg-deb -c "${package}" OUTPUT_VARIABLE contents COMMAND_ERROR_IS_FATAL ANY)
 foreach (part IN ITEMS
   "/usr/bin/plugins/Isthmus/Isthmus.so" # where ParaView of Debian looks
-  "/usr/bin/plugins/Isthmus/python/isthmus_pipelines.py"
+  "/usr/bin/plugins/Isthmus/python/isthmus_plugin/pipelines.py"
   "/libvtkIsthmusFiltersCore.so"
   "/libvtkIsthmusReadersMaps.so"
   "/isthmus/CellComplex/StarTable.h"

@@ -3,13 +3,14 @@
 from paraview import simple
 
 import isthmus
-import isthmus_pipelines
+from isthmus_plugin import pipelines
 
 wavelet = simple.Wavelet()
-surface, curvature = isthmus_pipelines.map_to_curvature(wavelet)
+surface, curvature = pipelines.map_to_curvature(wavelet)
 assert curvature.GetDataInformation().GetNumberOfPoints() > 100
 assert isthmus.vtkMapSurface().GetAutomaticLevel()
-from isthmus import pipelines  # noqa: E402
+# The package and the plugin's copy of its modules are the same.
+import isthmus.pipelines  # noqa: E402
 
-assert pipelines.DUST == isthmus_pipelines.DUST
+assert isthmus.pipelines.DUST == pipelines.DUST
 print("the package works")

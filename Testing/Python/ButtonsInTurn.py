@@ -10,7 +10,7 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 
 class Messages:

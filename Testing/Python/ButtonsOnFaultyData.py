@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from shared_data import shared_data
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 
 def measures_of(surface):

@@ -1,4 +1,4 @@
-"""Pipelines on data give what those of proxies give, number by number: one table of steps (isthmus_steps.py)."""
+"""Pipelines on data give what those of proxies give, number by number: one table of steps (isthmus/steps.py)."""
 from paraview import servermanager, simple
 
 import isthmus

@@ -8,8 +8,8 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
-import isthmus_pockets as pockets
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pocket_views as pockets
 from shared_data import shared_data
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "DiagramLegends"

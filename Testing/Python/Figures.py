@@ -15,8 +15,7 @@ from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-import isthmus_figures as figures  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import figures, pipelines  # there once paraview.simple has loaded the plugin
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "Figures"
 FOLDER.mkdir(parents=True, exist_ok=True)

@@ -10,9 +10,8 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
-import isthmus_diagrams as diagrams  # there once paraview.simple has loaded the plugin
-import isthmus_look as look
-import isthmus_pipelines as pipelines
+from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import diagram_views as diagrams
 
 
 def visible(view):

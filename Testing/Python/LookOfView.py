@@ -4,9 +4,8 @@ import math
 
 from paraview import simple
 
-import isthmus_figures as figures  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
-import isthmus_pockets as pockets
+from isthmus_plugin import figures, pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pocket_views as pockets
 from shared_data import shared_data
 
 view = simple.GetActiveViewOrCreate("RenderView")

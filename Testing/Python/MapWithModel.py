@@ -8,8 +8,8 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import isthmus_molecules as molecules  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import molecule_views as molecules
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapWithModel"
 FOLDER.mkdir(parents=True, exist_ok=True)

@@ -3,7 +3,7 @@
 import numpy
 from paraview import servermanager, simple
 
-import isthmus_pockets  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pocket_views  # there once paraview.simple has loaded the plugin
 import pocket_tools as tools
 from shared_data import shared_data
 
@@ -93,7 +93,7 @@ for row in range(count):
 # The window: headers with units; a chosen row shows its pocket; Shown Pocket hides the others.
 view = simple.CreateView("RenderView")
 simple.AssignViewToLayout(view)
-isthmus_pockets.show(pockets, view)
+pocket_views.show(pockets, view)
 (headed,) = [source for source in simple.GetSources().values() if source.SMProxy.GetXMLName() == "RenameArrays"]
 shown = servermanager.Fetch(headed)
 headers = {shown.GetColumnName(i) for i in range(shown.GetNumberOfColumns())}
@@ -113,13 +113,13 @@ def opacities():
     return found
 
 
-assert opacities() == {(1.0, 3.0): isthmus_pockets.FAINT, (1.0, 1.0): isthmus_pockets.STRONG}, opacities()
-isthmus_pockets.show_only(pockets, 2)
-assert opacities() == {(2.0, 2.0): isthmus_pockets.STRONG}, opacities()
-isthmus_pockets.show_only(pockets, 0)
-assert opacities() == {(1.0, 3.0): isthmus_pockets.FAINT, (1.0, 1.0): isthmus_pockets.STRONG}, opacities()
+assert opacities() == {(1.0, 3.0): pocket_views.FAINT, (1.0, 1.0): pocket_views.STRONG}, opacities()
+pocket_views.show_only(pockets, 2)
+assert opacities() == {(2.0, 2.0): pocket_views.STRONG}, opacities()
+pocket_views.show_only(pockets, 0)
+assert opacities() == {(1.0, 3.0): pocket_views.FAINT, (1.0, 1.0): pocket_views.STRONG}, opacities()
 headed.SMProxy.SetSelectionInput(0, simple.IDSelectionSource(FieldType="ROW", IDs=[-1, 3]).SMProxy, 0)
-chosen = isthmus_pockets.residues_of(pockets)
+chosen = pocket_views.residues_of(pockets)
 assert chosen.LowerThreshold == 4.0, chosen.LowerThreshold
 
 # Numbers of one kind come from one place: what cells, balls and table say is the same.
@@ -138,8 +138,6 @@ assert numpy.allclose(values["PolarShare"] + values["ApolarShare"], 1.0)
 assert finder.GetAlphaBalls().GetNumberOfPoints() == finder.GetOutput().GetNumberOfCells()
 
 # Of names in a view, those that hide none of the ones before.
-from isthmus import pocket_views  # noqa: E402
-
 names = [("GLU 35 A", (100.0, 100.0), 7), ("ASP 52 A", (120.0, 110.0), 8), ("TRP 62 A", (100.0, 130.0), 9),
          ("TRP 63 A", (175.0, 100.0), 3)]
 assert pocket_views.without_overlap(names) == [7, 9, 3]

@@ -8,7 +8,7 @@ from pathlib import Path
 from shared_data import shared_data
 from window_play import button, complaints, play
 
-import isthmus_steps as steps
+from isthmus_plugin import steps
 
 NOTE = "pqClientMainWindow/statusbar/IsthmusNote"
 MESSAGES = "pqClientMainWindow/outputWidgetDock"

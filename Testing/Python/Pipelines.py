@@ -14,7 +14,7 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 MAPS = (
     "emd_5043.map", "emd_1832.map", "emd_1703.map", "1ake.mrc", "tiny1.map", "gorgon_groel_skeleton.mrc",

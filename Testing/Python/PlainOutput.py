@@ -23,7 +23,7 @@ PIPELINES = """
 import sys
 import isthmus
 from paraview import simple
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines
 
 phantom, molecule = (simple.OpenDataFile(path) for path in sys.argv[1:])
 simple.ChokingLoops(Input=simple.MapSurface(Input=phantom)).UpdatePipeline()

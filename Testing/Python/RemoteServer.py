@@ -12,7 +12,7 @@ from pathlib import Path
 from paraview import simple
 from shared_data import shared_data
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 PATIENCE = 120  # seconds for a server to listen, on a machine with other things to do
 PROTEIN = "molecules/1AJJ_pH7_PARSE.pqr"

@@ -7,7 +7,7 @@ from paraview import servermanager, simple
 
 from shared_data import shared_data
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 SYMBOLS = {0: "X", 1: "H", 6: "C", 7: "N", 8: "O", 16: "S", 17: "Cl", 20: "Ca"}
 

@@ -11,8 +11,7 @@ from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
-import isthmus_loops as loop_views  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import loop_views, pipelines  # there once paraview.simple has loaded the plugin
 
 NOISE = 0.6
 

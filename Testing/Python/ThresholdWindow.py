@@ -11,13 +11,13 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from window_play import PANEL, button, coloured_fraction, complaints, play
 
-import isthmus_pipelines
+from isthmus_plugin import pipelines
 
 MAP = shared_data("maps/emd_1832.map")
 THRESHOLD = PANEL + "MinimumPersistence/"
 PAUSE = ("pqClientMainWindow", "pause", "2000")
 
-_, loops = isthmus_pipelines.map_to_loops(simple.OpenDataFile(str(MAP)))
+_, loops = pipelines.map_to_loops(simple.OpenDataFile(str(MAP)))
 lines = servermanager.Fetch(simple.OutputPort(loops, 0), 0, 0)
 told = lines.GetFieldData().GetArray("ProposedThreshold")
 inside, outside = told.GetTuple(0), told.GetTuple(1)

@@ -8,8 +8,7 @@ import numpy
 import ring_models
 from paraview import simple
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
-import isthmus_tracks as track_views
+from isthmus_plugin import pipelines, track_views  # there once paraview.simple has loaded the plugin
 
 FRAMES = 5
 

@@ -9,7 +9,7 @@ import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import isthmus_trajectories as trajectories  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import trajectories  # there once paraview.simple has loaded the plugin
 from shared_data import shared_data
 
 FRAMES = 6

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_molecules as molecules  # there once paraview.simple has loaded the plugin
-import isthmus_pockets as pockets
+from isthmus_plugin import molecule_views as molecules  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pocket_views as pockets
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "selected.txt"
 

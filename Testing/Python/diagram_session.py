@@ -5,8 +5,8 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_diagrams as diagrams  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import diagram_views as diagrams
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "selected.txt"
 changed = diagrams.selection_changed

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from paraview import servermanager, simple
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
 
 folder = Path(os.environ["ISTHMUS_SESSION_DIR"])
 first_values = pipelines.first_values

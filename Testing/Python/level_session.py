@@ -6,8 +6,7 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_loops  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import loop_views, pipelines  # there once paraview.simple has loaded the plugin
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "level.txt"
 begun = []
@@ -26,9 +25,9 @@ def preview(number, level, call=pipelines.preview_level):
     write("preview", f"{level:.4f}", *sorted(visible), f"{drawing[-1] - begun[-1]:.3f}")
 
 
-def count(loops, view, call=isthmus_loops.count):
+def count(loops, view, call=loop_views.count):
     changed = call(loops, view)
-    texts = [text.Text for (name, _), text in simple.GetSources().items() if name.endswith(isthmus_loops.COUNT)]
+    texts = [text.Text for (name, _), text in simple.GetSources().items() if name.endswith(loop_views.COUNT)]
     write("loops", *texts)
     return changed
 
@@ -40,4 +39,4 @@ surface, loops = pipelines.map_to_loops(source, significant=True)
 pipelines.show(surface, loops)
 simple.SetActiveSource(surface)
 view.GetRenderWindow().AddObserver("StartEvent", lambda *_: drawing.append(time.monotonic()))
-pipelines.preview_level, isthmus_loops.count = preview, count
+pipelines.preview_level, loop_views.count = preview, count

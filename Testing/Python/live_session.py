@@ -6,10 +6,10 @@ from pathlib import Path
 
 from paraview import simple, servermanager
 
-import isthmus_loops  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import loop_views  # there once paraview.simple has loaded the plugin
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "lively.txt"
-count = isthmus_loops.count
+count = loop_views.count
 THRESHOLDS = ("MaximumNumberOfLoops", "MinimumPersistence", "TrustedOnly")
 watched = []
 
@@ -22,8 +22,8 @@ def write(*words):
 def count_and_watch(loops, view):
     count(loops, view)
     loops = servermanager._getPyProxy(loops.SMProxy)
-    said = isthmus_loops.words(loops).replace("\n", "; ")
-    texts = [source.Text for (name, _), source in simple.GetSources().items() if name.endswith(isthmus_loops.COUNT)]
+    said = loop_views.words(loops).replace("\n", "; ")
+    texts = [source.Text for (name, _), source in simple.GetSources().items() if name.endswith(loop_views.COUNT)]
     write("count", said, "|", *[text.replace("\n", "; ") for text in texts])
     if watched:
         return
@@ -36,7 +36,7 @@ def count_and_watch(loops, view):
         "NumberOfShownFeatures"].GetRange(0)[0]))
 
 
-isthmus_loops.count = count_and_watch
+loop_views.count = count_and_watch
 
 source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
 simple.Show(source, simple.GetActiveViewOrCreate("RenderView"))

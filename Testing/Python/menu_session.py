@@ -5,8 +5,7 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_look as look  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "views.txt"
 reported = []

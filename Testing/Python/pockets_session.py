@@ -5,21 +5,21 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_pockets  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pocket_views  # there once paraview.simple has loaded the plugin
 
 chosen = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "chosen.txt"
-choose = isthmus_pockets.choose
+choose = pocket_views.choose
 
 
 def choose_and_tell(features, number):
     choose(features, number)
-    residues = isthmus_pockets.residues_of(features)
+    residues = pocket_views.residues_of(features)
     atoms = residues.GetDataInformation().DataInformation.GetNumberOfPoints()
     with chosen.open("a") as file:
         file.write(f"{features.SMProxy.GetXMLName()} {number} {atoms}\n")
 
 
-isthmus_pockets.choose = choose_and_tell
+pocket_views.choose = choose_and_tell
 
 molecule = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
 simple.Show(molecule, simple.GetActiveViewOrCreate("RenderView"))

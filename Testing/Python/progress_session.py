@@ -7,8 +7,7 @@ from pathlib import Path
 from paraview import simple
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
-import isthmus_messages as messages  # there once paraview.simple has loaded the plugin
-import isthmus_pipelines as pipelines
+from isthmus_plugin import messages, pipelines  # there once paraview.simple has loaded the plugin
 
 folder = Path(os.environ["ISTHMUS_SESSION_DIR"])
 run = pipelines.run

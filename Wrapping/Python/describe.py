@@ -173,7 +173,7 @@ def describe(source):
                 if (proxy.get("class") or "").startswith("vtk") and proxy.get("name") not in SKIPPED:
                     proxies[proxy.get("name")] = proxy
                     groups[proxy.get("name")] = group.get("name")
-    examples = read_examples(source / "cmake" / "python" / "function_examples.txt")
+    examples = read_examples(source / "Wrapping" / "Python" / "function_examples.txt")
     tables = output_arrays.read_tables(source)
     functions = {}
     for name, proxy in proxies.items():
@@ -262,7 +262,7 @@ def stubs(table, pipelines):
 
 def pipelines_of(source):
     """Names and parameters of the public functions of data_pipelines.py."""
-    text = (source / "cmake" / "python" / "data_pipelines.py").read_text()
+    text = (source / "Wrapping" / "Python" / "isthmus" / "data_pipelines.py").read_text()
     return re.findall(r"^def ([a-z]\w*)\(([^)]*)\):", text, re.MULTILINE)
 
 
@@ -277,7 +277,7 @@ def main():
     (package / "filters.json").write_text(json.dumps(table, separators=(",", ":")) + "\n")
     (package / "__init__.pyi").write_text(stubs(table, pipelines))
     classes = "".join(f'    "{name}": "{module}",\n' for name, module in table["classes"].items())
-    init = (source / "cmake" / "python" / "__init__.py.in").read_text()
+    init = (source / "Wrapping" / "Python" / "isthmus" / "__init__.py.in").read_text()
     (package / "__init__.py").write_text(init.replace("@VERSION@", sys.argv[3]).replace("@CLASSES@", classes))
 
 

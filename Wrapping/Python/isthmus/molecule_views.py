@@ -1,6 +1,6 @@
 """Cartoons of molecules in the window: their colours, names of residues, selection by residue, distances.
 
-    from isthmus import molecule_views            # or: import isthmus_molecules, with the plugin loaded
+    from isthmus import molecule_views            # or: from isthmus_plugin, with the plugin loaded
     cartoon = MoleculeCartoon(OpenDataFile("1hew.pdb"))
     molecule_views.show(cartoon, colour_by="BFactor")
     molecule_views.label(cartoon, "A:35 A:52")
@@ -18,11 +18,7 @@ try:
 except ImportError:
     servermanager = simple = algorithms = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-try:
-    import isthmus_messages as messages  # with the plugin loaded
-    import isthmus_selections as selections
-except ImportError:
-    from isthmus import messages, selections
+from . import messages, selections
 
 CARTOON, STICKS, RESIDUES = 0, 1, 2  # the ports
 MOST_NAMES = 12  # of chains in a legend

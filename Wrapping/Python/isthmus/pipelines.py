@@ -1,6 +1,6 @@
 """Whole pipelines with good defaults, and the first look at what Isthmus' filters make.
 
-    from isthmus import pipelines                 # or: import isthmus_pipelines, with the plugin loaded
+    from isthmus import pipelines                 # or: from isthmus_plugin, with the plugin loaded
     surface, loops = pipelines.map_to_loops(OpenDataFile("emd_5043.map"))
     pipelines.show(surface, loops)
 
@@ -9,7 +9,7 @@ all are ordinary filters whose properties can be changed. They use proxies only,
 on the server, wherever that is. A pipeline that is impossible raises a ValueError with one sentence.
 
 The buttons of the toolbar are run(); the window calls first_look() for each result
-(isthmus_look.py).
+(look.py).
 """
 
 import importlib
@@ -23,23 +23,10 @@ except ImportError:
     # Pip's vtk alone: the module can be imported, its functions say what they need (end of this file).
     servermanager = simple = None
 
-try:
-    import isthmus_diagrams as diagram_views
-    import isthmus_figures as figures  # with the plugin, whose window uses them, too
-    import isthmus_look as look
-    import isthmus_loops as loop_views
-    import isthmus_messages as messages
-    import isthmus_molecules as molecules
-    import isthmus_steps as steps
-    import isthmus_tracks as track_views
-except ImportError:
-    from isthmus import diagram_views, figures, look, loop_views, messages, steps, track_views
-    from isthmus import molecule_views as molecules
+from . import diagram_views, figures, look, loop_views, messages, steps, track_views
+from . import molecule_views as molecules
 
-try:
-    import isthmus_pockets as pockets_and_pores  # with the plugin loaded
-except ImportError:
-    from isthmus import pocket_views as pockets_and_pores
+from . import pocket_views as pockets_and_pores
 
 DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 # Filters that pass on the atoms of a molecule, as the buttons put them in.

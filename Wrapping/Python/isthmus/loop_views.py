@@ -1,10 +1,10 @@
 """Choking loops in the window: a text that says how many of them are shown.
 
-    from isthmus import loop_views                # or: import isthmus_loops, with the plugin loaded
+    from isthmus import loop_views                # or: from isthmus_plugin, with the plugin loaded
     loop_views.words(loops)                       # "20 of 557 loops shown"
 
 Buttons and menus of the window set the properties in steps.SIGNIFICANT, so that only significant loops are shown;
-functions in scripts report all loops. isthmus_look calls count() for each result that is new or has changed.
+functions in scripts report all loops. look.py calls count() for each result that is new or has changed.
 """
 
 try:

@@ -1,6 +1,6 @@
 """The steps of the pipelines: a table of their filters, with the properties that differ from the filters' defaults.
 
-The buttons and isthmus_pipelines.py create proxies from it; functions such as isthmus.map_to_loops() run it on data.
+The buttons and pipelines.py create proxies from it; functions such as isthmus.map_to_loops() run it on data.
 Imports neither ParaView nor VTK.
 """
 import collections

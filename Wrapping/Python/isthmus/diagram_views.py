@@ -1,6 +1,6 @@
 """Persistence diagrams as charts, with linked selections in chart and view.
 
-    from isthmus import diagram_views             # or: import isthmus_diagrams, with the plugin loaded
+    from isthmus import diagram_views             # or: from isthmus_plugin, with the plugin loaded
     chart = diagram_views.show(loops)             # a chart view beside the active view
 
 Births are across, deaths upwards; features far above the diagonal are persistent. Colours are kinds, symbols are sides
@@ -17,14 +17,8 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-try:
-    import isthmus_loops as loop_views
-    import isthmus_messages as messages  # with the plugin loaded
-    import isthmus_pockets as pockets_and_pores
-    import isthmus_selections as selections
-except ImportError:
-    from isthmus import loop_views, messages, selections
-    from isthmus import pocket_views as pockets_and_pores
+from . import loop_views, messages, selections
+from . import pocket_views as pockets_and_pores
 
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
 CHOKE_POINTS = 2  # port of Choking Loops

@@ -1,12 +1,12 @@
 """Pockets and pores in the window: the pipelines of the buttons, and the display of a selected pocket or pore.
 
-    from isthmus import pocket_views              # or: import isthmus_pockets, with the plugin loaded
+    from isthmus import pocket_views              # or: from isthmus_plugin, with the plugin loaded
     residues, found = pocket_views.protein_to_pockets(OpenDataFile("1hew.pdb"))
     pocket_views.show(found)
 
 The best pockets are shown as translucent surfaces. Selecting a pocket or pore in a table or in the view shows its
 residues as sticks with their names, the surface of a pocket, and the chart of a pore. The buttons in
-isthmus_pipelines call this module.
+pipelines.py call this module.
 """
 
 try:
@@ -14,12 +14,7 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-try:
-    import isthmus_messages as messages  # with the plugin loaded
-    import isthmus_selections as selections
-    import isthmus_steps as steps
-except ImportError:
-    from isthmus import messages, selections, steps
+from . import messages, selections, steps
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # The arrays that number the features, and the output ports of the parts shown.

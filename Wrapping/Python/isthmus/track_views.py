@@ -1,6 +1,6 @@
 """Choking loops along a trajectory: the radius of each one over time as a chart, and where it moves.
 
-    from isthmus import pipelines, track_views    # or: import isthmus_tracks, with the plugin loaded
+    from isthmus import pipelines, track_views    # or: from isthmus_plugin, with the plugin loaded
     loops, tracks = pipelines.trajectory_to_loops(OpenDataFile("moving.xtc"))
     chart = track_views.show_chart(tracks)
     for name, times, radii in track_views.series_of(tracks):
@@ -17,12 +17,8 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-try:
-    import isthmus_messages as messages  # with the plugin loaded
-    import isthmus_pockets as pockets_and_pores
-except ImportError:
-    from isthmus import messages
-    from isthmus import pocket_views as pockets_and_pores
+from . import messages
+from . import pocket_views as pockets_and_pores
 
 CHARTED = 8  # tracks at most in the chart
 CHART, PATHS = 1, 2  # ports of Feature Tracks

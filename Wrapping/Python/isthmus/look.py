@@ -1,5 +1,5 @@
 """The first display of results of Isthmus' filters: meaningful colours, ranges without outliers,
-words for categories, tubes for loops. isthmus_pipelines.py builds what is looked at; the window calls
+words for categories, tubes for loops. pipelines.py builds what is looked at; the window calls
 first_look() for each result that is new or changed.
 """
 
@@ -8,18 +8,9 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-try:
-    import isthmus_diagrams as diagram_views
-    import isthmus_loops as loop_views
-    import isthmus_messages as messages  # with the plugin loaded
-    import isthmus_molecules as molecules
-    import isthmus_pockets as pockets_and_pores
-    import isthmus_steps as steps
-    import isthmus_tracks as track_views
-except ImportError:
-    from isthmus import diagram_views, loop_views, messages, steps, track_views
-    from isthmus import molecule_views as molecules
-    from isthmus import pocket_views as pockets_and_pores
+from . import diagram_views, loop_views, messages, steps, track_views
+from . import molecule_views as molecules
+from . import pocket_views as pockets_and_pores
 
 
 def _sequential():

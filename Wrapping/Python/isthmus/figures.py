@@ -1,7 +1,7 @@
 """Figures of a view for print: sized in millimetres, light, with legends that can be read, a scale bar, soft shadows and
 silhouettes.
 
-    from isthmus import pipelines                 # or: import isthmus_pipelines, with the plugin loaded
+    from isthmus import pipelines                 # or: from isthmus_plugin, with the plugin loaded
     pipelines.figure(view, width_mm=85, dpi=300, path="loops.png")
 
 A PNG file and, beside it, an SVG file: text and lines of legends are vectors over the same picture; charts consist
@@ -32,10 +32,7 @@ try:
 except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
-try:
-    import isthmus_messages as messages  # with the plugin loaded
-except ImportError:
-    from isthmus import messages
+from . import messages
 
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
 WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
