@@ -19,23 +19,21 @@ from pathlib import Path
 
 import numpy
 
-import apbs_energies
-import evaluate_electrostatics as electrostatics
+import solvation_energies
 
 JOULE = 4.184
 
 
 def settings(spacing=0.5, salt=0.0, solute=2.0, solvent=80.0, nonlinear=False):
-    return apbs_energies.Case("binding", [], "", (solute, solvent, solute), salt=salt, spacing=spacing,
-                              nonlinear=nonlinear)
+    return solvation_energies.Settings((solute, solvent, solute), salt, solvation_energies.KELVIN, spacing, nonlinear)
 
 
 def binding(partners, kind, case):
     """kJ/mol: solvation of the complex and of both partners, Coulomb, binding."""
     whole = tuple(numpy.concatenate(parts) for parts in zip(*partners))
-    box = apbs_energies.box_of(whole[0], whole[2], case.spacing)
-    solvation = [apbs_energies.solvation(case, kind, molecule, box) for molecule in (whole, *partners)]
-    coulomb = apbs_energies.coulomb_between(*partners, case.dielectrics[0])
+    box = solvation_energies.box_of(whole[0], whole[2], case.spacing)
+    solvation = [solvation_energies.solvation(case, kind, molecule, box) for molecule in (whole, *partners)]
+    coulomb = solvation_energies.coulomb_between(*partners, case.dielectrics[0])
     return {"solvation": solvation, "coulomb": coulomb,
             "binding": solvation[0] - solvation[1] - solvation[2] + coulomb}
 
@@ -63,7 +61,7 @@ def main():
     parser.add_argument("--nonlinear", action="store_true")
     chosen = parser.parse_args()
     case = settings(chosen.spacing, chosen.salt, chosen.solute, chosen.solvent, chosen.nonlinear)
-    partners = [electrostatics.read(path) for path in (chosen.one, chosen.other)]
+    partners = [solvation_energies.read(path) for path in (chosen.one, chosen.other)]
     demand_apart(partners)
     parts = binding(partners, chosen.surface, case)
     if not numpy.isfinite(parts["binding"]):

@@ -267,7 +267,7 @@ def main(surface, picture=None, radius=100.0, persistence=5.0, side="Both"):
     source = simple.OpenDataFile(str(surface))
     simple.UpdatePipeline(proxy=source)
     if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
-        sys.exit(f"{surface} is no surface: make one first, of a map with MapToMesh.py for instance.")
+        sys.exit(f"{surface} is no surface: make one first, of a map with map_to_mesh.py for instance.")
     picture = picture or output_folder() / "choking_loops.png"
     loops = loops_of(source, radius, persistence, side)
     with step("Choking loops", loops) as this:

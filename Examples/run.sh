@@ -21,15 +21,15 @@ output=${ISTHMUS_OUTPUT_DIR:-$build_dir/example}
 use_build_tree
 # VTK chooses colours by TERM, even when it writes to a file.
 [ -t 2 ] || export TERM=dumb
-map=$(/usr/bin/python3 "$source_dir/Examples/ChooseMap.py" "$output" ${1:+"$1"})
+map=$(/usr/bin/python3 "$source_dir/Examples/choose_map.py" "$output" ${1:+"$1"})
 
 # Each script prints a line for each step to standard error, and to standard output its numbers, which
 # are kept for the end.
 example() { with_display pvpython "$source_dir/Examples/$1" "${@:2}"; }
-curvature=$(example MapToCurvature.py "$map" "$output" ${2:+"$2"})
+curvature=$(example map_to_curvature.py "$map" "$output" ${2:+"$2"})
 level=$(/usr/bin/python3 -c \
   'import json, sys; print(json.load(open(sys.argv[1]))["level"]["value"])' "$output/report.json")
-meshes=$(example MapToMesh.py "$map" "$output" "$level")
+meshes=$(example map_to_mesh.py "$map" "$output" "$level")
 loops=$(example choking_loops.py "$output/surface_delaunay.vtp" "$output/choking_loops.png" | sed '$d') # without the paths
 
 say

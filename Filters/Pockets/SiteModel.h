@@ -4,9 +4,9 @@
  * ligand.
  *
  * Gradient-boosted regression trees (J. H. Friedman, Ann. Stat. 29 (2001) 1189) on the descriptors
- * of SiteDescriptors.h, trained by Examples/train_site_model.py on public complexes, with the same
- * weight for each family of proteins; the script writes SiteModelTable.cxx. The guide's page *Site
- * model* lists the complexes and reports the performance on unseen families.
+ * of SiteDescriptors.h, trained by Testing/Studies/train_site_model.py on public complexes, with
+ * the same weight for each family of proteins; the script writes SiteModelTable.cxx. The guide's
+ * page *Site model* lists the complexes and reports the performance on unseen families.
  */
 #ifndef isthmus_SiteModel_h
 #define isthmus_SiteModel_h

@@ -1,4 +1,4 @@
-// Written by Examples/train_site_model.py: 160 trees.
+// Written by Testing/Studies/train_site_model.py: 160 trees.
 #include "Pockets/SiteModel.h"
 
 namespace isthmus

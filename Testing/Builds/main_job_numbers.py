@@ -50,7 +50,7 @@ def loops_of(path):
 
 
 def measures_of(mesh):
-    """Number of cells and their total size of the files of MapToMesh.py."""
+    """Number of cells and their total size of the files of map_to_mesh.py."""
     sizes = fetched(simple.CellSize(Input=mesh)).GetCellData()
     name = "Volume" if sizes.GetArray("Volume") and column(sizes, "Volume").any() else "Area"
     values = column(sizes, name)

@@ -4,6 +4,6 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, sys.argv[1])
-import ChooseMap  # noqa: E402
+import choose_map  # noqa: E402
 
-ChooseMap.write_phantom(Path(sys.argv[2]))
+choose_map.write_phantom(Path(sys.argv[2]))

@@ -1,10 +1,10 @@
-"""Energies of APBS' small examples by Examples/apbs_energies.py: near the published ones on the same kind of
+"""Energies of APBS' small examples by Testing/Studies/apbs_energies.py: near the published ones on the same kind of
 surface, and nearer to exact values where there are some."""
 
 import os
 import sys
 
-sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
+sys.path.insert(0, os.environ["ISTHMUS_STUDIES_DIR"])
 import apbs_energies  # noqa: E402
 
 from shared_data import shared_data  # noqa: E402

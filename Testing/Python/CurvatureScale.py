@@ -1,7 +1,7 @@
 """The automatic scale of Hessian Curvature: as good as the best fixed one, with errors as stated; the same by
 hand, by button, in scripts and in state files.
 
-The whole table is that of Examples/evaluate_curvature.py.
+The whole table is that of Testing/Studies/evaluate_curvature.py.
 """
 
 import os
@@ -11,7 +11,7 @@ from pathlib import Path
 import isthmus  # noqa: F401 (the classes behind the proxies)
 from paraview import simple
 
-sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
+sys.path.insert(0, os.environ["ISTHMUS_STUDIES_DIR"])
 import evaluate_curvature  # noqa: E402
 
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"])

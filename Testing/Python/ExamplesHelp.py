@@ -1,4 +1,4 @@
-"""Every example for people runs with PV_PLUGIN_PATH alone and tells its usage; mmCIF files become the
+"""Every example and study for people runs with PV_PLUGIN_PATH alone and prints its usage; mmCIF files become the
 same atoms as PDB files for the programs that read PDB only."""
 
 import os
@@ -9,8 +9,9 @@ from pathlib import Path
 from shared_data import shared_data
 
 examples = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
+studies = Path(os.environ["ISTHMUS_STUDIES_DIR"])
 environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-scripts = [path for path in sorted([*examples.glob("*.py"), *examples.glob("figures/*.py")])
+scripts = [path for path in sorted([*examples.glob("*.py"), *examples.glob("figures/*.py"), *studies.glob("*.py")])
            if "Usage:" in path.read_text()]
 assert len(scripts) >= 8, scripts
 for script in scripts:

@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
+sys.path.insert(0, os.environ["ISTHMUS_STUDIES_DIR"])
 import fit_nonpolar  # noqa: E402
 from shared_data import shared_data  # noqa: E402
 

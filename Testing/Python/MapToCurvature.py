@@ -26,11 +26,11 @@ OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapToCurvature"
 GROEL_GENUS, GROEL_PIECES, GROEL_SPACING = 22, 4, 3.05
 RESOLVED_TOLERANCE = 0.25
 sys.path.insert(0, str(EXAMPLES))
-import ChooseMap  # noqa: E402
+import choose_map  # noqa: E402
 
 
 def run_example(path, folder, *level):
-    subprocess.run(["pvpython", str(EXAMPLES / "MapToCurvature.py"), str(path), str(folder), *level],
+    subprocess.run(["pvpython", str(EXAMPLES / "map_to_curvature.py"), str(path), str(folder), *level],
                    check=True, timeout=300)
     return json.loads((folder / "report.json").read_text())
 
@@ -77,7 +77,7 @@ def check_files(folder):
 def check_phantom():
     """Two rings of seven blobs that touch: one closed piece whose two genus counts agree."""
     OUTPUT.mkdir(parents=True, exist_ok=True)
-    ChooseMap.write_phantom(OUTPUT / "phantom.mrc")
+    choose_map.write_phantom(OUTPUT / "phantom.mrc")
     report = run_example(OUTPUT / "phantom.mrc", OUTPUT / "phantom", "0.5")
     surface = report["surface"]
     assert surface["closed"] and surface["components"] == 1, surface

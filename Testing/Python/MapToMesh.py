@@ -11,7 +11,7 @@ from paraview import servermanager, simple
 EXAMPLES = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapToMesh"
 sys.path.insert(0, str(EXAMPLES))
-import ChooseMap  # noqa: E402
+import choose_map  # noqa: E402
 
 
 def run(script, *arguments):
@@ -20,8 +20,8 @@ def run(script, *arguments):
 
 
 OUTPUT.mkdir(parents=True, exist_ok=True)
-ChooseMap.write_phantom(OUTPUT / "phantom.mrc")
-printed = run("MapToMesh.py", OUTPUT / "phantom.mrc", OUTPUT, 0.5)
+choose_map.write_phantom(OUTPUT / "phantom.mrc")
+printed = run("map_to_mesh.py", OUTPUT / "phantom.mrc", OUTPUT, 0.5)
 text = (OUTPUT / "mesh.txt").read_text()
 assert text.endswith(printed) and printed.count("\n") == 3, printed
 

@@ -15,7 +15,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
-import ChooseMap  # noqa: E402
+import choose_map  # noqa: E402
 import window_home  # noqa: E402
 
 STARTED = time.monotonic()
@@ -43,7 +43,7 @@ def coloured_fraction(path):
 
 folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ParaViewWindow"
 window_home.prepare(folder)
-ChooseMap.write_phantom(folder / "phantom.map")
+choose_map.write_phantom(folder / "phantom.map")
 session = Path(__file__).parent / "window_session.py"
 environment = dict(
     os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder), ISTHMUS_SESSION_DIR=str(folder))

@@ -15,7 +15,7 @@ from shared_data import shared_data
 
 EXAMPLES = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
 sys.path.insert(0, str(EXAMPLES))
-import ChooseMap  # noqa: E402
+import choose_map  # noqa: E402
 
 MOST_LINES = 40
 LOG = re.compile(r"\x1b|\b(INFO|WARN|ERR)\||\w\.(cxx|h|txx|py)\b|\(0x[0-9a-f]+\)|Traceback")
@@ -50,7 +50,7 @@ def printed(*command, code=0):
 def check_main_job(folder, phantom):
     """The three scripts as Examples/run.sh runs them."""
     steps, numbers = [], []
-    for script, *arguments in (("MapToCurvature.py", phantom, folder, 0.5), ("MapToMesh.py", phantom, folder, 0.5),
+    for script, *arguments in (("map_to_curvature.py", phantom, folder, 0.5), ("map_to_mesh.py", phantom, folder, 0.5),
                                ("choking_loops.py", folder / "surface_delaunay.vtp", folder / "choking_loops.png")):
         out, error = printed(EXAMPLES / script, *arguments)
         numbers += out.splitlines()
@@ -72,7 +72,7 @@ def check_faults(folder, damaged):
 
 with tempfile.TemporaryDirectory() as place:
     folder = Path(place)
-    ChooseMap.write_phantom(folder / "phantom.mrc")
+    choose_map.write_phantom(folder / "phantom.mrc")
     check_main_job(folder, folder / "phantom.mrc")
     (folder / "open.off").write_text("OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n")
     check_faults(folder, folder / "open.off")

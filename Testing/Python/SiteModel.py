@@ -92,7 +92,7 @@ for name, lines, mask in list(tools.complexes())[:3]:
     assert numpy.array_equal(tools.centres(plain), centres), name
     print(f"{name}: {len(centres)} sites, the first {table['Probability'][0]:.2f}")
 
-sys.path.insert(0, str(ROOT / "Examples"))
+sys.path.insert(0, str(ROOT / "Testing/Studies"))
 import evaluate_pockets as evaluation  # noqa: E402
 
 # Two chains of one fold, the second turned by half about z and moved: a site of one has its copy there.

@@ -1,4 +1,4 @@
-"""Examples/thesis.py: tables that can be exact are, and the page of the guide has what the script prints. What has no
+"""Testing/Studies/thesis.py: tables that can be exact are, and the page of the guide has what the script prints. What has no
 other test: loops at three resolutions (6.11), in a potassium channel (6.10), isosurfaces beside bars (6.12), the
 indicator of fullerenes beside energies (6.15)."""
 
@@ -7,7 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
+sys.path.insert(0, os.environ["ISTHMUS_STUDIES_DIR"])
 import thesis  # noqa: E402
 from shared_data import shared_data  # noqa: E402
 

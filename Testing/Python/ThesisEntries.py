@@ -15,7 +15,7 @@ from pathlib import Path
 import mrcfile
 import numpy
 
-sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
+sys.path.insert(0, os.environ["ISTHMUS_STUDIES_DIR"])
 import thesis  # noqa: E402
 import thesis_entries  # noqa: E402
 

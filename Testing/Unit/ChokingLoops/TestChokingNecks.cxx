@@ -250,7 +250,7 @@ TEST(ChokingNecks, NestedShells)
 }
 
 /// Two stacked rings of seven blobs, sums of Gaussians, whose windows are closed: GroEL's
-/// architecture as in Examples/ChooseMap.py.
+/// architecture as in Examples/choose_map.py.
 TriangleMesh ClosedWindows()
 {
   const auto density = [](double x, double y, double z)

@@ -34,7 +34,7 @@ from vtkmodules.vtkCommonDataModel import (VTK_TETRA, VTK_WEDGE, vtkCellArray, v
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import find_isthmus  # noqa: E402,F401 (before isthmus)
+import study_paths  # noqa: E402,F401 (before isthmus)
 import isthmus  # noqa: E402
 import thesis_entries  # noqa: E402
 
@@ -67,7 +67,7 @@ def reproduces(key, title):
 
 
 def data(relative):
-    shared = Path(__file__).resolve().parents[2] / "shared" / "data"
+    shared = Path(__file__).resolve().parents[3] / "shared" / "data"
     for folder in filter(None, (os.environ.get("ISTHMUS_DATA_DIR"), shared)):
         if (Path(folder) / relative).exists():
             return str(Path(folder) / relative)
@@ -825,13 +825,13 @@ def fullerene_energies():
 FIGURES = (
     ("1.4, 6.1, 6.6", "`choking_loops.py SURFACE`", "the buckyball soccerball.obj, Kitten.off and others"),
     ("3.2, 4.13, 4.22", "`mesh_figures.py`", "EMD-1832 for EMD-1590, 1HEW"),
-    ("4.3, 5.2", "`MapToCurvature.py MAP FOLDER`", "EMD-5043 for EMD-1617 and EMD-5119"),
+    ("4.3, 5.2", "`map_to_curvature.py MAP FOLDER`", "EMD-5043 for EMD-1617 and EMD-5119"),
     ("4.4 to 4.7, 4.18 to 4.21", "`mesh_figures.py`",
      "EMD-1832 for EMD-1590; six shared maps; 1HEW. The six maps of 4.7 by `thesis.py figures --pictures`, after "
      "`--fetch`"),
-    ("4.9 to 4.12, 5.7, 5.8", "`MapToCurvature.py MAP FOLDER`; 5.7, 5.8 by `thesis.py figures --pictures`, after `--fetch`",
+    ("4.9 to 4.12, 5.7, 5.8", "`map_to_curvature.py MAP FOLDER`; 5.7, 5.8 by `thesis.py figures --pictures`, after `--fetch`",
      "any shared map; EMD-5273 and EMD-5020"),
-    ("4.14", "`MapToMesh.py MAP FOLDER LEVEL`", "any shared map"),
+    ("4.14", "`map_to_mesh.py MAP FOLDER LEVEL`", "any shared map"),
     ("4.15, 5.1", "`flow_surfaces.py MOLECULE`", "1HEW, also for 1PPL"),
     ("4.16, 5.3", "`evaluate_solvation.py --picture`", "1HEW, also for 1PPL"),
     ("4.17, 4.23", "`flow_surfaces.py MOLECULE`, after `thesis.py --fetch`", "1ADS, 1BYH, 1EJN and 2WEB"),
@@ -856,10 +856,10 @@ def figures():
 def draw_curvature(source, picture, **options):
     """Six descriptors of the curvature of a surface."""
     from paraview import servermanager, simple
-    import MapToCurvature
+    import map_to_curvature
     curvature = simple.CurvatureOnSurface(Input=source, **options)
     curvature.UpdatePipeline()
-    layout = MapToCurvature.six_views(curvature, servermanager.Fetch(curvature))
+    layout = map_to_curvature.six_views(curvature, servermanager.Fetch(curvature))
     simple.SaveScreenshot(str(picture), layout, ImageResolution=[1800, 1200])
     print(picture)
 

@@ -1,6 +1,6 @@
 """Choose the map of the example: prints its path on stdout, and why on stderr.
 
-Usage: ChooseMap.py FOLDER [MAP]. Without MAP, the first of: EMD-5043 in $ISTHMUS_DATA_DIR/maps or
+Usage: choose_map.py FOLDER [MAP]. Without MAP, the first of: EMD-5043 in $ISTHMUS_DATA_DIR/maps or
 ../shared/data/maps, a download of it from the EMDB archive, a phantom. The last two go to FOLDER.
 """
 

@@ -1,6 +1,6 @@
 """From a density map to a surface with well-shaped triangles and the tetrahedra inside it.
 
-Usage: pvpython MapToMesh.py MAP FOLDER LEVEL. Denoises as MapToCurvature.py does, takes the level
+Usage: pvpython map_to_mesh.py MAP FOLDER LEVEL. Denoises as map_to_curvature.py does, takes the level
 set by marching cubes and by Delaunay refinement, and fills the latter with tetrahedra. Writes
 surface_delaunay.vtp, tetrahedra.vtu, angles.png (both histograms of angles, as Fig. 4.5 of the
 thesis), cutaway.png and mesh.txt. Prints its steps to standard error and the ranges of the angles
@@ -14,8 +14,8 @@ from paraview import servermanager, simple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from isthmus_plugin import look  # noqa: E402, there once paraview.simple has loaded the plugin
-import MapToCurvature  # noqa: E402
-from MapToCurvature import (  # noqa: E402
+import map_to_curvature  # noqa: E402
+from map_to_curvature import (  # noqa: E402
     INK, look_along, points_of, set_properties, show_colour_bar, symmetry_axis)
 from step_lines import step  # noqa: E402
 
@@ -26,9 +26,9 @@ COLOURS = {"Marching cubes": (0.62, 0.66, 0.72), "Delaunay": (0.13, 0.47, 0.71)}
 
 def build_meshes(path, level):
     """Both surfaces of the denoised map, and the tetrahedra inside the Delaunay one."""
-    reader, denoised = MapToCurvature.open_denoised(path)
-    MapToCurvature.run_denoising(reader, denoised)
-    contour = MapToCurvature.isosurface(denoised, level)
+    reader, denoised = map_to_curvature.open_denoised(path)
+    map_to_curvature.run_denoising(reader, denoised)
+    contour = map_to_curvature.isosurface(denoised, level)
     delaunay = simple.DelaunayIsosurface(
         registrationName="DelaunayIsosurface", Input=denoised, Level=level)
     with step("Delaunay surface", delaunay) as this:

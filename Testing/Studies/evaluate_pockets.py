@@ -31,7 +31,7 @@ from pathlib import Path
 
 import numpy
 
-import find_isthmus  # noqa: F401 (before isthmus)
+import study_paths  # noqa: F401 (before isthmus)
 import isthmus
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
-import find_isthmus  # noqa: F401 (before isthmus)
+import study_paths  # noqa: F401 (before isthmus)
 import isthmus
 
 FIXED = (0.0, 0.71, 1.0, 1.41, 2.0, 2.83, 4.0, 5.66, 8.0)

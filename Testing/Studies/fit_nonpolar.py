@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import find_isthmus  # noqa: E402,F401 (before isthmus)
+import study_paths  # noqa: E402,F401 (before isthmus)
 import isthmus  # noqa: E402
 
 

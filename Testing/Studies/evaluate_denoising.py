@@ -28,7 +28,7 @@ from pathlib import Path
 import numpy
 from scipy import fft, ndimage
 
-import find_isthmus  # noqa: F401 (before isthmus)
+import study_paths  # noqa: F401 (before isthmus)
 import isthmus
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData

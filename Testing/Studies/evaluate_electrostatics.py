@@ -12,40 +12,16 @@ import argparse
 from pathlib import Path
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import apbs_solvation
-import find_isthmus  # noqa: F401 (before isthmus)
+import study_paths  # noqa: F401 (before isthmus)
 import isthmus
+from solvation_energies import molecule_of, read
 
 DECAY = 2.0  # of the Gaussians
 SURFACES = ("gaussian", "flow", "ses")
 QUANTILES = (0.99, 0.999, 0.9999, 1.0)
-
-
-def read(path):
-    """Positions, charges, radii."""
-    reader = isthmus.vtkMacromoleculeReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    atoms = reader.GetOutput()
-    data = atoms.GetPointData()
-    return (vtk_to_numpy(atoms.GetPoints().GetData()).astype(float),
-            vtk_to_numpy(data.GetArray("Charge")).astype(float),
-            vtk_to_numpy(data.GetArray("Radius")).astype(float))
-
-
-def molecule(positions, charges, radii):
-    atoms, points = vtkPolyData(), vtkPoints()
-    points.SetData(numpy_to_vtk(positions, deep=True))
-    atoms.SetPoints(points)
-    for name, values in (("Charge", charges), ("Radius", radii)):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        atoms.GetPointData().AddArray(array)
-    return atoms
 
 
 def solve(atoms, surface, spacing):
@@ -156,10 +132,10 @@ def main():
           + ", ".join(f"{100 * q:g} %" for q in QUANTILES) + " within, kT/e | within 0.5 | drift by rotation |")
     print("|---|---|---|---|---|---|---|")
     for surface in options.surfaces:
-        atoms = molecule(positions, charges, radii)
+        atoms = molecule_of(positions, charges, radii)
         coarse, fine = solve(atoms, surface, 0.5), solve(atoms, surface, 0.25)
         apart, _ = differences(coarse, fine)
-        energies = [energy(solve(molecule(x, charges, radii), surface, 0.5)) for x in turned]
+        energies = [energy(solve(molecule_of(x, charges, radii), surface, 0.5)) for x in turned]
         print(f"| {surface} | {energy(coarse):.2f} | {energy(fine):.2f} "
               f"| {100 * abs(energy(coarse) / energy(fine) - 1.0):.3f} % | "
               + ", ".join(f"{numpy.quantile(apart, q):.2f}" for q in QUANTILES)

@@ -1,6 +1,6 @@
 """From a density map to a surface coloured by its curvature: the main job of Isthmus.
 
-Usage: pvpython MapToCurvature.py MAP OUTPUT_FOLDER [LEVEL]. Writes curvature.png (six descriptors
+Usage: pvpython map_to_curvature.py MAP OUTPUT_FOLDER [LEVEL]. Writes curvature.png (six descriptors
 side by side), denoising.png (the surface without and with denoising), surface.vtp, report.json,
 report.txt and pipeline.pvsm, which ParaView opens. Prints its steps to standard error and the
 numbers to standard output.
@@ -17,7 +17,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from isthmus_plugin import look  # noqa: E402, there once paraview.simple has loaded the plugin
-import SurfaceReport  # noqa: E402
+import surface_report  # noqa: E402
 from step_lines import step  # noqa: E402
 
 # Array, title of its colour bar, colours, and where the range comes from: "signed" is symmetric
@@ -264,7 +264,7 @@ def main(path, folder, level):
         layout, noise = before_and_after(reader, denoised, image, level["value"], data, noise)
         simple.SaveScreenshot(str(folder / "denoising.png"), layout, ImageResolution=[1400, 1400])
         this.facts.append("curvature.png and denoising.png")
-    SurfaceReport.write(path, image, level, noise, data, [row[0] for row in DESCRIPTORS], folder)
+    surface_report.write(path, image, level, noise, data, [row[0] for row in DESCRIPTORS], folder)
 
 
 if __name__ == "__main__":

@@ -122,7 +122,7 @@ def as_text(report):
 
 
 def summary(report):
-    """The text without the map and its noise, which the steps of MapToCurvature.py print."""
+    """The text without the map and its noise, which the steps of map_to_curvature.py print."""
     return "".join(line for line in as_text(report).splitlines(True) if not line.startswith(("Map", "Noise")))
 
 

@@ -47,7 +47,7 @@ def atoms_of(lines):
 
 
 def describe(folder, out):
-    import find_isthmus  # noqa: F401 (before isthmus)
+    import study_paths  # noqa: F401 (before isthmus)
     import isthmus
     from evaluate_pockets import split
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -377,7 +377,7 @@ def write_table(path, model, calibration):
     number = lambda value: f"{float(value):.9g}"
     real = lambda value: number(value) + ("f" if "." in number(value) or "e" in number(value) else ".0f")
     lines = lambda parts, per: ",\n  ".join(", ".join(parts[i:i + per]) for i in range(0, len(parts), per))
-    text = f"""// Written by Examples/train_site_model.py: {len(first_nodes)} trees.
+    text = f"""// Written by Testing/Studies/train_site_model.py: {len(first_nodes)} trees.
 #include "Pockets/SiteModel.h"
 
 namespace isthmus

@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy
 
 import apbs_solvation
-import find_isthmus  # noqa: F401 (before isthmus)
+import study_paths  # noqa: F401 (before isthmus)
 import isthmus
 from output_folder import output_folder
 
@@ -38,7 +38,7 @@ MOLECULES = (("methanol", "solv/methanol.pqr", -5.10, None),
 
 
 def data(relative):
-    for folder in filter(None, (os.environ.get("ISTHMUS_DATA_DIR"), HERE.parents[1] / "shared" / "data")):
+    for folder in filter(None, (os.environ.get("ISTHMUS_DATA_DIR"), HERE.parents[2] / "shared" / "data")):
         if (Path(folder) / relative).exists():
             return Path(folder) / relative
     raise SystemExit(f"There is no {relative}: set ISTHMUS_DATA_DIR.")
