@@ -50,7 +50,7 @@ class Names:
                 properties = re.findall(r'<\w+Property\b[^>]*?\bname="(\w+)"', proxy)
                 self.proxies.setdefault(name, set()).update(properties)
         self.tests = set()
-        for path in sorted((root / "Testing/Unit").rglob("*.cxx")):
+        for path in sorted([*(root / "Testing/Unit").rglob("*.cxx"), *(root / "Testing/Integration").glob("*.cxx")]):
             self.tests |= {f"{suite}.{test}" for suite, test in
                            re.findall(r"^TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)", path.read_text(), re.MULTILINE)}
         self.tests |= {f"Python.{path.stem}" for path in (root / "Testing/Python").glob("[A-Z]*.py")}

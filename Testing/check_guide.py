@@ -73,7 +73,7 @@ def check_version(root):
 def check_tests(root):
     """Tests that pages name as `-R NAME` exist."""
     names = {"Python." + path.stem for path in (root / "Testing" / "Python").glob("[A-Z]*.py")}
-    for path in (root / "Testing" / "Unit").rglob("*.cxx"):
+    for path in [*(root / "Testing/Unit").rglob("*.cxx"), *(root / "Testing/Integration").glob("*.cxx")]:
         names.update(".".join(pair) for pair in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)", path.read_text(),
                                                            re.MULTILINE))
     for page in sorted((root / pages.GUIDE).glob("*.md")):

@@ -7,7 +7,8 @@ Each folder under Filters and Readers is a VTK module with a vtk.module and a CM
 includes only its own module's headers and those of modules in DEPENDS, a source also those in
 PRIVATE_DEPENDS (the compiler also accepts headers of indirect dependencies, this check does not). Algorithm
 headers are included as "Folder/X.h", those of VTK classes as "vtkX.h". Neither modules nor the files of
-a module have circular dependencies, with X.h and X.cxx as one unit. Every source is listed in
+a module have circular dependencies, with X.h and X.cxx as one unit. TEST_DEPENDS names no module that
+depends on this one. Every source is listed in
 CMakeLists.txt, and every name there is a file. Installed headers (vtkX.h and those under HEADERS)
 include no others. No two headers define a class of one name. The modules in PERMISSIVE are built
 without CGAL, which is GPL, and so is all that they depend on. Prints one line per violation; the
@@ -153,6 +154,22 @@ def check_unused(module, owners):
             for name in sorted(module.declares(private=True) - used)]
 
 
+def check_tests(modules):
+    """Modules that TEST_DEPENDS names although they depend on the module."""
+    by_name = {module.name: module for module in modules}
+
+    def needed(name, seen):
+        for other in by_name[name].declares(private=True) - seen if name in by_name else ():
+            seen.add(other)
+            needed(other, seen)
+        return seen
+
+    return [f"{module.place}/vtk.module: {name} of TEST_DEPENDS depends on {module.name}: such tests are those of "
+            f"{name}, or of Testing/Integration"
+            for module in modules for name in sorted(word.removeprefix("Isthmus::") for word in module.headings["TEST_DEPENDS"])
+            if module.name in needed(name, set())]
+
+
 def check_licences(modules):
     """PERMISSIVE modules that need CGAL, by themselves or by what they depend on."""
     by_name = {module.name: module for module in modules}
@@ -218,7 +235,7 @@ def check(root):
                        for circle in circles(graph)]
     complaints += ["a circle of modules: " + ", ".join(circle) for circle in circles(
         {module.name: module.declares(private=True) for module in modules})]
-    complaints += check_licences(modules)
+    complaints += check_tests(modules) + check_licences(modules)
     complaints += check_names(path for module in modules for path in module.files
                               if path.suffix == ".h")
     return complaints, looked_at

@@ -12,7 +12,7 @@ Plugin) it therefore reports
   isthmus::TextOf has the numbers in it.
 
 Filters/Core/NumberText.h has what to use instead. Which libraries call std::to_string of a floating
-point number, which no text search finds, is tested by Testing/Unit/Core/TestLocales.cxx.
+point number, which no text search finds, is tested by Testing/Integration/TestLocales.cxx.
 
 Prints one line per error; the exit status is 1 if there are any.
 """

@@ -50,7 +50,7 @@ fi
 # The targets that the chosen modules' tests need; without a choice everything is built.
 targets=()
 if [ ${#choice[@]} -gt 0 ] || [ -n "$quick" ]; then
-  modules=$(select_tests --modules "${choice[@]}")
+  modules=$(select_tests --modules $quick "${choice[@]}")
   if [ -z "$modules" ]; then
     say "No module has changes."
     exit
@@ -58,7 +58,7 @@ if [ ${#choice[@]} -gt 0 ] || [ -n "$quick" ]; then
   say "Modules: $modules"
   for module in $modules; do
     targets+=("unit_tests_$module")
-    [ -n "$quick" ] || targets+=("python_tests_$module")
+    [ -n "$quick" ] || [ "$module" = Integration ] || targets+=("python_tests_$module")
   done
 fi
 configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_WERROR=ON -- "${targets[@]}"

@@ -4,7 +4,7 @@
     select_tests.py BUILD [--module NAME]... [--changed REVISION] [--quick] [--all] [--turn N]
                     [--write FILE]
     select_tests.py BUILD --turns
-    select_tests.py --modules [--module NAME]... [--changed REVISION]
+    select_tests.py --modules [--module NAME]... [--changed REVISION] [--quick]
 
 Long tests take turns, since all of them in every run would take an hour: turns.tsv lists them in groups,
 each with the number of turns after which all of the group have run. Within a group the tests are in the
@@ -13,9 +13,9 @@ or else the number of merges: commits on the first-parent line of HEAD, which am
 
 With --write, FILE gets the numbers of the tests in the form that `ctest -I FILE` reads. With --turns,
 all tests that take turns are listed with the number of merges since they last ran. With --modules,
-the folders of the modules are printed instead of tests. --changed REVISION means the modules with
+the folders of the modules (and Integration, whose tests need several) are printed instead of tests. --changed REVISION means the modules with
 changes since then and all that depend on them. --quick: the unit tests that are not in turns.tsv,
-and those that are marked `quick` there, whatever the turn.
+and those that are marked `quick` there, whatever the turn; integration tests as well if no module is named.
 --all: no test waits for its turn.
 """
 import argparse
@@ -30,6 +30,7 @@ import check_modules
 
 TESTING = pathlib.Path(__file__).resolve().parent
 ROOT = TESTING.parent
+INTEGRATION = "Integration"  # the folder of tests of several modules, chosen as if it were one
 
 
 def stable_hash(text):
@@ -107,10 +108,11 @@ def changed_modules(modules, revision, root=ROOT):
     files = lines("diff", "--name-only", revision) + lines("ls-files", "--others", "--exclude-standard")
     by_name = {module.name: module for module in modules}
     folders = {module.folder.name: module.name for module in modules}
-    changed = set()
+    changed, integration = set(), False
     for file in map(pathlib.PurePath, files):
         known = [folders[part] for part in file.parts[:-1] if part in folders]
         changed.update(known[-1:])
+        integration |= file.parts[:2] == ("Testing", "Integration")
         if file.parts[:2] == ("Testing", "Python"): # X.py tests the class vtkX
             changed.update(module.name for module in modules
                            if (module.folder / f"vtk{file.stem}.h").exists())
@@ -120,7 +122,7 @@ def changed_modules(modules, revision, root=ROOT):
     while True:
         more = {name for name, needed in depend.items() if needed & changed} - changed
         if not more:
-            return sorted(by_name[name].folder.name for name in changed)
+            return sorted([by_name[name].folder.name for name in changed] + [INTEGRATION] * integration)
         changed |= more
 
 
@@ -152,7 +154,8 @@ def chosen_tests(tests, groups, turn, folders, quick, all_turns):
         if folders is not None and not set(labels) & set(folders):
             continue
         marked = name in where and where[name][0].is_quick(name)
-        if quick and ((name in where and not marked) or "unit" not in labels):
+        kinds = {"unit", "integration"} if folders is None or INTEGRATION in folders else {"unit"}
+        if quick and ((name in where and not marked) or not kinds & set(labels)):
             continue
         if not all_turns and not (quick and marked) and name in where and merges_since(*where[name], turn) != 0:
             later.append(name)
@@ -176,13 +179,17 @@ def main():
     modules = check_modules.modules_of(ROOT)
     known = sorted(module.folder.name for module in modules)
     for name in given.module:
-        if name not in known:
+        if name not in [*known, INTEGRATION]:
             sys.exit(f"There is no module {name}; the modules are {', '.join(known)}.")
     folders = None
     if given.module or given.changed:
         folders = sorted({*given.module, *(changed_modules(modules, given.changed) if given.changed else [])})
     if given.modules:
-        print(*(known if folders is None else folders))
+        names = known if folders is None else folders
+        # Tests of several modules need the whole library, so that --quick with modules has none of them.
+        if names and INTEGRATION not in names and (folders is None or not given.quick):
+            names = [*names, INTEGRATION]
+        print(*names)
         return
     if given.build is None:
         parser.error("the build folder is missing")

@@ -52,6 +52,12 @@ class SelectTests(unittest.TestCase):
         self.assertEqual(chosen(1, ["Maps"], False, False), [1, 3])
         self.assertEqual(chosen(0, ["Maps"], True, True), [1])
         self.assertEqual(chosen(0, None, True, False), [1, 4])
+        tests.append(("C.Quick", ["integration", "Integration", "Maps", "Files"]))
+        self.assertEqual(chosen(0, ["Files"], False, True), [4, 5])
+        self.assertEqual(chosen(0, ["Files"], True, True), [4])  # the other needs all modules
+        self.assertEqual(chosen(0, ["Integration"], True, True), [5])
+        self.assertEqual(chosen(0, None, True, False), [1, 4, 5])
+        tests.pop()
         group.quick = {"A.Long"}
         for turn in range(7):
             self.assertEqual(chosen(turn, ["Maps"], True, False), [1, 2])
@@ -59,7 +65,7 @@ class SelectTests(unittest.TestCase):
 
     def test_shares_within_tests_and_turns_of_tests_have_no_common_factor(self):
         hands = set()
-        for path in (TESTING / "Unit").rglob("Test*.cxx"):
+        for path in [*(TESTING / "Unit").rglob("Test*.cxx"), *(TESTING / "Integration").glob("Test*.cxx")]:
             hands.update(map(int, re.findall(r'LongCases\w*[ \w]*\("\w*", (\d+)\)', path.read_text())))
         for path in (TESTING / "Python").glob("[A-Z]*.py"):
             hands.update(map(int, re.findall(r"\bshare\([^\n]*, (\d+)\)", path.read_text())))
@@ -109,6 +115,7 @@ class SelectTests(unittest.TestCase):
             self.assertEqual(select_tests.changed_modules(MODULES, "HEAD", folder), [])
             for name, expected in (("Filters/Solvation/New.cxx", ["Solvation"]),
                                    ("Testing/Unit/Readers/Potentials/TestNew.cxx", {"Potentials"}),
+                                   ("Testing/Integration/TestNew.cxx", {"Integration"}),
                                    ("Testing/Python/PoreProfile.py", {"Pockets"})):
                 path = pathlib.Path(folder, name)
                 path.parent.mkdir(parents=True)

@@ -11,7 +11,7 @@ file(REMOVE_RECURSE "${prefix}")
 run("${CMAKE_COMMAND}" --install "${folder}" --prefix "${prefix}")
 run_consumer("${prefix}" "${WORK_DIR}/sanitized-consumer" ${compiler}
   -DCMAKE_CXX_FLAGS=-fsanitize=address,undefined)
-run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure --parallel 2 -L unit
+run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure --parallel 2 -L "unit|integration"
   --exclude-regex "${long_tests}")
 
 file(GLOB targets "${folder}/Testing/Fuzz/Fuzz*")

@@ -67,7 +67,7 @@ isthmus/Testing/check.sh || status=$?
 if [ $scope = all ]; then
   say "The library and all quick unit tests"
   nice cmake --build build --parallel "${ISTHMUS_JOBS:-$(nproc)}"
-  ctest --test-dir build -L unit -LE long --output-on-failure --no-tests=error
+  ctest --test-dir build -L "unit|integration" -LE long --output-on-failure --no-tests=error
 else
   say "$module and its quick unit tests"
   nice cmake --build build --parallel "${ISTHMUS_JOBS:-$(nproc)}" --target "unit_tests_$module"

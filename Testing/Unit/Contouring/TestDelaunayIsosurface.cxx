@@ -4,7 +4,7 @@
 #include "SharedData.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
-#include "Tetrahedra/MeshQuality.h"
+#include "TriangleAngles.h"
 #include "vtkDelaunayIsosurface.h"
 #include "vtkMRCMapReader.h"
 
@@ -22,6 +22,7 @@
 #include <chrono>
 
 using namespace isthmus;
+using isthmus::testing::TriangleAngles;
 
 namespace
 {
@@ -65,12 +66,6 @@ Topology TopologyOf(const TriangleMesh& mesh)
   result.Components = labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end()) + 1;
   result.Genus = result.Components - EulerCharacteristic(mesh) / 2;
   return result;
-}
-
-QualitySummary Quality(const TriangleMesh& mesh)
-{
-  std::vector<CellAngles> cells;
-  return MeasureQuality(mesh, 18, cells);
 }
 
 /// Distance of `p` to the level set, to a thousandth of `step`: the nearest change of side along
@@ -160,7 +155,7 @@ TEST(DelaunayIsosurface, SphereHasItsAnglesItsTopologyAndItsVolume)
   EXPECT_TRUE(FindDefects(result.Surface).None());
   EXPECT_EQ(TopologyOf(result.Surface).Components, 1);
   EXPECT_EQ(TopologyOf(result.Surface).Genus, 0);
-  EXPECT_GE(Quality(result.Surface).SmallestAngle, 30.0);
+  EXPECT_GE(TriangleAngles(result.Surface).Smallest, 30.0);
   EXPECT_NEAR(SignedVolume(result.Surface), 4.0 / 3.0 * 3.14159265 * 0.343, 0.02);
   double bounds[6];
   filter->GetOutput()->GetBounds(bounds);
@@ -180,7 +175,7 @@ TEST(DelaunayIsosurface, SmallComponentsAreNotLost)
   const auto result = Isosurface(set, 0.0, 2.0 / 60);
   EXPECT_EQ(result.Warning, "");
   EXPECT_EQ(TopologyOf(result.Surface).Components, 4);
-  EXPECT_GE(Quality(result.Surface).SmallestAngle, 30.0);
+  EXPECT_GE(TriangleAngles(result.Surface).Smallest, 30.0);
 }
 
 TEST(DelaunayIsosurface, WhatLeavesTheVolumeIsClosed)
@@ -350,24 +345,24 @@ TEST(DelaunayIsosurface, RealMapsKeepTheirBoundsAndTopology)
     const Topology theirs = TopologyOf(set.Guide);
     const Deviation near = DeviationFrom(set, map.Level, result.Surface, h);
     const Deviation guideNear = DeviationFrom(set, map.Level, set.Guide, h);
-    const QualitySummary quality = Quality(result.Surface);
-    const QualitySummary guideQuality = Quality(set.Guide);
+    const TriangleAngles angles(result.Surface);
+    const TriangleAngles guideAngles(set.Guide);
     std::printf("%s at %g, spacing %.3g\n", map.File, map.Level, h);
     const auto row = [h](const char* name, const TriangleMesh& mesh, const Topology& topology,
-                       const QualitySummary& q, const Deviation& d, double time)
+                       const TriangleAngles& q, const Deviation& d, double time)
     {
       std::printf("  %-9s %7zu triangles, %d components, genus %d, angles %.2f to %.2f, deviation "
                   "95%% %.4f, max %.4f spacings, %.2f s\n",
         name, mesh.Triangles.size(), topology.Components, static_cast<int>(topology.Genus),
-        q.SmallestAngle, q.LargestAngle, d.Percentile95 / h, d.Maximum / h, time);
+        q.Smallest, q.Largest, d.Percentile95 / h, d.Maximum / h, time);
     };
-    row("cubes", set.Guide, theirs, guideQuality, guideNear, guideSeconds);
-    row("Delaunay", result.Surface, mine, quality, near, mySeconds);
+    row("cubes", set.Guide, theirs, guideAngles, guideNear, guideSeconds);
+    row("Delaunay", result.Surface, mine, angles, near, mySeconds);
     EXPECT_EQ(result.Warning, "");
     EXPECT_TRUE(FindDefects(result.Surface).None());
     EXPECT_EQ(mine.Components, theirs.Components);
     EXPECT_EQ(mine.Genus, theirs.Genus);
-    EXPECT_GE(quality.SmallestAngle, 30.0);
+    EXPECT_GE(angles.Smallest, 30.0);
     EXPECT_LE(near.Percentile95, 0.25 * h);
     EXPECT_LE(near.Maximum, 1.25 * h);
     EXPECT_LT(result.Surface.Triangles.size(), set.Guide.Triangles.size());

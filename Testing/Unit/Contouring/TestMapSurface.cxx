@@ -8,7 +8,6 @@
 #include "Surfaces/SurfaceTopology.h"
 #include "vtkDelaunayIsosurface.h"
 #include "vtkDualContouring.h"
-#include "vtkIsosurfaceStuffing.h"
 #include "vtkMRCMapReader.h"
 #include "vtkMapSurface.h"
 
@@ -190,7 +189,8 @@ TEST(VTKMapSurface, TakesTheRecommendedLevel)
   EXPECT_EQ(SourceOf(filter->GetOutput()), "given");
 }
 
-/// Each filter that contours a volume has the level of Map Surface.
+/// Each filter that contours a volume has the level of Map Surface (of Isosurface Stuffing:
+/// TestStuffedMaps.cxx).
 template <typename Filter>
 void ExpectLevel(vtkImageData* image, double level, const std::string& source)
 {
@@ -215,7 +215,6 @@ TEST(AutomaticLevel, OfASignedDistanceIsZeroInAllFilters)
   EXPECT_NE(estimated, 0.0);
   ExpectLevel<vtkDualContouring>(image, estimated, "estimated from the values");
   ExpectLevel<vtkDelaunayIsosurface>(image, estimated, "estimated from the values");
-  ExpectLevel<vtkIsosurfaceStuffing>(image, estimated, "estimated from the values");
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
     values->SetComponent(i, 0, 20.0 - values->GetComponent(i, 0));
@@ -225,7 +224,6 @@ TEST(AutomaticLevel, OfASignedDistanceIsZeroInAllFilters)
   ExpectLevel<vtkMapSurface>(image, 0.0, natural);
   ExpectLevel<vtkDualContouring>(image, 0.0, natural);
   ExpectLevel<vtkDelaunayIsosurface>(image, 0.0, natural);
-  ExpectLevel<vtkIsosurfaceStuffing>(image, 0.0, natural);
 }
 
 TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)

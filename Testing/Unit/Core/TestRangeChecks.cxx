@@ -160,3 +160,24 @@ TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
   molecule->AppendAtom(6, 0.0, 0.0, 0.0);
   EXPECT_NO_THROW(RequireUsualCoordinates(molecule, "input 0"));
 }
+
+TEST(RangeChecks, SaysNumbersInWords)
+{
+  EXPECT_EQ(FormatNumber(1e300), "1e+300");
+  EXPECT_EQ(FormatNumber(std::numeric_limits<double>::quiet_NaN()), "not a number");
+  EXPECT_EQ(FormatNumber(0.25), "0.25");
+}
+
+TEST(RangeChecks, RefusesNaNWithTheRange)
+{
+  try
+  {
+    RequireRange("Angle", std::numeric_limits<double>::quiet_NaN(), 0.0, 30.0, "It is in degrees.");
+    FAIL();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_STREQ(
+      error.what(), "Angle is not a number, but it must be from 0 to 30. It is in degrees.");
+  }
+}

@@ -7,7 +7,7 @@
 #include "SurfaceFiles.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
-#include "Tetrahedra/MeshQuality.h"
+#include "TriangleAngles.h"
 #include "vtkSurfaceRemesh.h"
 
 #include <vtkDoubleArray.h>
@@ -28,6 +28,7 @@
 #include <vector>
 
 using namespace isthmus;
+using isthmus::testing::TriangleAngles;
 
 namespace
 {
@@ -43,12 +44,6 @@ vtkSmartPointer<vtkPolyData> Sphere()
   return sphere->GetOutput();
 }
 
-QualitySummary Quality(const TriangleMesh& mesh)
-{
-  std::vector<CellAngles> cells;
-  return MeasureQuality(mesh, 18, cells);
-}
-
 }
 
 TEST(SurfaceRemesh, EvensOutASphere)
@@ -60,8 +55,8 @@ TEST(SurfaceRemesh, EvensOutASphere)
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_EQ(EulerCharacteristic(result.Mesh), 2);
   EXPECT_NEAR(MeanEdgeLength(result.Mesh), 0.1, 0.01);
-  EXPECT_GT(Quality(result.Mesh).SmallestAngle, 20.0);
-  EXPECT_LT(Quality(sphere).SmallestAngle, 6.0);
+  EXPECT_GT(TriangleAngles(result.Mesh).Smallest, 20.0);
+  EXPECT_LT(TriangleAngles(sphere).Smallest, 6.0);
   // Points lie on the old surface, where the old one says they do.
   for (std::size_t i = 0; i < result.Mesh.Points.size(); ++i)
   {
@@ -256,6 +251,25 @@ TEST(SurfaceRemesh, SimplifiesAnOpenSurfaceToACount)
   }
   const RemeshedSurface result = SimplifySurface(tube, 800);
   EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 800.0, 60.0);
+}
+
+TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
+{
+  TriangleMesh broken = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
+  std::swap(broken.Triangles[4][0], broken.Triangles[4][1]);
+  broken.Triangles.pop_back();
+  broken.Points.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
+  broken.Triangles.push_back({ 0, 1, 8 });
+  const RepairedSurface repaired = RepairSurface(broken);
+  EXPECT_NO_THROW(RequireCleanSurface(repaired.Mesh));
+  EXPECT_NEAR(std::abs(SignedVolume(repaired.Mesh)), 1.0, 1e-12);
+  EXPECT_NE(repaired.Changes.find("filled 1 hole"), std::string::npos) << repaired.Changes;
+  for (std::size_t i = 0; i < repaired.Mesh.Points.size(); ++i)
+  {
+    ASSERT_GE(repaired.OriginalPoints[i], 0);
+    EXPECT_EQ(
+      repaired.Mesh.Points[i], broken.Points[static_cast<std::size_t>(repaired.OriginalPoints[i])]);
+  }
 }
 
 TEST(SurfaceRepair, ATriangleThatIsThereTwiceLeavesTheRestAsItIs)

@@ -3,7 +3,7 @@
 #include "Surfaces/WindingNumber.h"
 
 #include "Core/Geometry.h"
-#include "MeshedSpheres.h"
+#include "SphereMesh.h"
 
 #include <gtest/gtest.h>
 

@@ -9,23 +9,30 @@
 #include "TetrahedralChecks.h"
 #include "vtkIsosurfaceStuffing.h"
 #include "vtkMRCMapReader.h"
+#include "vtkMapSurface.h"
 #include "vtkSurfaceToGrid.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVariant.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -200,4 +207,50 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnOffsetSurfaces)
   }
   std::printf(
     "%zu tetrahedra: angles %.2f to %.2f\n", seen.Tetrahedra, seen.Smallest, seen.Largest);
+}
+
+/// As of the filters of Contouring (TestMapSurface.cxx).
+TEST(StuffedMaps, AutomaticLevelIsThatOfMapSurface)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(24, 20, 20);
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    Point3 p;
+    image->GetPoint(i, p.data());
+    const Point3 fromCenter = p - Point3{ 11.0, 9.5, 9.5 };
+    values->InsertNextValue(49.5 + 50.5 * std::tanh(6.0 - std::sqrt(Dot(fromCenter, fromCenter))));
+  }
+  image->GetPointData()->SetScalars(values);
+  const auto levels = [&image](const std::string& expectedSource)
+  {
+    vtkNew<vtkMapSurface> surface;
+    vtkNew<vtkIsosurfaceStuffing> stuffing;
+    surface->SetInputData(image);
+    surface->InsideIsHigherOff();
+    surface->Update();
+    stuffing->SetInputData(image);
+    stuffing->InsideIsHigherOff();
+    stuffing->Update();
+    EXPECT_GT(stuffing->GetOutput()->GetNumberOfCells(), 0);
+    vtkFieldData* const found = stuffing->GetOutput()->GetFieldData();
+    EXPECT_EQ(
+      found->GetAbstractArray("LevelSource")->GetVariantValue(0).ToString(), expectedSource);
+    return std::array<double, 2>{
+      surface->GetOutput()->GetFieldData()->GetArray("Level")->GetTuple1(0),
+      found->GetArray("Level")->GetTuple1(0)
+    };
+  };
+  values->SetName("Density");
+  const auto [estimated, stuffed] = levels("estimated from the values");
+  EXPECT_NE(estimated, 0.0);
+  EXPECT_EQ(stuffed, estimated);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetValue(i, 20.0 - values->GetValue(i));
+  }
+  values->SetName("SignedDistance");
+  values->Modified();
+  EXPECT_EQ(levels("natural level of the quantity"), (std::array<double, 2>{ 0.0, 0.0 }));
 }

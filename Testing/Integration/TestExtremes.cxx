@@ -3,8 +3,6 @@
 // ends in a finite result or in a sentence and an empty output. Those that mesh:
 // TestExtremeMeshing.
 
-#include "Core/RangeChecks.h"
-#include "Core/UnitScale.h"
 #include "ExtremeInputs.h"
 #include "SurfaceModels.h"
 #include "TopologyFilterRun.h"
@@ -144,75 +142,4 @@ TEST(Extremes, DiffusionHighPassTellsWhatItWouldTake)
   EXPECT_NE(messages(1.0, 1e300, 0).find("evaluations"), std::string::npos);
   EXPECT_NE(messages(1.0, 1.0, 2147483647).find("evaluations"), std::string::npos);
   EXPECT_EQ(messages(10.0, 1.0, 0), "");
-}
-
-TEST(RangeChecks, SaysNumbersInWords)
-{
-  EXPECT_EQ(isthmus::FormatNumber(1e300), "1e+300");
-  EXPECT_EQ(isthmus::FormatNumber(NaN), "not a number");
-  EXPECT_EQ(isthmus::FormatNumber(0.25), "0.25");
-}
-
-TEST(UnitScale, ScalesByPowersOfTwoOnlyWhatNeedsIt)
-{
-  const std::vector<isthmus::Point3> usual{ { 1.0, -300.0, 0.1 } };
-  EXPECT_TRUE(isthmus::UnitScale(usual).IsOne());
-  std::vector<isthmus::Point3> points{ { 1.1e-50, -3.3e-51, 0.0 }, { NaN, 0.0, 0.0 } };
-  const auto before = points;
-  const isthmus::UnitScale scale(points);
-  scale.Apply(points);
-  EXPECT_GT(points[0][0], 0.5);
-  EXPECT_LT(points[0][0], 1.0);
-  scale.Undo(points);
-  EXPECT_EQ(points[0], before[0]);
-  EXPECT_THROW(
-    isthmus::UnitScale(std::vector<isthmus::Point3>{ { 0.0, 2e100, 0.0 } }), std::invalid_argument);
-  EXPECT_THROW(isthmus::UnitScale(std::vector<isthmus::Point3>{ { 0.0, 1e-101, 0.0 } }),
-    std::invalid_argument);
-}
-
-TEST(UnitScale, OrdinaryDataStayAsTheyAre)
-{
-  const auto factor = [](double largest) {
-    return isthmus::UnitScale(std::vector<isthmus::Point3>{ { 0.0, -largest, 0.0 } }).Factor();
-  };
-  for (const double usual : { 0x1p-20, 0x1p-3, 1.0, 0x1.fp19 })
-  {
-    EXPECT_EQ(factor(usual), 1.0) << usual;
-  }
-  EXPECT_EQ(factor(0x1p-30), 0x1p29);
-  EXPECT_EQ(factor(0x1p30), 0x1p-31);
-  EXPECT_EQ(factor(0x1.8p40), 0x1p-41);
-  EXPECT_EQ(isthmus::UnitScale(std::vector<isthmus::Point3>()).Factor(), 1.0);
-  EXPECT_EQ(factor(0.0), 1.0);
-}
-
-TEST(UnitScale, TakesTracesBesideTheLargestCoordinateForNothing)
-{
-  std::vector<isthmus::Point3> points{ { 1.0, 6e-17, -1e-51 }, { 0.5, 1e-300, 0.0 } };
-  const isthmus::UnitScale scale(points);
-  EXPECT_FALSE(scale.IsOne());
-  scale.Apply(points);
-  EXPECT_EQ(points, (std::vector<isthmus::Point3>{ { 1.0, 6e-17, 0.0 }, { 0.5, 0.0, 0.0 } }));
-  EXPECT_TRUE(isthmus::UnitScale(points).IsOne());
-  points = { { 1e60, 1.0, 1e11 }, { 0.0, -1e9, 0.0 } };
-  const auto before = points;
-  const isthmus::UnitScale far(points);
-  far.Apply(points);
-  far.Undo(points);
-  EXPECT_EQ(points, (std::vector<isthmus::Point3>{ { before[0][0], 0.0, 1e11 }, { 0, 0, 0 } }));
-}
-
-TEST(RangeChecks, RefusesNaNWithTheRange)
-{
-  try
-  {
-    isthmus::RequireRange("Angle", NaN, 0.0, 30.0, "It is in degrees.");
-    FAIL();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    EXPECT_STREQ(
-      error.what(), "Angle is not a number, but it must be from 0 to 30. It is in degrees.");
-  }
 }
