@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Checks that need no build and take seconds: run it before each commit, or as a hook:
 #   ln -s ../../Testing/check.sh .git/hooks/pre-commit
-# Modules, the order of a module's files, contracts, typed ids, numbers in texts, READMEs, links, the guide, idioms, the thesis' features, panels, defaults of buttons, format, absolute paths, file sizes.
+# Programs check what no tool knows: modules, links, the guide, initial values of buttons and menus, the thesis' features.
+# Below: format, spelling, phrases, calls that must not be used, absolute paths, sizes.
 set -uo pipefail
 shopt -s lastpipe # variables set by complain after a pipe must persist
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 1
@@ -22,7 +23,7 @@ complain()
   failed=1
 }
 
-for check in check_modules check_order check_contracts check_handles check_numbers check_properties check_defaults check_readmes check_links check_guide check_idioms check_features; do
+for check in check_modules check_links check_guide check_defaults check_features; do
   said=$(python3 -B "Testing/$check.py") || { echo "$said"; failed=1; }
 done
 
@@ -37,6 +38,33 @@ if clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
 else
   echo "clang-format 14 (Debian 12) is not installed: format not checked." >&2
 fi
+
+# Names that codespell takes for misspelled words are in words.txt.
+if command -v codespell >/dev/null; then
+  git ls-files -z '*.h' '*.cxx' '*.py' '*.md' '*.xml' '*.sh' '*.cmake' '*.txt' '*.in' '*.cff' '*.toml' |
+    xargs -0 codespell --ignore-words=Testing/words.txt 2>&1 | complain "Misspelled words"
+else
+  echo "codespell is not installed: spelling not checked." >&2
+fi
+# Phrases for which the field has a plainer term: in pages, panels, comments of headers, messages of sources.
+phrases=$(sed '/^#/d; s/\t.*//' Testing/phrases.tsv | paste -sd'|')
+{
+  git grep -niP "(?<!\w)(?:$phrases)(?!\w)" -- '*.md' 'Plugin/*.xml' ':!CHANGELOG.md'
+  git grep -niP "(//|/\*|^ *\*).*(?<!\w)(?:$phrases)(?!\w)" -- 'Filters/*.h' 'Readers/*.h' 'Plugin/*.h'
+  git grep -niP "\"[^\"]*(?<!\w)(?:$phrases)(?!\w)[^\"]*\"" -- 'Filters/*.cxx' 'Readers/*.cxx' 'Plugin/*.cxx'
+} | complain "Phrases to avoid (Testing/phrases.tsv says what to write)"
+
+# Hosts may set a locale with decimal commas: functions of C and streams follow it.
+library=('Filters/*.h' 'Filters/*.cxx' 'Readers/*.h' 'Readers/*.cxx' 'Plugin/*.h' 'Plugin/*.cxx')
+locale='v?[sfd]?n?printf|v?[sf]?scanf|(str|wcs)to(d|f|ld)|ato[fil]|atoll|std::sto(d|f|ld|i|l|ll|ul|ull)|w?[io]?stringstream|[io]strstream'
+{
+  git grep -nP "^(?!\s*(//|\*)).*\b($locale|vtkV?LogF|setprecision)\s*[(<]" -- "${library[@]}"
+  git grep -nE 'vtk[A-Za-z]*(Error|Warning|Debug)(WithObject)?Macro\(.*<<.*<<' -- "${library[@]}"
+} | complain "Numbers as text by the locale: Filters/Core/NumberText.h; one TextOf() for each message"
+{
+  git grep -n vtkTypeBool -- 'Filters/*.h' 'Readers/*.h' | grep -v ProcessRequest
+  git grep -nE 'IsoValue|Isovalue|ContourValue' -- 'Filters/vtk*.h' 'Readers/vtk*.h' 'Plugin/*.xml'
+} | complain "Properties: a switch is a bool, an isovalue is Level"
 
 # Differences between VTK versions are handled by calls that all have, or else in one header.
 git grep -nIE '(VTK|PARAVIEW)_(VERSION_CHECK|VERSION_NUMBER|MAJOR_VERSION|MINOR_VERSION)' \

@@ -5,7 +5,6 @@
 
 - each filter, reader and writer of Plugin/*.xml has a hand-written part Documentation/filters/NAME.md that is
   headed by its label, those of filters have a picture, and each such part has a panel;
-- the page that is made of both names every property with its default, every input, and every output;
 - each page of Documentation is in a list of contents;
 - tests that pages name as `-R NAME` exist;
 - the version in CITATION.cff is that of the root CMakeLists.txt, from which all others come.
@@ -37,15 +36,6 @@ def check_panels(site, root):
             yield f"Documentation/filters/{name}.md is headed {heading!r}, the panel {panel.label!r}"
         if panel.kind == "filter" and not re.search(r"^!\[[^\]]+\]\([^)]+\)$", parts[name], re.MULTILINE):
             yield f"Documentation/filters/{name}.md has no picture"
-        page = site.filter_page(panel, parts[name])
-        for entry in panel.properties:
-            if entry.label not in page:
-                yield f"Documentation/filters/{name}.md: the page lacks the property {entry.label}"
-            elif entry.default and not entry.is_input and f"`{entry.default}`" not in page:
-                yield f"Documentation/filters/{name}.md: the page lacks the default of {entry.label}"
-        for _, output in panel.outputs:
-            if output not in page:
-                yield f"Documentation/filters/{name}.md: the page lacks the output {output}"
 
 
 def check_contents(root):

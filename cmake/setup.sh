@@ -46,7 +46,7 @@ plain_packages=(
 test_packages=(
   libgtest-dev libbenchmark-dev python3-scipy python3-gemmi python3-mrcfile pdb2pqr openmpi-bin
   optional:libgudhi-dev optional:python3-gudhi optional:python3-mdanalysis imagemagick xdotool
-  debootstrap clang clang-format clang-tidy libclang-rt-CLANG-dev file dpkg-dev locales curl
+  debootstrap clang clang-format clang-tidy codespell libclang-rt-CLANG-dev file dpkg-dev locales curl
   optional:chromium optional:libjs-three)
 
 # What the guide is built by (CMake target `guide`): 60 MB.

@@ -5,7 +5,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
 set(copy "${WORK_DIR}/new-filter/sources")
 file(REMOVE_RECURSE "${WORK_DIR}/new-filter")
 file(MAKE_DIRECTORY "${copy}")
-foreach (folder IN ITEMS cmake Examples Filters Readers Plugin Testing)
+foreach (folder IN ITEMS cmake Documentation Examples Filters Readers Plugin Testing Wrapping)
   file(COPY "${SOURCE_DIR}/${folder}" DESTINATION "${copy}")
 endforeach ()
 # READMEs and the guide link to these.
@@ -14,7 +14,7 @@ foreach (file IN ITEMS .clang-tidy .github CHANGELOG.md CITATION.cff CONTRIBUTIN
 endforeach ()
 
 run("${copy}/cmake/new_filter.sh" PhaseFlip Imaging)
-foreach (check IN ITEMS check_modules check_readmes check_links)
+foreach (check IN ITEMS check_modules check_links)
   run("${Python3_EXECUTABLE}" "${copy}/Testing/${check}.py" "${copy}")
 endforeach ()
 execute_process(COMMAND "${copy}/cmake/new_filter.sh" PhaseFlip Imaging
