@@ -4,9 +4,8 @@
  * are optional.
  *
  * The table is in the .cxx of the filter and is the only list of these arrays. ResultDigests
- * compares it with the outputs; Wrapping/Python/output_arrays.py reads it for the guide and the
- * Python functions, so every row is written as strings, numbers and enumerators, without
- * expressions.
+ * compares it with the outputs; Wrapping/Python/output_arrays.py reads it for guide and Python
+ * functions, so every row is written as strings, numbers and enumerators, without expressions.
  */
 #ifndef isthmus_OutputArrays_h
 #define isthmus_OutputArrays_h
