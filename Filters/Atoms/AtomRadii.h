@@ -6,8 +6,8 @@
  *
  * 1. the value of the point array of radii, `Radius` unless another one is chosen;
  * 2. if there is no such array, the van der Waals radius of the element (DefaultRadius): that of
- * Bondi, or that of Alvarez if Bondi has none. A warning is issued if another array than `Radius`
- * was requested;
+ *    Bondi, or that of Alvarez if Bondi has none. A warning is issued if another array than
+ * `Radius` was requested;
  * 3. if there are no elements either, std::invalid_argument is thrown.
  *
  * Readers that create the array (vtkMacromoleculeReader) use the table that is chosen there.

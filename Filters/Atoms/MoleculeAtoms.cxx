@@ -113,6 +113,7 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
   }
   atoms.Named = NamedAtomsOf(input);
   choice = ChoosePolymer(atoms.Named, *options.Selection);
+  // Without this, the message would be that no atom has a radius.
   if (choice.Kept.empty() && options.RequireBalls && !options.Selection->Waters)
   {
     throw std::invalid_argument(
@@ -143,6 +144,7 @@ std::vector<std::size_t> CopiesAmong(
     }
   }
   std::sort(atoms.begin(), atoms.end(),
+    // By place, then the largest first: the first of each run is the one that stays.
     [](const Atom& a, const Atom& b)
     {
       return a.Place != b.Place ? a.Place < b.Place
@@ -227,6 +229,7 @@ void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const 
 
 }
 
+/// Surfaces and energies are those of all that is bound, so only water is dropped.
 AtomOptions WholeMolecule(const std::string& radiusArray, bool keepWaters, bool unitedAtoms)
 {
   PolymerOptions all;
@@ -240,6 +243,7 @@ AtomOptions WholeMolecule(const std::string& radiusArray, bool keepWaters, bool 
   return options;
 }
 
+/// Ligands must not change the pockets that they fill.
 AtomOptions PolymerOf(const std::string& radiusArray, const PolymerOptions& selection)
 {
   AtomOptions options;
@@ -262,6 +266,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   const std::vector<int> elements = AtomElements(input);
   atoms.HasNames = TextsOf(input, "ResidueName") != nullptr;
   atoms.HasElements = !elements.empty();
+  // A mesh may have points at one place, and no radii: it is told from atoms by its polygons.
   atoms.IsSurface = options.SurfacePoints && !atoms.HasElements && HasPolygons(input);
   AtomRadii radii = ReadRadii(AtomData(input), atoms.NumberOfAtoms, elements, options.RadiusArray,
     atoms.IsSurface ? RadiusFallback::Zero : options.Fallback);
@@ -269,6 +274,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   {
     atoms.Warnings.push_back(radii.Warning);
   }
+  // Before copies are looked for: alternate locations may lie at one place.
   const PolymerChoice choice = Select(input, options, atoms);
   atoms.Notes = choice.Notes;
   if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&

@@ -25,6 +25,7 @@ const std::set<std::string>& StandardResidues()
   return names;
 }
 
+/// Groups that are part of a working protein although they are ligands by their bonds.
 const std::set<std::string>& ProstheticGroups()
 {
   static const std::set<std::string> names{ "HEM", "HEA", "HEB", "HEC", "HEV", "HAS", "DHE", "SRM",
@@ -70,6 +71,8 @@ std::vector<Residue> Residues(const std::vector<NamedAtom>& atoms, std::vector<s
     const bool next = i > 0 && a.ResidueId == atoms[i - 1].ResidueId &&
       a.Residue == atoms[i - 1].Residue && a.Chain == atoms[i - 1].Chain &&
       a.InsertionCode == atoms[i - 1].InsertionCode;
+    // Mostly the residue of the atom before, which spares the search; waters and alternate
+    // locations may be interleaved.
     of[i] = next
       ? of[i - 1]
       : numbers
@@ -161,6 +164,7 @@ Kind KindOf(const Residue& residue, bool anyPolymer)
   {
     return Kind::Water;
   }
+  // Without a known residue (no names, or others), nothing can be told from a chain.
   if (residue.IsPolymer || !anyPolymer)
   {
     return Kind::Polymer;
@@ -218,6 +222,7 @@ public:
       best = at->second > best->second ? at : best;
     }
     const auto& own = this->OfAtom.at({ Place(a), a.Name });
+    // One location for the whole residue; atoms that lack it keep one of their own.
     return a.AltLoc == (own.count(best->first) > 0 ? best->first : *own.begin());
   }
 
@@ -274,6 +279,7 @@ PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOp
   bool anyPolymer = false;
   for (Residue& residue : residues)
   {
+    // A free amino acid is written as HETATM: it may be the ligand.
     residue.IsPolymer = !residue.IsHetero && StandardResidues().count(residue.Name) > 0;
     anyPolymer = anyPolymer || residue.IsPolymer;
   }

@@ -27,10 +27,10 @@
  * that are not finite; a Spacing that is not positive or so small that the grid does not fit into
  * memory. Without atoms, the image is empty and there is no error.
  *
- * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom in 0.12 s on two
- * threads. Memory: 4 bytes for each node and about 100 bytes for each atom. The result is bitwise
- * the same on any number of threads and for any order of the atoms. On several MPI ranks, each rank
- * computes the density of its own atoms: gather the atoms first.
+ * **Cost.** Linear in atoms and nodes, in parallel. Memory: 4 bytes for each node and about 100
+ * bytes for each atom. The result is bitwise the same on any number of threads and for any order of
+ * the atoms. On several MPI ranks, each rank computes the density of its own atoms: gather the
+ * atoms first.
  */
 #ifndef vtkMolecularDensity_h
 #define vtkMolecularDensity_h

@@ -16,7 +16,7 @@
  * - `ChainIndex` (int): its chain, by the order in which chains begin; the field array `ChainNames`
  *   has the names
  * - `SecondaryStructure` (unsigned char): 0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi
- * helix, 5 nucleic acid
+ *   helix, 5 nucleic acid
  * - `BFactor`, `pLDDT` (double): mean of its atoms, where the input has that array
  *
  * **Output 1**, vtkPolyData: ligands, ions and what else is selected as balls and sticks, of each

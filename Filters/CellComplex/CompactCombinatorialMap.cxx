@@ -117,6 +117,7 @@ void CompactCombinatorialMap<Id>::LayOutBlocks(const std::vector<CellRun>& runs)
   this->Blocks.shrink_to_fit();
   if (this->Blocks.size() > 1)
   {
+    // With one run, all cells have one type and no table of blocks is needed.
     this->C2B.resize(this->CellCount);
     for (std::size_t b = 0; b < this->Blocks.size(); ++b)
     {
@@ -159,6 +160,8 @@ void CompactCombinatorialMap<Id>::CopyVertices(
   check.ThrowIfBad();
 }
 
+/// After matching, half faces without a partner are those of the boundary. Serial, so that their
+/// numbers follow the order of the cells.
 template <typename Id>
 void CompactCombinatorialMap<Id>::NumberBoundaryFaces()
 {
@@ -187,6 +190,8 @@ void CompactCombinatorialMap<Id>::NumberBoundaryFaces()
   }
 }
 
+/// A dart on the boundary comes first: the fan of a boundary vertex has two ends, and a walk must
+/// begin at one of them.
 template <typename Id>
 void CompactCombinatorialMap<Id>::ChooseVertexDarts()
 {
@@ -230,6 +235,7 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
       reached += cells;
     },
     progress);
+  // Nearly all meshes end here; the slower search for other umbrellas is for pinched ones only.
   if (reached == this->Cv2V.size())
   {
     return;

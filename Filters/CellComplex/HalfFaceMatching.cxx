@@ -11,11 +11,14 @@ namespace isthmus
 namespace
 {
 
+// Half faces that match have the same smallest vertex, so each bucket is matched by itself, in a
+// hash table that stays in the cache.
 constexpr std::size_t CellsPerChunk = 1u << 16;
 constexpr std::size_t HalfFacesPerBucket = 1u << 13;
 constexpr std::uint32_t Free = 0xFFFFFFFFu;
 constexpr std::size_t NamedClashes = 5;
 
+/// Multipliers of splitmix64: neighbouring numbers of vertices must not have similar sums.
 std::uint32_t Scramble(std::uint64_t vertex)
 {
   vertex *= 0x9E3779B97F4A7C15u;
@@ -123,6 +126,7 @@ void HalfFaceMatching<Id>::Run(const ProgressCallback& progress)
       Between(progress, from, to));
   };
   eachChunk(&HalfFaceMatching::CountChunk, 0.0, 0.2);
+  // Each chunk has its own places in each bucket: no locks, and an order that threads don't change.
   const std::size_t total = this->TurnCountsIntoPlaces();
   this->Entries.reset(new Entry[total]); // not filled twice
   eachChunk(&HalfFaceMatching::DealChunk, 0.2, 0.5);
@@ -217,6 +221,7 @@ typename HalfFaceMatching<Id>::Alignment HalfFaceMatching<Id>::Compare(HalfFace 
   { return verticesA[typeA.At(typeA.FaceDart(faceA, i)).Start]; };
   const auto vertexB = [&](unsigned i)
   { return verticesB[typeB.At(typeB.FaceDart(faceB, i)).Start]; };
+  // Faces seen from two cells have opposite directions.
   unsigned end = 0; // where the first dart of a ends in b
   while (end < size && vertexB(end) != vertexA(0))
   {
@@ -265,6 +270,7 @@ void HalfFaceMatching<Id>::ThrowFirstClashes()
   {
     return;
   }
+  // Threads found them in any order; the message must not depend on that.
   std::sort(this->Clashes.begin(), this->Clashes.end(),
     [](const Clash& a, const Clash& b)
     { return std::tie(a.Why, a.First, a.Second) < std::tie(b.Why, b.First, b.Second); });

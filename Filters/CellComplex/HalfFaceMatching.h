@@ -3,10 +3,8 @@
  * @brief Finds, for each half face of a mesh, the half face of the cell beyond it. Used by
  * CompactCombinatorialMap only.
  *
- * Two half faces match if they have the same vertices. They are distributed into buckets by their
- * smallest vertex and matched by a hash table within each bucket, so that nearly all work stays in
- * the cache. Buckets are independent and are processed in parallel; the result does not depend on
- * their order.
+ * Two half faces match if they have the same vertices. O(half faces), in parallel; the result does
+ * not depend on the number of threads.
  */
 #ifndef isthmus_HalfFaceMatching_h
 #define isthmus_HalfFaceMatching_h

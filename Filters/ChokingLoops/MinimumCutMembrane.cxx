@@ -208,7 +208,7 @@ namespace
 {
 
 /// Radii of the search, in radii of the choke: each costs almost three times the one before; a
-/// membrane that needs more than the last is not used (README.md).
+/// membrane that needs more than the last is not used.
 constexpr std::array<double, 3> Reaches = { 3.0, 4.25, 6.0 };
 constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii
 constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii

@@ -103,6 +103,7 @@ std::vector<std::int64_t> ContourClusters::Joined(Level& level, int depth) const
     [&](const auto& side)
     {
       const std::int64_t a = RootOf(roots, side[0]), b = RootOf(roots, side[1]);
+      // The lowest number is the root, whatever the order of the sides.
       roots[At(std::max(a, b))] = std::min(a, b);
     });
   std::vector<int> more(this->Points.size(), 0);
@@ -169,6 +170,7 @@ bool ContourClusters::AddLevel(Level& level, int depth, const UniformContour& co
     {
       const bool near = this->Place(
         open, CellOf(contour, level.Cells[At(open.Id)], depth, parameters.Reach), parameters);
+      // Only a disc may shrink to a point: others would close a hole or join two sheets.
       this->MayStand[At(open.Id)] = near && level.Euler[At(open.Id)] == 1 ? 1 : 0;
       any = any || near;
     }
@@ -284,6 +286,7 @@ public:
     {
       return;
     }
+    // Folded onto itself: its clusters have to be split again.
     if (count == 4 && (corners[0] == corners[2] || corners[1] == corners[3]))
     {
       this->Result.Folded.push_back(e);

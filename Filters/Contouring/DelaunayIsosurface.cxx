@@ -277,6 +277,8 @@ void SetAutomaticSizes(double spacing, DelaunayIsosurfaceParameters& parameters)
   }
 }
 
+// Mesh_3 and not Surface_mesher: it accepts initial points on every component, has an option for
+// manifold output, can be stopped, and is maintained (the other is deprecated in CGAL 6).
 DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Bounds3& bounds,
   const SurfaceView& guide, const DelaunayIsosurfaceParameters& parameters,
   const ProgressCallback& progress)

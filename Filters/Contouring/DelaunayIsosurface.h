@@ -3,8 +3,7 @@
  * @brief A level set as a surface of well-shaped triangles, by Delaunay refinement.
  *
  * J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405, doi:10.1016/j.gmod.2005.01.004, in
- * CGAL's Mesh_3. Mesh_3 is used instead of Surface_mesher, since it accepts initial points on every
- * component, has an option for manifold output, and is still maintained by CGAL.
+ * CGAL's Mesh_3.
  */
 #ifndef isthmus_DelaunayIsosurface_h
 #define isthmus_DelaunayIsosurface_h
@@ -61,8 +60,7 @@ struct DelaunayIsosurfaceResult
  *
  * @throws std::invalid_argument on parameters that can't be met, e.g. sizes of 0;
  * std::runtime_error when refinement does not end below MaximumNumberOfPoints (as at a level where
- * the level set is not a manifold); Cancelled. Cost: about 110 microseconds for each point of the
- * result.
+ * the level set is not a manifold); Cancelled. Time: linear in the points of the result.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT DelaunayIsosurfaceResult DelaunayIsosurface(
   const ScalarField& field, const Bounds3& bounds, const SurfaceView& guide,

@@ -39,6 +39,8 @@ struct Slope
   double Bend = 0.0;
 };
 
+/// With second differences d_j, in the unit of the values, the slope jumps by |d_j + d_{j+1}| at a
+/// kink between nodes j and j+1. `beyond`: the two d beyond it, on the side that is then used.
 bool IsKink(double jump, double beyond, double rough)
 {
   return std::abs(jump) > KinkFactor * std::max(beyond, rough);
@@ -58,6 +60,7 @@ Slope SlopeTowards(const GridLine<T>& line, std::int64_t ahead)
     std::max(std::abs(bend), std::abs(line.Bend(2 * ahead))) };
 }
 
+/// (v_1 - v_{-1}) / 2; where a kink is on one side of the node, of second order on the other.
 template <typename T>
 Slope SlopeAt(const GridLine<T>& line, double rough)
 {
@@ -107,6 +110,9 @@ double Bisected(const Before& isBefore)
   return 0.5 * (low + high);
 }
 
+/// The crossing between nodes 0 and 1: of the parabola through both with the smaller one of d_0 and
+/// d_1; where a kink lies between them, of the greater (jump > 0) or smaller one of the two
+/// parabolas that end there.
 template <typename T>
 Root RootOn(const GridLine<T>& line, double level, double rough)
 {

@@ -16,6 +16,7 @@ DualCells::DualCells(const HermiteGrid& grid)
   , Stride{ 1, grid.Shape.Dimensions[0], grid.Shape.Dimensions[0] * grid.Shape.Dimensions[1] }
 {
   this->FindActive();
+  // Turning a face changes pieces, which may join other cells twice.
   constexpr int mostRounds = 8; // each turns faces of other cells than the one before
   for (int round = 0; round < mostRounds; ++round)
   {
@@ -216,6 +217,7 @@ bool VertexPlacement::PassBy(const QuadricError& planes, const Point3& x, double
 bool VertexPlacement::MeetOnEdge(const QuadricError& planes, const Point3& x) const
 {
   const int rank = planes.Rank(this->Parameters.FeatureThreshold);
+  // More planes than would meet anyway: two always meet in a line, three in a point.
   return rank > 1 && planes.NumberOfPlanes() > rank && this->PassBy(planes, x, 0.02);
 }
 
@@ -251,6 +253,7 @@ PlacedVertex VertexPlacement::Place(
       place = candidate;
     }
   };
+  // A corner before an edge: the cell has one point only.
   take(this->Features.NearestCorner(cell, x, fitsBest));
   if (place)
   {
@@ -333,6 +336,7 @@ private:
     wanted.Axis = static_cast<int>(axis);
     const auto [first, last] =
       std::equal_range(this->Grid.Crossings.begin(), this->Grid.Crossings.end(), wanted, before);
+    // Inside and crossings are decided apart, so a node exactly on the surface may contradict.
     if (first == last)
     {
       throw std::runtime_error("The surface changes sides without a crossing between two nodes: it "

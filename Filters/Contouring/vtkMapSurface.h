@@ -12,7 +12,7 @@
  * AutomaticLevel uses the level that the depositors of the map recommend, if the reader found it
  * (field data RecommendedLevel, from emd-NNNN.xml beside the map), otherwise one that separates the
  * molecule from its surroundings (LevelEstimate.h). It is cached until the map changes, so that a
- * new Level costs two passes over the map and the surface: well under a second for 256^3 nodes.
+ * new Level costs only two passes over the map, and the surface.
  *
  * Memory: the surface with normals takes 100 bytes for each triangle; the map is not copied if it
  * is float or double. On failure, there is one error through vtkErrorMacro and the output is empty.
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /// Cubes: marching cubes, immediate. Delaunay: no angle below 30 degrees, like that of
-  /// vtkDelaunayIsosurface with its defaults; about 110 microseconds for each point.
+  /// vtkDelaunayIsosurface with its defaults; slower, in proportion to the number of points.
   vtkSetMacro(Quality, int);
   vtkGetMacro(Quality, int);
   ///@}

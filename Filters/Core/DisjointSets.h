@@ -16,14 +16,9 @@ namespace isthmus
 
 /// Sets of numbers that can be joined. The root of a set is its lowest member, or, with JoinUnder,
 /// a member chosen by the caller, e.g. the elder of a class or the deepest node of a basin.
-/// Amortised cost of a call: O(log n), in practice constant, by path halving (R. Tarjan and J. van
-/// Leeuwen, 1984); memory: one `Index` for each number, so 32 bits suffice for fewer than 2^32
-/// numbers.
-///
-/// boost::disjoint_sets is not used because it chooses roots by rank, not by meaning, and ranks
-/// take memory. CPU seconds to join half of the edges of a grid of 4 million nodes, in random
-/// order, and to find all roots (medians of 5 in one process): 0.222 here with 64 bits, 0.168 with
-/// 32, 0.376 Boost.
+/// (boost::disjoint_sets chooses roots by rank, and ranks take memory.) Amortised cost of a call:
+/// O(log n), in practice constant, by path halving (R. Tarjan and J. van Leeuwen, 1984); memory:
+/// one `Index` for each number, so 32 bits suffice for fewer than 2^32 numbers.
 /// @tparam Index an integer that holds n, or a Handle (Handles.h) of such
 template <class Index>
 class DisjointSets

@@ -9,6 +9,8 @@
 namespace isthmus
 {
 
+// The first access to a page is a fault; with pages of 4 KiB, faults take up to a third of the time
+// of a computation that memory bandwidth limits (curvature at nodes).
 void AdviseLargePages(void* data, std::size_t bytes)
 {
 #ifdef __linux__

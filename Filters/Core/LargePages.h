@@ -15,11 +15,8 @@ namespace isthmus
 
 /**
  * Requests large pages for the `bytes` at `data`, which must be newly allocated and will all be
- * written. The first access to a page causes a page fault. With 4 KiB pages, these faults took a
- * third of the time of a computation limited by memory bandwidth (curvature at nodes).
- *
- * This is only a hint: below 8 MiB, on systems other than Linux and where large pages are switched
- * off, nothing happens. Values are never changed.
+ * written. This is only a hint: below 8 MiB, on systems other than Linux and where large pages are
+ * switched off, nothing happens. Values are never changed.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void AdviseLargePages(void* data, std::size_t bytes);
 

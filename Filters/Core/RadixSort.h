@@ -96,12 +96,7 @@ bool Pass(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int b
  * ones stay in their order. The least significant digit is sorted first, with 11 bits in each pass
  * (H. H. Seward, 1954); a pass in which all digits are equal is skipped. Each pass takes O(n) time;
  * a second copy of the entries is needed while it runs. The result is the same on any number of
- * threads.
- *
- * Boost.Sort is not used because it has no stable parallel sort by the bits of a key. CPU seconds
- * of one thread for 4 million random pairs of a 64-bit key and a 32-bit number (medians of 5 in one
- * process): 0.300 here, 0.378 spinsort, 0.429 flat_stable_sort, 0.518 std::stable_sort, 0.360
- * spreadsort (not stable); by 24 bits of a 64-bit number 0.094 here, 0.234 spreadsort.
+ * threads. (Boost.Sort has no stable parallel sort by the bits of a key.)
  */
 template <typename Entry, typename Key>
 void RadixSort(std::vector<Entry>& entries, unsigned int first, unsigned int last, const Key& key)

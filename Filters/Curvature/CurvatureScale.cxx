@@ -224,6 +224,8 @@ std::vector<Node> NodesBetween(const std::vector<Node>& nodes, const Node& whole
   return between;
 }
 
+/// Edges: gradients beyond 5 times that of noise and beyond the typical one of edges, the square
+/// root of sum g^4 over sum g^2. Background: within 3 deviations of a Maxwell distribution.
 template <typename T>
 Samples FindSamples(
   const GridPart<T>& part, const MaximumOverRanks& combine, const ProgressCallback& progress)
@@ -473,7 +475,9 @@ double Search::Curvature(
     at, normal, std::sqrt(std::max(this->LeastSquaredGradient[k], SquareOf(at.Gradient))));
 }
 
-/// Deviation and correlation whose variances are proportional to the measured ones.
+/// Deviation and correlation whose variances are proportional to the measured ones. The variances
+/// of Gaussian-correlated noise at all scales follow exactly from both (CovarianceOfDerivatives),
+/// so coloured noise is measured, not assumed white.
 void Search::FitBackground(const std::vector<double>& measured)
 {
   this->Kinds.clear();
@@ -707,6 +711,7 @@ double CurvatureScale::Error(double mean, double difference, double gradient) co
     const double bias = this->Samples > 0 ? this->BiasSquare : change * change;
     return std::sqrt(variance * perGradient + bias) / this->Unit;
   }
+  // So that the bias does not vanish where D changes sign.
   constexpr double share = 0.02;
   const double known = this->DifferenceSquare / (this->DifferenceSquare + noise * perGradient);
   const double expected = known * known * change * change + known * noise * perGradient;

@@ -8,46 +8,24 @@
  * Probability and its Applications 35 (1991) 454). Candidates are 0 and 0.5 sqrt(2)^k times the
  * unit u, the cube root of a voxel's volume, up to 8 u and an eighth of the image's thickness.
  *
- * **Where.** The filter does not know which level set is of interest, so the error is estimated at
- * edges: nodes of a regular lattice whose gradient g, at scale 2 u, exceeds 5 times that of noise
- * and also the typical gradient of edges, sqrt(sum g^4 / sum g^2). Up to 2000 of them are used.
- *
- * **Noise.** The noise is measured at nodes without an edge: those that remain after gradients
- * beyond 3 standard deviations of a Maxwell distribution have been removed repeatedly. There, the
- * median squares of the sums of two second derivatives, at the scales up to 2 u, give the deviation
- * and the correlation length of Gaussian-correlated noise, from which the variances at all scales
- * follow exactly (CovarianceOfDerivatives()). Coloured noise is therefore measured, not assumed to
- * be white. The Laplacians at the edges must change from scale to scale at least as much as this
- * noise predicts. Otherwise the background contains structure, and the noise estimate is reduced to
- * the value consistent with the edges. Noise that edge-preserving filters leave only at edges
- * appears as differences between the finest scales there; it is added as white noise if two
- * successive differences agree on its variance.
- *
- * **Variance.** With H = -(tangential Laplacian) / (2 |g|), to first order in the noise,
+ * The filter does not know which level set is of interest, so variance and bias are estimated at up
+ * to 2000 nodes of a regular lattice whose gradient is that of edges. The noise, white or coloured,
+ * is measured at nodes without an edge, and bounded by what changes at the edges from scale to
+ * scale. With H = -(tangential Laplacian) / (2 |g|), to first order in the noise,
  *
  *     Var H = (Var L / 4 + H^2 Var g) / |g|^2
  *
  * with L the sum of the second derivatives along two axes and g the derivative along the normal,
- * which are not correlated.
- *
- * **Bias.** The bias due to a Gaussian is proportional to s^2 to leading order, so the bias at
- * scale s equals the change of the curvature from s to sqrt(2) s. The error of the finite
+ * which are not correlated. The bias due to a Gaussian is proportional to s^2 to leading order, so
+ * at scale s it equals the change of the curvature from s to sqrt(2) s. The error of the finite
  * differences is estimated by their change when their order is raised by 2. With H(s) by the
- * filter's differences and R(s) by those of the next order,
+ * filter's differences and R(s) by those of the next order, both are
  *
  *     D = H(s) - 2 R(s) + R(sqrt(2) s)
  *
  * at each node; the squared bias is the mean square B of D, less the contribution N of the noise.
- * If noise hides it, a quarter of that of the next scale is used. At scales that have smoothed
- * whole features away, such as the atoms of a molecule, the curvature hardly changes to the next
- * scale. Therefore the squared bias is at least the mean square of R(s) - R(t) for each smaller
- * scale t, less noise and the error of the differences at t.
- *
- * **Error at a point.** The bias varies, and D is known at each point (with fourth-order
- * differences, H replaces R there); the noise of D has the variance N = Var(combination of
- * Laplacians) / (4 |g|^2). With r = B / (B + N), the expectation of the squared bias given D is r^2
- * D^2 + r N. This is added to the variance, plus a fiftieth of B so that it does not vanish where D
- * changes sign.
+ * At a point, where D is known (with fourth-order differences, H replaces R there), the expectation
+ * of the squared bias is r^2 D^2 + r N with r = B / (B + N), to which the variance is added.
  */
 #ifndef isthmus_CurvatureScale_h
 #define isthmus_CurvatureScale_h

@@ -75,6 +75,7 @@ double WedgeInCircle(const Vector2d& a, const Vector2d& b, double radius)
   {
     return 0.0;
   }
+  // Signed, so that the wedges of a triangle's edges add up to its part in the circle.
   const auto [from, to] = SpanInside(a, b, radius);
   if (from == to)
   {
@@ -136,6 +137,7 @@ DihedralAngles::DihedralAngles(const SurfaceView& mesh, const TriangleStars& sta
             const Vector3d along =
               (PointMap(mesh.Point(to).data()) - PointMap(mesh.Point(from).data())).normalized();
             this->Angles[triangle][edge] =
+              // Positive where the edge is convex.
               std::atan2(normal.cross(otherNormal).dot(along), normal.dot(otherNormal));
           }
         }
@@ -153,6 +155,7 @@ void DihedralAngles::AddEdge(
   if (squaredLength > 0.0)
   {
     const double beta = this->Angles[triangle][edge];
+    // Half an edge for each of its triangles.
     sums.Tensor += (0.5 * beta * part / squaredLength) * along * along.transpose();
   }
 }
@@ -183,6 +186,7 @@ EdgeTensorIntegrator::EdgeTensorIntegrator(const SurfaceView& mesh, const Triang
 {
 }
 
+/// Stamps make a new neighbourhood without clearing the marks of all triangles.
 bool EdgeTensorIntegrator::Visit(MeshTriangle triangle)
 {
   unsigned int& stamp = this->TriangleStamps[triangle];
@@ -200,6 +204,7 @@ TensorSums EdgeTensorIntegrator::OverBall(vtkIdType point)
   this->Pending.assign(star, star + this->Stars.Size(point));
   std::for_each(
     this->Pending.begin(), this->Pending.end(), [&](MeshTriangle t) { this->Visit(t); });
+  // Only across edges that reach into the ball: another sheet that comes near does not count.
   while (!this->Pending.empty())
   {
     const MeshTriangle triangle = this->Pending.back();

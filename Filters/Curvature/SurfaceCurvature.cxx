@@ -75,6 +75,7 @@ StarSums SumStar(
     corner.TwiceArea = normal.norm();
     const double longest =
       std::max({ corner.ToA.squaredNorm(), corner.ToB.squaredNorm(), opposite.squaredNorm() });
+    // Cotangents of a triangle without area are infinite.
     if (!(corner.TwiceArea > 1e-14 * longest))
     {
       sums.Degenerate = true;
@@ -84,6 +85,7 @@ StarSums SumStar(
     corner.CotV = cosine / corner.TwiceArea;
     corner.CotA = -corner.ToA.dot(opposite) / corner.TwiceArea;
     corner.CotB = corner.ToB.dot(opposite) / corner.TwiceArea;
+    // atan2 and not acos, which loses half of the digits at small angles.
     sums.Angle += std::atan2(corner.TwiceArea, cosine);
     sums.Area += PartOf(corner, rule);
     sums.Normal += normal;
@@ -101,10 +103,12 @@ double OrientationOf(
   const auto open = [](StarKind kind)
   { return kind == StarKind::Boundary || kind == StarKind::Irregular; };
   if (orientation != SurfaceOrientation::Automatic ||
+    // An open surface has no inside: it faces as its triangles do.
     std::any_of(kinds.begin(), kinds.end(), open) || mesh.NumberOfTriangles() == 0)
   {
     return orientation == SurfaceOrientation::Reversed ? -1.0 : 1.0;
   }
+  // Relative to a point of the surface, so that a distant surface does not lose digits.
   const Vector3d origin = PointMap(mesh.Point(mesh.Corners(0)[0]).data());
   const double sixVolumes = ParallelReduce(mesh.NumberOfTriangles(), 16384, 0.0,
     [&](double& sum, std::int64_t first, std::int64_t last)
@@ -240,6 +244,7 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
   if (tensor)
   {
     this->Dihedrals = std::make_unique<DihedralAngles>(this->Mesh, this->Stars);
+    // Over about three edges the tensor averages out the irregularity of a mesh.
     this->Radius =
       this->Options.Radius > 0.0 ? this->Options.Radius : 3.0 * MeanEdgeLength(this->Mesh);
     // Each piece of the loop clears stamps for all triangles, so there are few pieces.
@@ -292,6 +297,7 @@ void Estimator::WithDefect(vtkIdType first, vtkIdType last)
     {
       const double gaussian = (TwoPi - sums.Angle) / sums.Area;
       const double magnitude = sums.Cotangent.norm() / (4.0 * sums.Area);
+      // Positive where the surface bends away from its outward normal.
       const double mean = this->Side * std::copysign(magnitude, sums.Cotangent.dot(sums.Normal));
       this->Result.Gaussian[p] = gaussian;
       this->Result.Mean[p] = mean;

@@ -10,9 +10,10 @@
  * with alpha and beta the angles opposite to the edge, H positive if H n points along the outward
  * normal, and A the area assigned to v:
  *
- *     Voronoi      A = 1/8 sum of (cot alpha + cot beta) |v - w|^2 Barycentric  A = 1/3 of the
- *     triangles' areas Mixed        each triangle's Voronoi part; for an obtuse triangle, 1/2
- *     (angle at v obtuse) or 1/4 of its area
+ *  - Voronoi: A = 1/8 sum of (cot alpha + cot beta) |v - w|^2
+ *  - barycentric: A = 1/3 of the triangles' areas
+ *  - mixed: each triangle's Voronoi part; for an obtuse triangle, 1/2 (angle at v obtuse) or 1/4
+ *    of its area
  *
  * With each rule, the areas of all points sum to the area of the surface. On meshes that are
  * regular in some parametrisation of a smooth surface, both estimates converge with second order.

@@ -73,6 +73,8 @@ void AddDistantIons(const GridPotential& solution, std::size_t layer, const Surf
   for (const IonBorderNode& node : border)
   {
     motion.At(node.Foot, node.Normal, shares);
+    // Access changes from 0 to 1 across the border, so its derivative spreads the border's
+    // pressure.
     const double phi = solution.GetPotential()[static_cast<std::size_t>(node.Node)];
     Subtract(shares, weight * IonPressure(solution, layer, phi), forces);
   }
@@ -120,6 +122,8 @@ BoundaryForces ForcesOnBoundary(const GridPotential& solution, const SurfaceMoti
   {
     const auto axis = static_cast<std::size_t>(solution.GetCrossings()[i].Axis);
     const Point3& normal = field.Normal[i];
+    // Crossings with grid lines sample the surface: each stands for the part of a face that it
+    // projects to (thesis 5.26).
     const double area =
       std::abs(normal[axis]) * box.Spacing[(axis + 1) % 3] * box.Spacing[(axis + 2) % 3];
     motion.At(places[i], normal, shares);
@@ -263,6 +267,7 @@ void SurfaceMotion::OfGaussians(const Point3& x, std::vector<SurfaceShare>& shar
   }
   const double length =
     std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
+  // Beyond all terms: the point goes to the nearest ball, as without Gaussians.
   if (!(length > 0.0))
   {
     shares.clear();

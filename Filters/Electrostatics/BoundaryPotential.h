@@ -64,10 +64,8 @@ RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box);
  * surface of the range has to be at least two nodes away from the border and in the solvent, where
  * the equation is linear.
  *
- * The integrals are sums over every Stride-th node with the end corrections of Gregory's rule
- * (fourth order at the edges; inside a face the error falls as exp(-2 pi d / stride), d the
- * distance between range and border); each node gives a pair of charges for source and dipole. More
- * than a few thousand charges are summed by a tree.
+ * The integrals are sums over every Stride-th node, of fourth order; more than a few thousand terms
+ * are summed by a tree.
  */
 PotentialFunction RadiatedPotential(
   const SolverBox& box, const std::vector<double>& u, const RadiatingBox& range, double kappa);

@@ -12,6 +12,8 @@ namespace isthmus
 namespace
 {
 
+// 5^3 equivalent charges at Chebyshev points, used up to half their distance in size: relative
+// errors of about 1e-5. Boxes with fewer charges than that are leaves.
 constexpr std::size_t Order1D = 5;
 constexpr std::size_t StandInsOfBox = Order1D * Order1D * Order1D;
 constexpr double OpeningRatio = 0.5;
@@ -29,6 +31,7 @@ Points ChebyshevPoints(double low, double high)
   return points;
 }
 
+/// How much a charge at x contributes to the equivalent charges at `points` along one axis.
 Points LagrangeWeights(const Points& points, double x)
 {
   Points weights;
@@ -113,6 +116,7 @@ std::int64_t ChargeTree::Build(
   const auto& x = Coordinate(charges, longest);
   const std::size_t middle = first + (last - first) / 2;
   const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
+  // Ties by index: the tree depends on the charges only.
   std::nth_element(at(first), at(middle), at(last),
     [&](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
   const std::int64_t low = this->Build(charges, order, first, middle);
@@ -148,6 +152,7 @@ void ChargeTree::AddStandIns(
   }
 }
 
+/// Whether the box's equivalent charges may stand in for its charges, for targets within a ball.
 bool ChargeTree::Far(const Box& box, const Point3& centre, double radius)
 {
   double size2 = 0.0;
@@ -177,6 +182,7 @@ void ChargeTree::Gather(
   const Box& box = this->Boxes[static_cast<std::size_t>(id)];
   const bool leaf = box.Children[0] < 0;
   const bool far = !leaf && Far(box, centre, radius);
+  // Leaves give their charges themselves; their range of Sorted is consecutive.
   if (leaf || far)
   {
     const ChargeList& from = far ? box.StandIns : this->Sorted;

@@ -26,7 +26,7 @@ public:
   /// `seen` = what targets within `radius` of `centre` may sum over instead of all charges.
   void Gather(const Point3& centre, double radius, ChargeList& seen) const;
 
-  /// sum q exp(-kappa |x - r|) / |x - r| at a point; some microseconds.
+  /// sum q exp(-kappa |x - r|) / |x - r| at a point.
   double ScreenedSum(const Point3& x, double kappa) const;
 
 private:

@@ -212,6 +212,12 @@ void SetShares(
 
 }
 
+// The sum of the equations of a cavity's nodes states that the flux through its wall equals the
+// charge of its ions, with fluxes F+ that a fit has only up to its truncation error times eps_s. F-
+// differs from them edge by edge, but by the divergence theorem not in the sum: eps d_n phi goes
+// through the surface, and either function's flux through it is that through the edges. The error
+// of F- is smaller by eps_s / eps_m, and F- is the flux in the equations inside, so no flux is lost
+// between the two sides.
 std::vector<CavityFlux> CavityFluxes(const InterfaceProblem& problem,
   const std::vector<InterfaceExtrapolation>& values, const std::vector<std::int64_t>& nodes)
 {

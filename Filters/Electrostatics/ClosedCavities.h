@@ -3,19 +3,14 @@
  * @brief The cavities inside the surface that are cut off from the solvent: their crossings, and
  * the correction that makes the net flux through the wall of each one 0.
  *
- * The potential of a cavity that is cut off from the solvent depends on one sum: the flux through
- * its wall equals the charge of its ions. The sum of the equations of its nodes states this with
- * the fluxes F+ of the outside function across the edges of the wall, but a fit has these fluxes
- * only up to its truncation error times eps_s. The inside function's fluxes F- across the same
- * edges,
+ * The potential of a cavity that is cut off from the solvent depends on the flux through its wall.
+ * With v the functions continued across the surface, the fluxes of the functions outside and inside
+ * across the edges of the wall are
  *
- *     F+ = eps_s (v_in - u_out),   F- = eps_m (u_in - v_out)   (v: continued across the surface),
+ *     F+ = eps_s (v_in - u_out),   F- = eps_m (u_in - v_out).
  *
- * differ from them edge by edge, but by the divergence theorem not in their sum over a closed wall:
- * eps d_n phi goes through the surface, and either function's flux through it is that through the
- * edges. The truncation error of F- is smaller by eps_s / eps_m, and F- is the flux in the
- * equations inside, so that no flux is lost between the two sides. Each row gets its share of the
- * difference,
+ * Their sums over a closed wall are equal, and F- is the more accurate one. Each row gets its share
+ * of the difference,
  *
  *     row_p += (edges of p through the wall / all of them) sum over the wall (F+ - F-),
  *

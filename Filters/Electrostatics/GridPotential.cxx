@@ -62,6 +62,8 @@ GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
   this->Inside = SidesOfNodes(level, this->Box);
   this->Crossings = FindCrossings(level, this->Box, this->Inside, Between(progress, 0.0, 0.2));
   this->EvaluateCharges(last, Between(progress, 0.2, 0.6));
+  // Equations inside have a truncation error that is larger by eps_s / eps_m: their weight in the
+  // fits is a power of its inverse.
   this->Medium = { parameters.SoluteDielectric, parameters.SolventDielectric,
     std::pow(parameters.SoluteDielectric / parameters.SolventDielectric, parameters.FitExponent),
     0.0, std::cbrt(box.Spacing[0] * box.Spacing[1] * box.Spacing[2]) };
@@ -70,10 +72,12 @@ GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
     this->Access.push_back(
       IonAccess(this->Box, this->Inside, this->Crossings, this->LayerRadius(layer)));
   }
+  // Only ions without a layer reach the surface itself and enter the jump conditions.
   this->Medium.KappaSquared = this->DerivativeAtSurface(0.0) / parameters.SolventDielectric;
   this->Matrix = std::make_unique<InterfaceOperator>(
     this->Box, this->Inside, parameters.SoluteDielectric, parameters.SolventDielectric);
   this->Assemble({}, Between(progress, 0.6, 1.0));
+  // The preconditioner sees permittivities in series, not the fitted rows, so it stays symmetric.
   this->Multigrid = std::make_unique<MultigridPoisson>(
     this->Box.Dimensions, AxisWeights(this->Box), this->Permittivities());
   if (last)
@@ -145,6 +149,7 @@ void GridPotential::EvaluateCharges(const GridPotential* last, const ProgressCal
       this->Charges.Add(atom.Position, factor * atom.Charge);
     }
   }
+  // Sums at crossings that the last surface had as well are not computed again.
   const KnownCharges known =
     last ? KnownCharges{ &last->Crossings, &last->AtCrossing } : KnownCharges();
   this->AtCrossing = ChargesAtCrossings(this->Charges, this->Box, this->Crossings, known, progress);
@@ -161,6 +166,7 @@ void GridPotential::Assemble(std::vector<SurfaceIons> ions, const ProgressCallba
   this->Matrix->SetRows(std::move(rows));
 }
 
+/// One byte an edge, the part of it in the solute, looked up in a table of permittivities.
 EdgePermittivity GridPotential::Permittivities() const
 {
   EdgePermittivity edges;
@@ -242,6 +248,7 @@ void GridPotential::SolveLinear(double tolerance, const ProgressCallback& progre
   this->FillDiagonal(false);
   this->Work.Residual.resize(this->U.size());
   this->Matrix->Residual(this->U, this->Work.Residual);
+  // Later solutions are measured against the first residual, not their own smaller ones.
   if (!(this->Report.Reference > 0.0))
   {
     this->Report.Reference = NormOf(this->Work.Residual);
@@ -270,6 +277,7 @@ void GridPotential::Evaluate()
       {
         if (this->Atoms[i].Charge != 0.0)
         {
+          // u is harmonic inside, where it is the reaction potential: no self-energy is subtracted.
           const ValueAndGradient u =
             HarmonicAt(this->Box, this->Inside, this->U, this->Atoms[i].Position);
           report.AtomPotentials[i] = u.Value;
@@ -300,6 +308,7 @@ void GridPotential::Evaluate()
           }
         });
   }
+  // The sum above counts whole cells: those that the surface cuts are corrected by their fractions.
   report.IonEnergy += this->Parameters.Nonlinear ? this->IonEnergyOfCutCells() : 0.0;
   report.SolvationEnergy += report.IonEnergy;
 }
@@ -350,6 +359,7 @@ SurfaceIons GridPotential::IonsAt(double phi) const
 {
   const double solvent = this->Parameters.SolventDielectric;
   const double length = this->Medium.Length;
+  // A quadratic cannot represent a layer of ions that is thinner than the spacing.
   const double most = std::max(1.0 / (length * length), this->Medium.KappaSquared) * solvent;
   // The tangent at phi, or as near to it as the slope allows.
   double part = 1.0;
@@ -417,6 +427,7 @@ double GridPotential::IonEnergyOfCutCells() const
 double GridPotential::NonlinearResidual(
   const std::vector<double>& u, std::vector<double>& out) const
 {
+  // The ions' term is nonlinear here, so the linearised one in the diagonal is left out meanwhile.
   this->Matrix->SetDiagonal(nullptr);
   this->Matrix->Residual(u, out);
   const double h2 = this->Spacing * this->Spacing;
@@ -449,6 +460,7 @@ double GridPotential::TakeStep(const std::vector<double>& step, double before)
   double factor = 1.0;
   for (int halving = 0; halving < 8; ++halving)
   {
+    // The first trial adds the whole step, each further one takes back half of what is left.
     const double change = halving == 0 ? factor : -factor;
     ForEachNode(this->U.size(), [&](std::size_t i) { this->U[i] += change * step[i]; });
     const double after = this->NonlinearResidual(this->U, this->Work.Residual);
@@ -465,6 +477,7 @@ double GridPotential::TakeStep(const std::vector<double>& step, double before)
 
 void GridPotential::ClipStart()
 {
+  // The linear solution exceeds the nonlinear one where potentials are high, and exp(u) with it.
   constexpr double clip = 3.0;
   ForEachNode(this->U.size(),
     [&](std::size_t i)
@@ -519,6 +532,7 @@ void GridPotential::SolveNonlinear(double tolerance, const ProgressCallback& pro
       throw std::runtime_error("Newton's method did not converge in " + std::to_string(newton) +
         " steps: the residual is " + FormatNumber(norm / reference) + " of that of no potential.");
     }
+    // Linear systems far from the solution need not be solved accurately.
     norm = this->NewtonStep(newton == 0 ? 1e-2 : 1e-3, norm);
     this->Report.Residuals.push_back(norm / reference);
     isthmus::Report(progress, std::min(0.9, 0.1 * newton));

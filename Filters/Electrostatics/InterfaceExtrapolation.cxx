@@ -55,6 +55,9 @@ void AddLaplacian(const SurfaceFrame& frame, double laplacian, const FitNodes& n
 }
 
 /// Whether the nodes outside could not tell an outside quadratic by themselves.
+/// There the fit would continue the outside function from values inside, whose errors are magnified
+/// outside by eps_s / eps_m and shift the potential of a whole cavity; ghost-fluid fluxes around it
+/// add up to 0.
 bool IsNarrow(const FitNodes& nodes)
 {
   constexpr std::ptrdiff_t harmonicQuadratic = 9;
@@ -69,6 +72,7 @@ void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
   const auto a = static_cast<std::size_t>(c.Axis);
   const std::int64_t step = problem.Box->Steps()[a];
   const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
+  // A surface on a node would make one of the parts' conductances infinite.
   const double theta = std::min(std::max(c.Fraction, 1e-6), 1.0 - 1e-6);
   const double epsLower =
     lowerInside ? problem.Medium.SoluteDielectric : problem.Medium.SolventDielectric;
@@ -119,6 +123,8 @@ FitNodes NodesAroundCrossing(const SolverBox& box, const std::vector<unsigned ch
         node.Inside = inside[static_cast<std::size_t>(id)] != 0;
         const auto& y = node.Offset;
         const double r2 = (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]) / (length * length);
+        // The values continued across the edge enter the equations of its two ends, which the fit
+        // therefore has to reproduce.
         const bool ends = j == 0 && k == 0 && (i == 0 || i == 1);
         node.Weight = (ends ? 1000.0 : 1.0) / ((r2 + 0.25) * (r2 + 0.25) * (r2 + 0.25));
         nodes.Id[nodes.Count++] = id;

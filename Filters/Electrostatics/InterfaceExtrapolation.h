@@ -67,15 +67,11 @@ struct InterfaceExtrapolation
  *
  * on an edge's face: symmetric, an M-matrix, what leaves a node arrives at the next. Second order
  * in the energy, first in the potential next to the surface. (Thesis 4.16 has eps(S) at nodes, S
- * smeared over cells: the energy of an ion of 2 angstrom at a spacing of 0.25 is off by 14 % so, by
- * 0.11 % here.)
+ * smeared over cells, which is far less accurate.)
  *
  * SharpInterface: values by InterfaceJumpConditions. The ghost-fluid values are used where nothing
  * can be fitted, and where fewer surrounding nodes are outside than a harmonic quadratic has
  * coefficients (9), i.e. in a cavity or cleft of the molecule that is only one or two nodes wide.
- * There the fit would continue the outside function from values inside, whose errors are magnified
- * outside by the ratio of the solvent and solute dielectric constants and shift the potential of a
- * whole cavity, whereas the ghost-fluid fluxes around the cavity add up to 0.
  */
 InterfaceExtrapolation ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 

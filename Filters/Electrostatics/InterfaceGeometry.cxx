@@ -11,6 +11,8 @@ namespace isthmus
 namespace
 {
 
+// Fourth order, above the second that the solver needs: with linear crossings and normals (thesis
+// 5.21 to 5.23) errors of the potential are 20 times as large.
 constexpr double Central1[5] = { 1.0 / 12, -8.0 / 12, 0.0, 8.0 / 12, -1.0 / 12 };
 constexpr double Central2[5] = { -1.0 / 12, 16.0 / 12, -30.0 / 12, 16.0 / 12, -1.0 / 12 };
 
@@ -72,6 +74,7 @@ double RootOnEdge(const LevelFunction& level, const SolverBox& box, const Line& 
       f += w.Value[i] * values[i];
       d += w.First[i] * values[i];
     }
+    // Newton's method, held in the bracket by bisection.
     ((f < 0.0) == (first < 0.0) ? low : high) = t;
     const double newton = t - f / d;
     const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
@@ -136,6 +139,7 @@ SurfaceFrame FrameOf(
 {
   SurfaceFrame frame;
   const double length = std::hypot(g[0], g[1], g[2]);
+  // A level function without a gradient still has two sides along the edge.
   if (!(length > 0.0) || !std::isfinite(length))
   {
     frame.Normal = { 0.0, 0.0, 0.0 };
@@ -225,6 +229,7 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
 {
   const auto& n = box.Dimensions;
   const auto step = box.Steps();
+  // One list a layer keeps the order of the nodes, whatever thread found them.
   std::vector<std::vector<InterfaceCrossing>> layers(static_cast<std::size_t>(n[2]));
   ParallelFor(
     0, n[2], 1,

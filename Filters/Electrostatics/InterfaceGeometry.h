@@ -3,9 +3,8 @@
  * @brief Crossings of a level set with the edges of a grid, with normal and curvature tensor.
  *
  * Along the edge the level function is the polynomial through six nodes, across it derivatives are
- * central ones of fourth order, so that crossings, normals and curvatures converge a good deal
- * faster than the second order that the solver needs of them. (The linear crossings and normals of
- * the thesis, 5.21 to 5.23, cost a factor of 20 in the potential.)
+ * central ones of fourth order, so that crossings, normals and curvatures converge faster than the
+ * second order that the solver needs of them. (Those of the thesis, 5.21 to 5.23, are linear.)
  */
 #ifndef isthmus_InterfaceGeometry_h
 #define isthmus_InterfaceGeometry_h

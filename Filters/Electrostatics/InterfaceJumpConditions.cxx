@@ -63,12 +63,14 @@ struct LocalFrame
   }
 };
 
+/// The unknowns' functions in p-, harmonic: H_nn = -H_11 - H_22.
 Basis InsideBasis(const Point3& y)
 {
   const double n = y[0], t = y[1], s = y[2];
   return { 1.0, n, t, s, n * t, n * s, 0.5 * (t * t - n * n), 0.5 * (s * s - n * n), t * s };
 }
 
+/// The same unknowns in p+, by the jump conditions.
 Basis OutsideBasis(const Point3& y, const LocalFrame& f, double rho, double k)
 {
   const double n = y[0], t = y[1], s = y[2];
@@ -149,6 +151,7 @@ bool Solve(const Rows& rows, const std::vector<Basis>& targets,
   }
   for (int d = 0; d < N; ++d)
   {
+    // Keeps the matrix positive definite where the nodes leave an unknown undetermined.
     normal(d, d) *= 1.0 + 1e-10;
   }
   const Eigen::LLT<Matrix> factor(normal);

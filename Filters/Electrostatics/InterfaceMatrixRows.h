@@ -32,7 +32,7 @@ struct InterfaceMatrixRows
   std::int64_t GhostFits = 0;
 };
 
-/// O(crossings), about 10 microseconds each; parallel; bitwise the same on any number of threads.
+/// O(crossings); parallel; bitwise the same on any number of threads.
 InterfaceMatrixRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 

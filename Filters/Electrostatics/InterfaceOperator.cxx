@@ -17,6 +17,8 @@ InterfaceOperator::InterfaceOperator(const SolverBox& box, const std::vector<uns
 {
 }
 
+// All rows as if no surface were near; ApplyIrregularRows overwrites those beside it. `sign` -1 and
+// the right side make a residual of the same pass.
 template <typename T>
 void InterfaceOperator::ApplyRegularRows(
   const std::vector<T>& z, std::vector<double>& out, double sign) const
@@ -37,6 +39,7 @@ void InterfaceOperator::ApplyRegularRows(
         for (std::int64_t j = 0; j < n[1]; ++j)
         {
           const std::int64_t start = nx * (j + n[1] * k);
+          // Dirichlet values on the border: rows of 0.
           if (k == 0 || j == 0 || k == n[2] - 1 || j == n[1] - 1)
           {
             std::fill(to + start, to + start + nx, 0.0);
@@ -91,6 +94,7 @@ void InterfaceOperator::ApplyIrregularRows(
     });
 }
 
+// The term that rows of a closed cavity share (ClosedCavities.h): one sum for all of them.
 template <typename T>
 void InterfaceOperator::AddCavities(
   const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const
@@ -145,6 +149,7 @@ float InterfaceOperator::SmoothRow(std::size_t row, double common, double common
   return change;
 }
 
+/// Gauss-Seidel over the fitted rows, in a fixed order on one thread.
 void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const
 {
   for (std::size_t row = 0; row < this->Rows.Node.size(); ++row)
@@ -169,6 +174,7 @@ void InterfaceOperator::SmoothCavity(
   {
     const auto row = static_cast<std::size_t>(cavity.Row[i]);
     const double share = this->Rows.Scale[row] * cavity.Share[i];
+    // A changed value changes the shared sum of the rows that follow.
     const auto own =
       std::lower_bound(cavity.Column.begin(), cavity.Column.end(), this->Rows.Node[row]);
     const double value = cavity.Value[static_cast<std::size_t>(own - cavity.Column.begin())];

@@ -123,6 +123,7 @@ void BiCGSTAB::Step()
   const std::size_t n = this->U.size();
   const double before = this->Rho;
   this->Rho = Dot(this->Work.Shadow, r);
+  // U moves along the preconditioned directions z, so the residual stays that of the system itself.
   const double beta = this->Rho / before * (this->Alpha / this->Omega);
   ForEach(n, [&](std::size_t i) { p[i] = r[i] + beta * (p[i] - this->Omega * v[i]); });
   Precondition(this->Matrix, this->Multigrid, p, z);

@@ -41,6 +41,7 @@ public:
   {
   }
 
+  /// Fronts from the crossings outwards: a node takes over the nearest crossing of its neighbours.
   void Spread(double reach)
   {
     std::vector<std::int64_t> front;
@@ -162,6 +163,7 @@ std::vector<float> IonAccess(const SolverBox& box, const std::vector<unsigned ch
   const double h = IonBorderWidth(box);
   const double widest = *std::max_element(box.Spacing.begin(), box.Spacing.end());
   NearestCrossings nearest(box, inside, crossings);
+  // The border is blurred by one spacing, which a diagonal may exceed.
   nearest.Spread(layer + 2.0 * widest);
   for (std::size_t node = 0; node < access.size(); ++node)
   {

@@ -182,6 +182,7 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
       border = DebyeHueckel(atoms, parameters, kappa);
       break;
   }
+  // Without coarsening, the problem of the border is the final one.
   problem = problem ? std::move(problem) : setUp(box, 0.25, 0.5);
   problem->SetBorder(border, parameters.BoundaryCondition != BoundaryCondition::Given);
   if (parameters.Start)

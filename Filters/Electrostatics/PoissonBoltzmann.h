@@ -10,12 +10,12 @@
  * The volume that holds the level set may end close to it: the equation is solved on a box with at
  * least `Padding` of solvent, and the caller has to crop the solution.
  *
- * **Border values (SelfConsistent) start as the Debye-Hueckel sum of the charges. The equation is
+ * **Border values** (SelfConsistent) start as the Debye-Hueckel sum of the charges. The equation is
  * solved on a grid of twice the spacing (or the same spacing, if twice is more than 1.1 angstrom),
  * and the solution on a box between surface and border is continued outwards by Green's third
- * identity. This is done twice, and then the equation is solved on the final grid. With the sum
- * alone, the potential of a dipole in a cavity is off by 0.15 kT/e at 12 angstrom. Cost: border
- * nodes and patches both number about (nodes)^(2/3); the sums use a tree if there are thousands.
+ * identity. This is done twice, and then the equation is solved on the final grid. The sum alone
+ * does not account for the dielectric cavity. Cost: border nodes and patches both number about
+ * (nodes)^(2/3); the sums use a tree if there are thousands.
  */
 #ifndef isthmus_PoissonBoltzmann_h
 #define isthmus_PoissonBoltzmann_h

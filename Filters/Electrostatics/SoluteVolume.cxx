@@ -118,6 +118,7 @@ Plateaus FindPlateaus(const LevelFunction& level)
       }
     }
   }
+  // A clamped distance or a mask has many nodes at its least or greatest value, a smooth field few.
   const std::int64_t many = std::max<std::int64_t>(27, n[0] * n[1] * n[2] / 1000);
   Plateaus plateaus;
   plateaus.Low = atLow >= many ? low : plateaus.Low;

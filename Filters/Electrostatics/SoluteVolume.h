@@ -33,7 +33,7 @@ struct SoluteVolume
   vtkSmartPointer<vtkDataArray> Scalars; ///< kept alive
 };
 
-/// Memory of a solution, for each node of the grid (80 to 104 were measured).
+/// Memory of a solution, for each node of the grid, with a margin.
 constexpr double SolutionBytesPerNode = 130.0;
 
 /// The grids for VolumeOfSurface and VolumeOfAtoms. Throws std::invalid_argument.

@@ -20,7 +20,7 @@
  * minutes; atoms without names of residues and without charges; coordinates that are not finite;
  * more chains or residues than a PDB file can contain.
  *
- * **Cost: that of pdb2pqr, a few seconds. The result is cached until the atoms change. On several
+ * **Cost.** That of pdb2pqr, some seconds. The result is cached until the atoms change. On several
  * MPI ranks, gather the atoms first.
  */
 #ifndef vtkForceFieldCharges_h

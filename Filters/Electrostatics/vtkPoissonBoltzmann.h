@@ -20,13 +20,11 @@
  *
  * **Equation**: -div(eps grad phi) + ions = charges, with eps SoluteDielectric inside and
  * SolventDielectric outside, ions by Boltzmann's law, linearised unless Nonlinear is on. It is
- * solved with the jump of eps at the surface itself, not smeared over cells: for spheres with exact
- * solutions, errors are a tenth of those of common solvers on the same grid and decrease with the
- * square of the spacing. With DielectricModel SmoothDielectric, it is solved by finite volumes with
- * one permittivity for each edge of the grid, that of its parts inside and outside in series.
- * Energies converge with the same order but are 10 to 300 times less accurate for spheres; the
- * potential at the surface converges with first order. This model is for comparison with models of
- * moving surfaces, which usually use it.
+ * solved with the jump of eps at the surface itself, second order in energy and potential. With
+ * DielectricModel SmoothDielectric, it is solved by finite volumes with one permittivity for each
+ * edge of the grid, that of its parts inside and outside in series: second order in the energy, but
+ * less accurate, and first order in the potential at the surface. This model is for comparison with
+ * models of moving surfaces, which usually use it.
  *
  * **Output 0**: image with the potential. The grid is that of input 1 if that is a volume,
  * otherwise one with Spacing and Padding around the surface (around the chains of the input, with 2
@@ -39,9 +37,9 @@
  * with respect to the position of the atom if the surface moves with it (BoundaryForces.h).
  *
  * OutputArrayTable() lists the arrays of all; the coefficients of the equation on output 0 and the
- * boundary forces on output 2 are optional. Without input 1, the surface is that of the Gaussians;
- * on another surface each point
- * moves with the atom whose ball is nearest. The Coulomb force between the charges is not included.
+ * boundary forces on output 2 are optional. Without input 1, the surface moves as that of the
+ * Gaussians; with it, each point moves with the atom whose ball is nearest. The Coulomb force
+ * between the charges is not included.
  *
  * A volume may end near the surface: the equation is solved with Padding angstrom of solvent around
  * the surface, and the result is cropped. Nodes nearer to a charge than a quarter of the spacing

@@ -68,9 +68,8 @@ double InsidePart(float distance, double spacing);
  * The energy of each atom with the solvent, kcal/mol, for the surface on which `distance`
  * (angstrom, negative inside, one value for each node of `grid`) is 0. Nodes inside that are
  * farther than 12 angstrom from an atom are combined in blocks of 8^3. Second order in the spacing.
- * O(inside nodes + atoms x inside nodes within 12 angstrom), about half a nanosecond for each pair
- * of the latter; 32 bytes for each node inside. Parallel, bitwise the same on any number of
- * threads.
+ * O(inside nodes + atoms x inside nodes within 12 angstrom); 32 bytes for each node inside.
+ * Parallel, bitwise the same on any number of threads.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::vector<double> DispersionEnergies(

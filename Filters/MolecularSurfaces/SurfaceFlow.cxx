@@ -158,7 +158,7 @@ void AddCoarseField(const FlowField& coarse, FlowField& fine)
 }
 
 constexpr double Lambda = 0.16;                // dt / spacing^2; 0.25 is where it becomes unstable
-constexpr int StepsToRedistance = 4;           // see the README: more seldom, necks break too early
+constexpr int StepsToRedistance = 4;           // more seldom, necks break too early
 constexpr int RedistanceIterations = 2;        // by 0.45 spacings each
 constexpr int FinalIterations = 10;            // through the whole band
 constexpr int StepsToMeasure = 48;             // between two measures, a multiple of the above

@@ -47,11 +47,10 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT DensityGrid FlowResultGrid(
   const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters, double* bytes = nullptr);
 
 /**
- * The surface around `balls`. Time: 3 ns in each step for each node of the band, which has about 9
- * area / spacing^2 nodes, and 20 ns for each pair of a ball and a node near it. The number of steps
- * is EvolutionTime / (0.16 spacing^2), or a few hundred with Steady. Throws std::runtime_error when
- * the grid does not fit into memory (before it is allocated) or no node lies inside a ball, and
- * Cancelled.
+ * The surface around `balls`. Time: O(band nodes) for each step, where the band has about 9 area /
+ * spacing^2 nodes, and O(pairs of a ball and a node near it). The number of steps is EvolutionTime
+ * / (0.16 spacing^2), or a few hundred with Steady. Throws std::runtime_error when the grid does
+ * not fit into memory (before it is allocated) or no node lies inside a ball, and Cancelled.
  */
 SurfaceFlowResult SurfaceFlow(const std::vector<Ball>& balls,
   const SurfaceFlowParameters& parameters, const PullField& pull = {},

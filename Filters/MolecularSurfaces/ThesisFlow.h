@@ -8,9 +8,8 @@
  *
  * chi = 1 in the balls, S = 0 on the border of the box (thesis 4.2, 5.11 to 5.14 and the expanded
  * form after 5.14, misprints corrected), dt = 0.1 spacing^2. It is included for comparison: because
- * of the jump of S and the steps of chi, the surface converges outside the correct position (with
- * an area of +15 % at 0.5 angstrom for two balls whose minimal surface is known, and order 1/2 in
- * the spacing).
+ * of the jump of S and the steps of chi, the surface converges outside the correct position, with
+ * order 1/2 in the spacing.
  */
 #ifndef isthmus_ThesisFlow_h
 #define isthmus_ThesisFlow_h
@@ -23,8 +22,8 @@
 namespace isthmus
 {
 
-/// The surface S = 0.5 around `balls`; ProbeRadius and CoarseToFine are not used. Time: 1 ns in
-/// each step for each node of the grid. Throws as SurfaceFlow does.
+/// The surface S = 0.5 around `balls`; ProbeRadius and CoarseToFine are not used. Time: O(nodes)
+/// for each step. Throws as SurfaceFlow does.
 SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   const SurfaceFlowParameters& parameters, const ProgressCallback& progress = {});
 

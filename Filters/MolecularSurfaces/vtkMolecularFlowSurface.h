@@ -24,9 +24,9 @@
  * that the probe can enter stay open, and the rest is smooth, without the cusps of that surface.
  * Formulas, sources: SurfaceFlow.h.
  *
- * **The term molecular surface usually means the solvent-excluded surface for water (probe 1.4);
- * for electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel. The default
- * is that of the thesis, without a probe.
+ * **Which surface.** The term molecular surface usually means the solvent-excluded surface for
+ * water (probe 1.4); for electrostatics and for channels set a ProbeRadius of 1.4, or the preset
+ * Channel. The default is that of the thesis, without a probe.
  *
  * **Time.** With TimeSteps above 0, the time of the pipeline is that of the flow, and a time slider
  * shows the evolving surface.
@@ -37,10 +37,10 @@
  * lies inside an atom. Atoms with radius NaN are dropped, with a warning. Without atoms, the
  * outputs are empty and there is no error.
  *
- * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): about 60 steps to the evolution time of the
- * thesis, 200 fine steps to convergence. The cost of a step is proportional to area / Spacing, the
- * number of steps for a given time to 1 / Spacing^2. Memory: 40 to 50 bytes for each node. The
- * result is bitwise the same on any number of threads. All atoms are needed on one rank.
+ * **Cost.** The cost of a step is proportional to area / Spacing, the number of steps for a given
+ * time to 1 / Spacing^2; a Steady flow takes a few hundred fine steps. Memory: 40 to 50 bytes for
+ * each node. The result is bitwise the same on any number of threads. All atoms are needed on one
+ * rank.
  */
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h

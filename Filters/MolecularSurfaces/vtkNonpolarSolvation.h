@@ -18,9 +18,8 @@
  * parm99). Those of the solvent are for the oxygen of TIP3P at 1 g/cm^3 by default.
  *
  * SurfaceTension 0.0700 kcal/mol/A^2 and Pressure 0.0464 kcal/mol/A^3 are fitted to eleven alkanes
- * with minimal molecular surfaces of AMBER radii: rms 0.21, leave one out 0.26 kcal/mol. They are
- * this accurate only for alkanes and this surface; their accuracy for proteins is unknown. See
- * README.
+ * with minimal molecular surfaces of AMBER radii (rms 0.21 kcal/mol). They are this accurate only
+ * for alkanes and this surface; their accuracy for proteins is unknown.
  *
  * **Errors** (message, empty outputs): those of the atoms; an image at a different place than the
  * atoms (InputOverlap.h), or with more than half of the atoms outside (fewer are a warning; a

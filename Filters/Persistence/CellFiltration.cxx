@@ -296,6 +296,10 @@ private:
 
 }
 
+/// The bits of doubles, inverted for negative numbers, have the order of the values. The 32 leading
+/// bits in which the values differ are sorted by three stable passes of 11 bits, and runs of equal
+/// ones by the value itself; two pieces of ascending values come one after the other, to halve the
+/// memory.
 template <typename Id, typename Rank>
 HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
   const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank,

@@ -49,11 +49,7 @@ using TriangleChain = std::vector<TriangleId>;
  * Sorts all simplices of one dimension by (first, value, id); `rank` becomes the inverse.
  *
  * `first` marks simplices that come before all others (one flag each, or none); no value is NaN.
- * The bits of doubles, inverted for negative numbers, have the order of the values. The 32 leading
- * bits in which the values differ are sorted by three stable passes of 11 bits, and runs of equal
- * ones by the value itself. O(n), parallel, the same on any number of threads. It sorts two pieces
- * of ascending values one after the other, so that it needs only 8 bytes for each simplex while it
- * runs.
+ * O(n), parallel, the same on any number of threads; 8 bytes for each simplex while it runs.
  */
 template <typename Id, typename Rank>
 HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,

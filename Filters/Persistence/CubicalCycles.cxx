@@ -521,6 +521,10 @@ Wanted WantedOf(const FeatureList& features, std::size_t most)
   return wanted;
 }
 
+/// A reduction checks that the face that ends the feature fills exactly the shortest loop, and not
+/// an earlier one. If the shortest path also runs around another tunnel, the boundary of the
+/// pairing is shortened arc by arc, checking each time that the difference is filled while the
+/// feature exists. It can have several loops; those that are filled on their own are dropped.
 template <typename Gradient>
 std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<double, 3>& spacing,
   const Wanted& wanted, const ProgressCallback& progress)

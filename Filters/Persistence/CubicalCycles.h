@@ -25,15 +25,10 @@ struct CubicalCycle
 /**
  * A cycle for each of the first `most` features of dimension 1 that are kept.
  *
- * The edge that closes the loop is combined with the shortest path between its ends in the complex
- * before it enters (Dijkstra's algorithm through the cells of the grid, with lengths by spacing). A
- * reduction then checks that the face that ends the feature fills exactly this loop, and not an
- * earlier one. If the shortest path also runs around another tunnel, the boundary found by the
- * pairing is used and shortened arc by arc, checking each time that the difference is filled while
- * the feature exists. Such a boundary can have several loops; those that are filled on their own
- * are dropped.
- *
- * This costs another pairing, and for each cycle a search of at most the whole volume.
+ * The edge that closes the loop, with the shortest path between its ends in the complex before it
+ * enters, if the face that ends the feature fills exactly this loop; otherwise the boundary that
+ * the pairing found, shortened within its class. This costs another pairing, and for each cycle a
+ * search of at most the whole volume.
  */
 std::vector<CubicalCycle> CubicalCycles(const VolumeView& volume,
   const std::array<double, 3>& spacing, const FeatureList& features, bool superlevel,

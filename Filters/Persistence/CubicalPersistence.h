@@ -25,10 +25,10 @@ namespace isthmus
  *
  * Method: a discrete gradient by lower stars (LowerStars.h), union-find over critical edges and
  * over critical faces (CubicalComponents.h), reduction of the other critical faces
- * (CubicalLoops.h). Cost for each node, in addition to the input: about 60 ns and 4 to 12 bytes for
- * smooth data, 2 us and 100 bytes for white noise. Double, 64-bit integers and more than 2^28 nodes
- * need keys of 128 instead of 64 bits and therefore somewhat more. The result is the same on any
- * number of threads.
+ * (CubicalLoops.h). Nearly linear for maps; memory for each node, in addition to the input: 4 to 12
+ * bytes for smooth data, 100 for white noise. Double, 64-bit integers and more than 2^28 nodes need
+ * keys of 128 instead of 64 bits and therefore somewhat more. The result is the same on any number
+ * of threads.
  *
  * Throws std::invalid_argument for a value that is not a number, with its position. Infinities are
  * values like others. A volume without nodes has no pairs.

@@ -27,8 +27,8 @@ struct Orthosphere
  *
  *     p + (A b x c + B c x a + C a x b) / (2 a . (b x c)),   A = a . a + w_0 - w_1, and so on.
  *
- * Numerators and denominators are exact; the quotients are rounded. About 4 us; rational numbers,
- * which look for common divisors after each operation, take 14 times as long.
+ * Numerators and denominators are exact; the quotients are rounded. (Rational numbers would look
+ * for common divisors after each operation.)
  */
 Orthosphere ExactOrthosphere(
   const std::array<Point3, 4>& centres, const std::array<double, 4>& squaredRadii);

@@ -52,7 +52,7 @@ struct FullereneStability
 
 /**
  * Bars of dimension 1 and 2 of the union of balls round the atoms, by the alpha complex: exact, no
- * grid. Births and deaths are radii. Milliseconds for a molecule.
+ * grid. Births and deaths are radii.
  *
  * Atoms at the same position count once. Atoms in one plane have no cages, and their rings are
  * found by adding a point that is too far away to have an effect; fewer than three atoms, or atoms

@@ -24,7 +24,7 @@ namespace isthmus
  * with the higher index). Which cells belong to a node depends on which of its 26 neighbours are
  * lower. So does their matching, which is therefore computed once for each kind of star: there are
  * about a thousand kinds in a map, ten times as many in noise. Memory: 4 bytes for each node; time:
- * about 12 ns for each node on one thread. The result is the same on any number of threads.
+ * O(nodes). The result is the same on any number of threads.
  */
 class LowerStars
 {

@@ -141,6 +141,8 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
   {
     sites.emplace_back(p[0], p[1], p[2]);
   }
+  // Neighbours in this order are near each other, so the last vertex is a good hint; the order is
+  // random at large, which the prediction of the time needs.
   const std::vector<std::size_t> order = SpatialOrder<Kernel>(sites);
   Regular::Vertex_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -152,6 +154,8 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
     if (i == order.size() / 4 && predicted)
     {
       const double quarter = eighth + watch.Lap();
+      // From an eighth to a quarter of the balls: linear for atoms, up to quadratic in convex
+      // position.
       const double power = std::clamp(std::log2(quarter / std::max(eighth, 1e-9)), 1.0, 2.0);
       predicted(quarter * std::pow(4.0, power));
     }

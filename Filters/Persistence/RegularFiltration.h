@@ -43,9 +43,9 @@ struct RegularFiltration
  * than four, or balls in one plane, give no tetrahedron and no simplex at all. Throws
  * std::invalid_argument for numbers that are not finite.
  *
- * O(n log n) for atoms, with 10 us and 1.3 KB for each ball; more for balls in convex position,
- * e.g. on a cylinder, where each has many neighbours. `predicted` is called with the predicted time
- * of the triangulation in seconds when a quarter of the balls has been inserted; these are a random
+ * O(n log n) for atoms, with 1.3 KB for each ball; more for balls in convex position, e.g. on a
+ * cylinder, where each has many neighbours. `predicted` is called with the predicted time of the
+ * triangulation in seconds when a quarter of the balls has been inserted; these are a random
  * sample, so the time continues to grow by the same power. The result is bitwise the same on any
  * number of threads.
  */

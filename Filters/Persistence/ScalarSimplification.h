@@ -21,7 +21,7 @@ namespace isthmus
  * neighbours). No value changes by more than the longest removed persistence, and no new values are
  * created: every result is a value of the volume. As in TTK, loops (dimension 1) are not cancelled.
  *
- * Serial, O(n log n): about 0.3 us and 12 bytes for each node.
+ * Serial, O(n log n); 12 bytes for each node.
  */
 void SimplifyScalar(const VolumeView& volume, const FeatureList& features, bool superlevel,
   void* result, const ProgressCallback& progress = {});

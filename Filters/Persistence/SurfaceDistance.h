@@ -16,9 +16,8 @@
 namespace isthmus
 {
 
-/// Unsigned distance of each point to the nearest point of any triangle, by a TriangleTree. It
-/// takes a few microseconds for each point, in parallel, and is bitwise the same on any number of
-/// threads.
+/// Unsigned distance of each point to the nearest point of any triangle, by a TriangleTree, in
+/// parallel and bitwise the same on any number of threads.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> SurfaceDistances(const SurfaceView& surface,
   const std::vector<Point3>& points, const ProgressCallback& progress = {});
 

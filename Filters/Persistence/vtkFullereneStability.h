@@ -26,18 +26,16 @@
  * Output 1 (vtkTable): the bars, longest first in each dimension: `Molecule`, `FeatureId` (from 0
  * in each molecule), `Dimension`, `Birth`, `Death`, `Persistence`.
  *
- * **How far to trust it.** Among isomers of one size, C36 and C40, FilteredIntegral correlates with
- * the energy of the same geometry (r = -0.955 and -0.876); the number of adjacent pentagons
- * correlates better (0.961 and 0.967). Between sizes, EnergyProxy mostly follows 1 / Atoms. See the
- * module's README.
+ * **How far to trust it.** Among isomers of one size, FilteredIntegral correlates with the energy
+ * of the same geometry, but the number of adjacent pentagons correlates better. Between sizes,
+ * EnergyProxy mostly follows 1 / Atoms.
  *
  * **Errors** (one message, empty output): coordinates that are not finite; parameters that are not
  * positive lengths; missing radii if ScaleByRadius needs them. Without atoms, the table is empty
  * and there is no error.
  *
- * Exact (default): the alpha complex, milliseconds for a molecule. Grid: as in the thesis, the
- * cubical complex of the distance with grid spacing Spacing up to Theta, a first-order
- * approximation. Method: FullereneStability.h.
+ * Exact (default): the alpha complex. Grid: as in the thesis, the cubical complex of the distance
+ * with grid spacing Spacing up to Theta, a first-order approximation. Method: FullereneStability.h.
  */
 #ifndef vtkFullereneStability_h
 #define vtkFullereneStability_h

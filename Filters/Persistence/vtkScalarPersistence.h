@@ -41,11 +41,11 @@
  * **Errors** (one message, empty outputs): a value that is not a number, with its position; an
  * invalid range or persistence. An empty image gives empty outputs.
  *
- * **Cost.** Cost for each node in addition to the input: 60-200 ns and 4-20 bytes for maps, 2 us
- * and 100 bytes for white noise. Changing MinimumPersistence only looks up cached results. The
- * result is the same on any number of threads. On several MPI ranks, each rank requests the whole
- * volume; the first one computes and holds the tables and points. (Each rank computes the
- * simplified volume and keeps its part.)
+ * **Cost.** Nearly linear for maps; memory for each node in addition to the input: 4-20 bytes for
+ * maps, 100 for white noise. Changing MinimumPersistence only looks up cached results. The result
+ * is the same on any number of threads. On several MPI ranks, each rank requests the whole volume;
+ * the first one computes and holds the tables and points. (Each rank computes the simplified volume
+ * and keeps its part.)
  *
  * Method and sources: CubicalPersistence.h, ScalarSimplification.h, CubicalCycles.h.
  */

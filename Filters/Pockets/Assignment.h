@@ -19,8 +19,8 @@ namespace isthmus
  * Volgenant, Computing 38 (1987) 325). O(rows^2 (rows + columns)). @pre rows of `columns` numbers,
  * none negative or NaN.
  *
- * Boost.Graph is not used: its maximum_weighted_matching is for general graphs, took 70 times the
- * CPU time on 20 random rows and, with double weights, missed the optimum (Boost 1.74).
+ * Boost.Graph is not used: its maximum_weighted_matching is for general graphs and, with double
+ * weights, can miss the optimum (Boost 1.74).
  */
 std::vector<int> AssignAtLeastCost(
   const std::vector<std::vector<double>>& costs, std::size_t columns, double alone);

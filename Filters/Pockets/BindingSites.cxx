@@ -74,6 +74,7 @@ public:
           this->JoinWith(point, found->second, sets);
         }
       }
+      // After the search, so that each pair is looked at once.
       this->Cells[home].push_back(point);
       if (++done % 4096 == 0)
       {
@@ -142,6 +143,7 @@ void JoinEdges(
     {
       const vtkIdType a = corners[c], b = corners[(c + 1) % 3];
       const unsigned char kind = kinds[static_cast<std::size_t>(a)];
+      // Kind 0: below the threshold.
       if (kind != 0 && kind == kinds[static_cast<std::size_t>(b)])
       {
         sets.Join(a, b);

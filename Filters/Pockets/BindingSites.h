@@ -83,8 +83,8 @@ struct BindingSiteResult
  *
  * Throws std::invalid_argument for a quantile outside [0, 1), and a threshold, distance or area
  * that is negative or not finite; Cancelled. Results are bitwise the same on any number of threads.
- * Time: O(n log n) for n points, plus 1000 n for the hull, in parallel (50 ms for 50 000 points),
- * plus the number of pairs of selected points within MergeDistance. Memory: 60 bytes per point.
+ * Time: O(n log n) for n points, plus 1000 n for the hull, in parallel, plus the number of pairs of
+ * selected points within MergeDistance. Memory: 60 bytes per point.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT BindingSiteResult FindBindingSites(const SurfaceView& mesh,
   const SiteFields& fields, const BindingSiteOptions& options,

@@ -33,6 +33,8 @@ double VolumeOf(const std::array<Point3, 4>& p)
   return std::fabs(Dot(p[1] - p[0], Cross(p[2] - p[0], p[3] - p[0]))) / 6.0;
 }
 
+/// Intersections of three balls are halved by the plane of their triangle: each side's tetrahedron
+/// gets its half.
 void TakeThrees(const RegularFiltration& f, const std::array<TriangleId, 4>& faces,
   const std::array<SimplexId, 4>& cell, EmptyCell& empty)
 {
@@ -53,6 +55,7 @@ void TakeThrees(const RegularFiltration& f, const std::array<TriangleId, 4>& fac
   }
 }
 
+/// Intersections of two balls, in proportion to the dihedral angle at their edge.
 void TakeLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell,
   const std::array<Point3, 4>& p, EmptyCell& empty)
 {
@@ -362,6 +365,7 @@ double OpenAreaOf(const std::array<Point3, 3>& corners, const std::array<double,
   const Point3 v = corners[2] - corners[0];
   const double twice = Length(Cross(u, v));
   const double base = Length(u);
+  // Green's theorem over the boundary of the open part: pieces of edges and arcs of circles.
   if (!(twice > 0.0))
   {
     return 0.0;
@@ -411,6 +415,8 @@ UnionMeasure MeasureFlatUnion(
     box.Add(p);
   }
   const Point3 middle = 0.5 * (box.Min + box.Max);
+  // Atoms in a plane have no tetrahedra. Six points of radius 0, too far away to change a simplex
+  // of the atoms, make some, and the sum over the dual complex is that of whole balls.
   const double outside = 1.0 + box.Diagonal() + 2.0 * *std::max_element(radii.begin(), radii.end());
   for (const double along : { -outside, outside })
   {

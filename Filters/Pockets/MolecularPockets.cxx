@@ -45,6 +45,7 @@ struct Path
     {
       return this->Width < other.Width;
     }
+    // Ties by number, so that equally wide paths do not depend on the order of the queue.
     return this->Cell != other.Cell ? this->Cell > other.Cell : this->Pocket > other.Pocket;
   }
 };
@@ -119,6 +120,7 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
   {
     const Path path = paths.top();
     paths.pop();
+    // The queue holds the widest path first, so the first that arrives is the widest.
     if (!labels[path.Cell].Exists())
     {
       labels[path.Cell] = path.Pocket;

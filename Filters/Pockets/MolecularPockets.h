@@ -30,7 +30,7 @@ namespace isthmus
  * plane, have no pockets.
  *
  * The result is bitwise independent of the order of the atoms (except for atom numbers in it) and
- * of the number of threads. O(n log n): 60 us and 2 KB per atom.
+ * of the number of threads. O(n log n); 2 KB per atom.
  */
 PocketResult FindPockets(const std::vector<Ball>& atoms, const PocketOptions& options,
   const ProgressCallback& progress = {});

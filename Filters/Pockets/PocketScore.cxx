@@ -51,6 +51,8 @@ void ScorePocket(Pocket& pocket)
   pocket.Centre = (weights > 0.0 ? 1.0 / weights : 0.0) * pocket.Centre;
 }
 
+/// A site has no walls towards the rest of its pocket, so sectors of distant balls may make its
+/// computed empty volume negative (EmptySpace.h: values of single tetrahedra may be).
 void ScoreSite(Pocket& site)
 {
   const Point3 mode = site.Centre;

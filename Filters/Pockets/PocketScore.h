@@ -7,11 +7,9 @@
  * position in descending order of score. **Centre**: mean of the centres of the orthogonal spheres,
  * with the weights of the score.
  *
- * **Sites** are ranked by their probability. A site is part of a pocket and has no walls towards
- * the rest of it, so sectors of distant balls may make its computed empty volume negative
- * (EmptySpace.h: values of single tetrahedra may be negative). Therefore, in Volume and Score of a
- * site, the contribution of a tetrahedron is limited to between 0 and its own volume, and the area
- * of a lining atom to at least 0.
+ * **Sites** are ranked by their probability. In their Volume and Score, the contribution of a
+ * tetrahedron is limited to between 0 and its own volume, and the area of a lining atom to at least
+ * 0.
  */
 #ifndef isthmus_PocketScore_h
 #define isthmus_PocketScore_h

@@ -87,8 +87,7 @@ using GridTransform = std::array<double, 12>;
  * 5.20), NaN outside the grid and where one of the surrounding nodes is not finite. A point at most
  * 1e-9 grid spacings outside counts as being on the border. T is float or double.
  *
- * Runs in parallel, 10 ns per point and thread; bitwise the same on any number of threads. Throws
- * Cancelled.
+ * Runs in parallel; bitwise the same on any number of threads. Throws Cancelled.
  */
 template <typename T>
 void SamplePotential(const GridView<const T>& grid, const GridTransform& toGrid,

@@ -69,7 +69,7 @@ struct Climb
  *
  * The distance is the least of smooth functions. Each step maximises the minimum of their linear
  * models in a square whose size is adapted to the success of the step. The last steps converge
- * quadratically to a point where three atoms touch the ball. About 30 steps of 2 us.
+ * quadratically to a point where three atoms touch the ball. About 30 steps.
  */
 PlaneBall ClimbInPlane(
   const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);

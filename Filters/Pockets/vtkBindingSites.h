@@ -6,13 +6,12 @@
  * (input array 0: `PolarizedCurvature`), with classes (input array 1: `SiteClass`) unless Classes
  * is AllPoints, and optionally with a potential for the means (input array 2: `Potential`).
  *
- * **With atoms** on input 1 (points with `Radius`), sites are the pockets of
- * vtkMolecularPockets (its defaults), ranked by their score x the square root of the mean
- * |amplitude| of the surface that lines them. `SiteClass` is then 2 if the mean potential of that
- * surface is positive (a site for a negatively charged ligand), 4 if it is negative, and 0 without
- * a potential; `Area` and `Points` are those of the surface; `MeanDepth` and the centre are those
- * of the pocket. This finds ligands far better: see Filters/Pockets/README.md. The following
- * describes patches, without atoms.
+ * **With atoms** on input 1 (points with `Radius`), sites are the pockets of vtkMolecularPockets
+ * (its defaults), ranked by their score x the square root of the mean |amplitude| of the surface
+ * that lines them. `SiteClass` is then 2 if the mean potential of that surface is positive (a site
+ * for a negatively charged ligand), 4 if it is negative, and 0 without a potential; `Area` and
+ * `Points` are those of the surface; `MeanDepth` and the centre are those of the pocket. This finds
+ * ligands far better (the guide's page on trust). The following describes patches, without atoms.
  *
  * Points above the threshold that have the same class and are connected by edges form patches;
  * patches of the same class closer than MergeDistance are merged. Each patch has a rank; 1 is the
@@ -37,9 +36,9 @@
  * point is above the threshold (e.g. for a constant array), or if the molecule has no pockets,
  * there is a warning and no site. An empty surface causes neither.
  *
- * **Cost.** 1 us per point and thread for the hull, in parallel; bitwise the same on any number of
- * threads. With several MPI ranks, each rank processes only its own piece, so gather the surface
- * first.
+ * **Cost.** O(n log n) for n points, plus 1000 n for the hull, in parallel; bitwise the same on any
+ * number of threads. With several MPI ranks, each rank processes only its own piece, so gather the
+ * surface first.
  */
 #ifndef vtkBindingSites_h
 #define vtkBindingSites_h

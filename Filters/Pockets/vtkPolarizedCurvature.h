@@ -36,8 +36,7 @@
  *
  * **Ranks.** Each MPI rank processes its piece of the surface and requests the whole potential.
  *
- * **Cost.** 30 ns per point and thread, in parallel, bitwise the same on any number of threads; 57
- * bytes per point.
+ * **Cost.** O(points), in parallel, bitwise the same on any number of threads; 57 bytes per point.
  */
 #ifndef vtkPolarizedCurvature_h
 #define vtkPolarizedCurvature_h

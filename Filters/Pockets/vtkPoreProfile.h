@@ -36,7 +36,8 @@
  * **Errors** (message, empty outputs): missing radii; radii, points or options out of range; no
  * path between the points. A molecule without channels is not an error.
  *
- * **Cost.** About 1 ms per plane. Results are bitwise the same on any number of threads.
+ * **Cost.** Linear in planes and in the atoms near them. Results are bitwise the same on any number
+ * of threads.
  */
 #ifndef vtkPoreProfile_h
 #define vtkPoreProfile_h

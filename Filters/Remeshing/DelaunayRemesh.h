@@ -22,7 +22,7 @@ namespace isthmus
  *
  * @pre as for RemeshSurface(). @throws as that, and std::runtime_error when refinement does not end
  * below MaximumPoints, as at very sharp features, or loses a part: ask for a smaller EdgeLength.
- * Cost: about 0.2 ms a point of the result.
+ * Time: linear in the points of the result.
  */
 RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress = {});

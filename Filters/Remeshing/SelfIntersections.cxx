@@ -124,6 +124,8 @@ bool Apart(const Corners& p, const Corners& q)
 }
 
 /// Decides pairs of triangles of a mesh.
+/// Nearly all, including flat neighbours, are decided by a plane that separates the two triangles
+/// with a margin above rounding errors; only the rest needs exact predicates.
 class TrianglePairs
 {
 public:

@@ -17,10 +17,6 @@ namespace isthmus
  * that have no area, in ascending order. The result is exact and the same as that of CGAL's
  * Polygon_mesh_processing.
  *
- * Pairs come from a tree of boxes (TriangleBoxTree). Nearly all pairs, including flat neighbours,
- * are decided by a plane that separates the two triangles with a margin above rounding errors; the
- * rest is decided by CGAL's exact predicates.
- *
  * Corners must exist and points be finite (std::invalid_argument for coordinates beyond 1e100).
  * O(n log n + pairs of boxes), parallel; about 120 bytes for each triangle.
  */

@@ -62,7 +62,7 @@ VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface RemeshSurface(const SurfaceVie
  * Simplifies `mesh` by edge collapse to about this number of triangles. The result may have more if
  * a collapse would flip a triangle or change the topology. Preconditions and errors are as above.
  * O(n log n) where few triangles meet at a point. Where k do, as in the fans that close a cylinder
- * in CAD files, O(k^3): about 3 s for k = 500. Cancelling is possible after every 16 collapses.
+ * in CAD files, O(k^3). Cancelling is possible after every 16 collapses.
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
   const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});

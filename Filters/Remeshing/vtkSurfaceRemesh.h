@@ -52,8 +52,8 @@ public:
   ///@}
 
   ///@{
-  /// Number of triangles to simplify to. Where k triangles meet at a point,
-  /// simplifying takes a time that grows as k^3 (3 s for 500): remesh such surfaces first.
+  /// Number of triangles to simplify to. Where k triangles meet at a point, simplifying takes a
+  /// time that grows as k^3 (seconds for 500): remesh such surfaces first.
   vtkSetMacro(NumberOfTriangles, vtkIdType);
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   ///@}

@@ -51,10 +51,9 @@ struct ChannelUpdate
   double Current() const; ///< of all of them
 };
 
-/// Cost: a solution of PoissonNernstPlanck.h for each update, and UpdatePeriod steps at 3 ns for
-/// each node of the band between them. Memory: twice that of the solution (the next one starts from
-/// the last), and 40 bytes for each node for the flow. The result is bitwise the same on any number
-/// of threads.
+/// Cost: a solution of PoissonNernstPlanck.h for each update, and UpdatePeriod steps of O(band
+/// nodes) between them. Memory: twice that of the solution (the next one starts from the last), and
+/// 40 bytes for each node for the flow. The result is bitwise the same on any number of threads.
 class MovingChannel
 {
 public:

@@ -28,8 +28,8 @@
 namespace isthmus
 {
 
-/// Memory: 80 bytes a node. Time: about 20 ns for each node and iteration on one thread; parallel
-/// for more than 130,000 nodes, with results that are bitwise the same on any number of threads.
+/// Memory: 80 bytes a node. Time: O(nodes) an iteration; parallel for more than 130,000 nodes, with
+/// results that are bitwise the same on any number of threads.
 class ResistorNetwork
 {
 public:

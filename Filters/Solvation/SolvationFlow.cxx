@@ -81,6 +81,8 @@ FlowField SolvationFlow::StartingField(const ProgressCallback& progress) const
   const std::vector<Ball>& balls = this->Atoms.Balls;
   FlowField field = StartField(balls, flow, 1.0, flow.Enlargement,
     SolventPull(this->Atoms.Dispersion, this->Parameters.Solvent), Between(progress, 0.0, 0.6));
+  // The field pulls harder than the tension resists: only an obstacle keeps the surface from
+  // collapsing into the creases between atoms, so regions without room for the probe are solid.
   if (probe > 0.0)
   {
     std::vector<float> excluded(field.Distance.size());
@@ -107,6 +109,7 @@ void SolvationFlow::Solve(const FlowField& field, const ProgressCallback& progre
   this->Level.InsideIsHigher = false;
   if (this->Solution)
   {
+    // The border's values stay those of the first surface, and the iteration starts from the last.
     this->Solution->Release();
     this->Solution = SolveAgain(this->Level, *this->Solution, progress);
     return;
@@ -169,6 +172,7 @@ bool SolvationFlow::IsStill() const
     return std::abs(total - this->Updates[i - 1].Total()) <=
       this->Parameters.EnergyTolerance * std::abs(total);
   };
+  // Twice in a row, since a single small change may be a turning point.
   return n > 2 && still(n - 1) && still(n - 2);
 }
 

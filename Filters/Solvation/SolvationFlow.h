@@ -20,11 +20,9 @@
  * of the thesis, and the energy of the last surface is computed again with the jump, which adds one
  * row to the updates.
  *
- * **What stops the surface.** The field always pulls towards the charges, many times more strongly
- * than the tension resists. Without further measures, the surface of a protein collapses onto its
- * atoms, even into clefts that water cannot enter. The obstacle is therefore not the atoms but
- * their solvent-excluded volume (ProbeRadius; SolventExcludedSurface.h): there is no solvent where
- * the probe does not fit. With ProbeRadius 0, the obstacle is the atoms.
+ * **Obstacle.** The surface stays outside of the solvent-excluded volume of the atoms (ProbeRadius;
+ * SolventExcludedSurface.h): there is no solvent where the probe does not fit. With ProbeRadius 0,
+ * it stays outside of the atoms.
  */
 #ifndef isthmus_SolvationFlow_h
 #define isthmus_SolvationFlow_h
@@ -71,9 +69,9 @@ struct SolvationUpdate
 
 /// Cost: a Poisson-Boltzmann solution for each of 3 to 20 updates, the first with its border
 /// values, later ones recomputed only where the surface has moved (SolveAgain()); between them
-/// UpdatePeriod steps at 3 ns for each node of the band. Memory: that of the solution (120 bytes
-/// for each node, including the potential and the crossings of the last surface) and of the flow.
-/// The result is bitwise the same on any number of threads.
+/// UpdatePeriod steps of O(band nodes). Memory: that of the solution (120 bytes for each node,
+/// including the potential and the crossings of the last surface) and of the flow. The result is
+/// bitwise the same on any number of threads.
 class SolvationFlow
 {
 public:

@@ -80,6 +80,7 @@ std::size_t NextAxis(const Point3& normal)
 
 /// The coordinate axes in the smallest turn that takes e, axis `next` or its opposite, to the
 /// normal n: a vector x goes to x - (x (e + n)) (e + n) / (1 + e n) + 2 (x e) n.
+// The smallest turn leaves a membrane along a coordinate axis, and its grid, as they are.
 std::array<Point3, 3> AxesAlong(const Point3& normal, std::size_t next)
 {
   const double sign = normal[next] < 0.0 ? -1.0 : 1.0;
@@ -119,6 +120,7 @@ TransportDomain DomainAround(
   }
   d.Radius = wide + parameters.Padding;
   const double h = d.Spacing;
+  // Whole spacings: the baths begin at planes of nodes.
   d.HalfLength = h * std::ceil((far + parameters.Padding) / h - 1e-6);
   const std::size_t next = NextAxis(d.Normal);
   d.Axes = AxesAlong(d.Normal, next);
@@ -221,6 +223,7 @@ void Builder::FillNode(std::int64_t node, double solute)
   const double h = this->Domain.Spacing;
   const auto [along, off] = this->Domain.AxialAndRadial(this->Domain.Place(node));
   const MembraneSlab& m = this->Parameters;
+  // Negative in the slab, except in its hole.
   const double membrane =
     std::max(std::abs(along) - 0.5 * m.MembraneThickness, m.LumenRadius - off);
   const double distance = std::min(solute, membrane - MembraneExcess * h);
@@ -282,6 +285,9 @@ std::array<double, 2> Builder::SlopesAcross(
 
 /// Of the edge from a node to the next, or the mean of lines along it, spread over the face
 /// between.
+// The mean over lines makes no steps of walls along the grid: turning tubes of atoms about their
+// axis changes the current half as much. Next to a wall, the edge alone is better for the potential
+// and the forces fitted to it.
 double Builder::PermittivityOf(std::int64_t node, std::size_t axis) const
 {
   constexpr int lines = 4; // along each side
@@ -421,6 +427,7 @@ void Builder::MergeCutCells()
   }
 }
 
+/// Shared among the eight nodes around, in proportion to the distances: the total is kept.
 void Builder::Charges(const std::vector<ChargedAtom>& charges)
 {
   for (const ChargedAtom& charge : charges)

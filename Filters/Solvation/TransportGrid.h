@@ -15,8 +15,7 @@
  * from the signed distance, which is assumed to be linear there. Thus walls lie between the nodes,
  * and the area of a pore is second order. Cubes whose node is not in the water are merged with
  * neighbours whose node is. The permittivity of an edge is that of its parts in the water and in
- * the atoms in series (smeared over the surface instead, the energy of a Born ion was 14 to 35 %
- * off), or the mean of lines along it over its face: PermittivityMean.
+ * the atoms in series, or the mean of lines along it over its face: PermittivityMean.
  */
 #ifndef isthmus_TransportGrid_h
 #define isthmus_TransportGrid_h
@@ -100,11 +99,9 @@ enum class Bath : unsigned char
   Above = 2
 };
 
-/// The mean over faces makes no steps of walls along the grid: turning tubes of atoms of radius 2.2
-/// to 2.8 angstrom about their axis changes the current by 0.7 % at most instead of 1.4 % (Spacing
-/// 0.5). The potential at nodes next to a wall is better with that of the edge alone, and so is the
-/// force that is fitted to it (WallForce.h): 2 % off instead of 19 % (Spacing 0.8, dielectric
-/// constant 2).
+/// The mean over faces makes no steps of walls along the grid: the current depends less on how the
+/// channel is turned about its axis. The potential at nodes next to a wall, and so the force that
+/// is fitted to it (WallForce.h), is better with that of the edge alone.
 enum class PermittivityMean
 {
   OverFace,

@@ -25,9 +25,9 @@
  * The field array `Rests` of outputs 0 and 1 is 1 if the energy has converged. Otherwise the
  * surface of the last update is returned, with a warning.
  *
- * **ProbeRadius keeps the surface of a protein from collapsing. The field pulls many times more
- * strongly than the tension resists, so without a probe the surface ends on the atoms, in clefts
- * that water cannot enter; a warning says so.
+ * **Obstacle.** ProbeRadius keeps the surface of a protein from collapsing. The field pulls many
+ * times more strongly than the tension resists, so without a probe the surface ends on the atoms,
+ * in clefts that water cannot enter; a warning says so.
  *
  * **Errors** (message, empty outputs): those of the atoms, no charges, a charge outside all atoms,
  * parameters out of range, a grid that does not fit into memory. Cost: 3 to 10 solutions of the

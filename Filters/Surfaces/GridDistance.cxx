@@ -35,6 +35,7 @@ public:
   }
 
 private:
+  // Threads take slabs of layers, and each writes to its own nodes only.
   static constexpr std::int64_t SlabLayers = 4;
 
   Point3 Node(std::int64_t i, std::int64_t j, std::int64_t k) const
@@ -112,6 +113,7 @@ private:
         {
           const Point3 node = this->Node(i, j, k);
           const double height = Dot(normal, node - a); // times |normal|
+          // The distance from the plane is a cheap bound, which spares most of the exact ones.
           if (height * height <= limit)
           {
             double& nearest =
@@ -295,6 +297,7 @@ std::vector<double> DistanceToSurface(
     return ExactDistanceToSurface(mesh, grid, Between(progress, 0.6, 1.0));
   }
   // A node beyond the band takes the nearest of the crossings along x, y and z.
+  // Three fields one after the other, since a crossing lies on a line of one axis.
   std::vector<double> far(squared.size(), Infinity);
   for (const int axis : { 0, 1, 2 })
   {

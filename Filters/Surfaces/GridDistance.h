@@ -33,14 +33,12 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> DistanceToSurface(const Sur
 
 /**
  * The same, but exact at every node up to the rounding of doubles: the smallest of the distances to
- * all triangles, found in a TriangleTree. The search for each node of a block of 8^3 starts with
- * the nearest triangle of the previous node; blocks are used because the part of the tree that they
- * need stays in the caches.
+ * all triangles, found in a TriangleTree.
  *
- * Time: O(triangles log triangles) for the tree, then a few microseconds for each node and thread,
- * and more where a large part of the surface is at the same distance (e.g. at the centre of a
- * sphere). Memory: 8 bytes for each node and 150 for each triangle. Parallel, bitwise the same on
- * any number of threads.
+ * Time: O(triangles log triangles) for the tree, then a search in it for each node, and more where
+ * a large part of the surface is at the same distance (e.g. at the centre of a sphere). Memory: 8
+ * bytes for each node and 150 for each triangle. Parallel, bitwise the same on any number of
+ * threads.
  * @throws Cancelled.
  */
 std::vector<double> ExactDistanceToSurface(

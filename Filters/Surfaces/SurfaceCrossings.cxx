@@ -28,6 +28,9 @@ struct TriangleHit
 };
 
 /// Finds the lines along one axis through triangles, exactly on a lattice finer than the grid.
+/// The decision is integer arithmetic, and each line is moved by an infinitesimal amount, the same
+/// for all triangles: a line through an edge or a corner counts once or not at all, whatever
+/// triangle it is asked of, so there are no duplicates to remove.
 class Projection
 {
 public:

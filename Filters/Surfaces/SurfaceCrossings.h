@@ -6,11 +6,8 @@
  * axis that pass the triangle cross its plane at o with n . (q - v) = 0, q on the line. Source: X.
  * Feng's thesis, 5.2 to 5.9 (index ranges there without the grid's origin).
  *
- * Each line is moved by an infinitesimal amount, the same for all triangles, and for the decision
- * whether a line passes through a triangle, corners are rounded to a lattice of 2^-20 spacings or
- * slightly more. That decision is then exact integer arithmetic: a line through an edge or a corner
- * is counted consistently, once or not at all, so every line crosses a closed surface an even
- * number of times, and there are no duplicates to remove.
+ * For the decision whether a line passes through a triangle, corners are rounded to a lattice of
+ * 2^-20 spacings or slightly more. Every line crosses a closed surface an even number of times.
  */
 #ifndef isthmus_SurfaceCrossings_h
 #define isthmus_SurfaceCrossings_h

@@ -77,6 +77,7 @@ public:
     this->Place = size < farthest ? this->Place : std::array<float, 3>{ 0.0F, 0.0F, 0.0F };
   }
 
+  /// A leaf that is probably near comes first, so that most cylinders are beyond its distance.
   Nearest Run(std::int64_t guess)
   {
     if (guess >= 0)
@@ -126,6 +127,9 @@ private:
   /// more than all the rest.
   void OpenNode(const Node& node)
   {
+    // Cylinders: where the surface is smooth they are flat discs, and far from it few are as near
+    // as the nearest triangle. Boxes extend away from the surface: inside a sphere, a hundred times
+    // as many of them have to be opened.
     alignas(64) TriangleTreeNodes::FloatLanes squared;
     for (std::size_t n = 0; n < Width; ++n)
     {

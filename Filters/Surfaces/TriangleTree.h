@@ -25,12 +25,10 @@ double SquaredDistanceToTriangle(const Point3& x, const std::array<Point3, 3>& c
 
 /**
  * A tree of cylinders over the triangles, which are halved three times at each level, at the median
- * of their centres along the longest side. A cylinder's axis is the mean normal of its triangles:
- * where the surface is smooth, it is a flat disc, and far from the surface few discs are as near as
- * the nearest triangle. (Axis-aligned boxes extend away from the surface; inside a sphere a hundred
- * times as many had to be opened.) Eight children, or eight triangles of a leaf, are measured at
- * the same time by vector instructions, as in trees for ray tracing (H. Dammertz et al., Shallow
- * bounding volume hierarchies for fast SIMD ray tracing of incoherent rays, 2008).
+ * of their centres along the longest side. A cylinder's axis is the mean normal of its triangles.
+ * Eight children, or eight triangles of a leaf, are measured at the same time by vector
+ * instructions, as in trees for ray tracing (H. Dammertz et al., Shallow bounding volume
+ * hierarchies for fast SIMD ray tracing of incoherent rays, 2008).
  *
  * Owns a copy of the corners. Building: O(n log n); memory: about 80 bytes for each triangle.
  * Queries may run in parallel. Results are bitwise the same for any guess, but may differ in the

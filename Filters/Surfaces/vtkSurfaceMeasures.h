@@ -11,17 +11,17 @@
  * `Points`, `Edges` and `Triangles` too. Triangles that share a point are one component. `Volume`
  * is positive where triangles are counter-clockwise seen from outside, and the volume of cavities
  * is subtracted. Cracks between facets, flipped patches, and cavities that face the same way as the
- * shell around them are corrected first, with a warning (SurfaceMending.h). `Volume is NaN, with a
+ * shell around them are corrected first, with a warning (SurfaceMending.h). `Volume` is NaN, with a
  * warning, if the surface does not enclose a volume (OpenEdges are edges with more triangles on one
  * side than on the other), or if closed components cross each other; in this case the warning gives
  * the place (ShellCrossings.h), and the volumes of the components are those of each component
- * alone. `Genus is the number of handles, with the BoundaryLoops closed. It is -1, with a warning,
+ * alone. `Genus` is the number of handles, with the BoundaryLoops closed. It is -1, with a warning,
  * if the surface has IrregularPoints, i.e. points around which the triangles form neither a disc
  * nor a half disc.
  *
- * **Image: four measures of the isosurface at Level of its scalars: the sharp Area and Volume, and
- * SmearedArea and SmearedVolume of the scalars scaled to 0 outside and 1 inside. Float and double
- * are used as they are, other types as a copy in double.
+ * **Image**: four measures of the isosurface at Level of its scalars: the sharp Area and Volume,
+ * and SmearedArea and SmearedVolume of the scalars scaled to 0 outside and 1 inside. Float and
+ * double are used as they are, other types as a copy in double.
  *
  * Formulas and sources: SurfaceMeasures.h, CartesianMeasures.h.
  *

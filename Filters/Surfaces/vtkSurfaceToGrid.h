@@ -29,9 +29,9 @@
  * not finite, damaged cells, negative Spacing, grids of a single layer, no point scalars. An empty
  * surface or image is not an error.
  *
- * **Cost.** A million triangles on 256^3 nodes take a few seconds on two cores. Memory: 26 bytes
- * for each node (1 without distances). On several MPI ranks, each uses only its piece of the
- * surface: gather it first (in ParaView: Aggregate Dataset).
+ * **Cost.** O(triangles x nodes of their boxes grown by the band + nodes). Memory: 26 bytes for
+ * each node (1 without distances). On several MPI ranks, each uses only its piece of the surface:
+ * gather it first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceToGrid_h
 #define vtkSurfaceToGrid_h
@@ -113,8 +113,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether distances are exact outside the band, too, which takes a few microseconds for each
-  /// node.
+  /// Whether distances are exact outside the band, too, by a search in a tree for each node.
   vtkSetMacro(ExactEverywhere, bool);
   vtkGetMacro(ExactEverywhere, bool);
   vtkBooleanMacro(ExactEverywhere, bool);

@@ -31,7 +31,7 @@ struct SolidStuffingParameters
  * position of the new surface between the points of the lattice, so that it is the old surface
  * where that is closed, and spans the holes.
  *
- * Cost: a few microseconds for each of the two points of a cell, in parallel.
+ * Cost: two winding numbers for each cell, by a tree, in parallel.
  * @pre corners exist and are finite.
  * @throws std::invalid_argument if nothing is enclosed; otherwise as IsosurfaceStuffing.
  */

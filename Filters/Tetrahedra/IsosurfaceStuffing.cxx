@@ -47,9 +47,10 @@ Point3 PositionOf(const StuffingWarp& warp, const StuffingCorner& corner);
 
 /**
  * Measures every tetrahedron near the surface, on both sides. Where one would have an angle out of
- * bounds, or all four corners on the surface (the surface turns within a cell), the corner that is
- * moved farthest stays where it was, until none is left. This ends, since tetrahedra none of
- * whose corners are moved are well within the bounds.
+ * bounds, or all four corners on the surface (the surface turns within a cell; the paper leaves
+ * such tetrahedra out, which would be gaps between the two sides), the corner that is moved
+ * farthest stays where it was, until none is left. This ends, since tetrahedra none of whose
+ * corners are moved are well within the bounds.
  */
 void KeepAngles(
   const StuffingLattice& lattice, StuffingWarp& warp, const ProgressCallback& progress);

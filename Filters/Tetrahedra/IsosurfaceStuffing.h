@@ -9,9 +9,7 @@
  * tetrahedron of either side: each one near the surface is measured, and a point is not moved if
  * that would violate the bounds, which happens where the surface turns within a cell.
  *
- * Both sides are cut alike and share the points and triangles of the surface. (The paper leaves out
- * tetrahedra all of whose corners were moved; here one corner stays, so that the two sides fill the
- * box without a gap.)
+ * Both sides are cut alike, share the points and triangles of the surface, and fill the box.
  */
 #ifndef isthmus_IsosurfaceStuffing_h
 #define isthmus_IsosurfaceStuffing_h

@@ -31,6 +31,7 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
   for (std::size_t a = 0; a < 3; ++a)
   {
     const double length = bounds.Max[a] - bounds.Min[a] + 2.0 * pad;
+    // A multiple of the largest octants, so that none leaves the box.
     const double cells = unit * std::ceil(length / this->Size / unit * (1.0 - 1e-12));
     if (!(cells <= mostCells))
     {
@@ -266,6 +267,7 @@ void StuffingLattice::Grade(int levels)
   }
   for (int level = 1; level <= levels; ++level)
   {
+    // Neighbours differ by one level at most: the tetrahedra between others have no bounds.
     blocks = Balanced(Parents(blocks));
     const std::int64_t size = std::int64_t{ 1 } << level;
     ForEachBlock(this->Count,
@@ -508,6 +510,8 @@ Point3 StuffingWarp::Crossing(const LatticePoint& a, const LatticePoint& b) cons
   const bool swap = b < a;
   const LatticePoint& low = swap ? b : a;
   const LatticePoint& high = swap ? a : b;
+  // Crossings nearer to an end would have moved that point, had the angles allowed it: they are
+  // shifted to alpha, where the bounds hold.
   const double t = std::min(1.0 - alpha,
     std::max(alpha, this->FractionFrom(this->Lattice.Node(low), this->Lattice.Node(high))));
   const Point3 from = this->Lattice.Position(low);

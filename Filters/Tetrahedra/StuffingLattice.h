@@ -31,9 +31,8 @@ struct StuffingParameters
 };
 
 /// A lattice point is moved onto the surface if it is nearer than this fraction of an edge of the
-/// lattice. Of all pairs of fractions that were tried, this one has the largest minimum angle over
-/// all positions of the surface (random ones and the extremes of each case): 10.3 degrees; see
-/// TestIsosurfaceStuffing.
+/// lattice. Of the pairs of fractions that were compared, this one has the largest minimum angle
+/// over all positions of the surface, random ones and extremes (TestIsosurfaceStuffing).
 constexpr double StuffingAlphaLong = 0.28;
 constexpr double StuffingAlphaShort = 0.392;
 

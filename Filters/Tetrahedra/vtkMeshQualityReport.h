@@ -17,9 +17,8 @@
  * On several MPI ranks the line and the table describe the cells of all ranks; ghost cells are
  * measured but not counted.
  *
- * vtkMeshQuality gives one measure at a time and no dihedral range; what it has agrees (tested).
- * For other cells, there is one error through vtkErrorMacro and the outputs are empty. O(n), in
- * parallel.
+ * vtkMeshQuality gives one measure at a time and no dihedral range. For other cells, there is one
+ * error through vtkErrorMacro and the outputs are empty. O(n), in parallel.
  */
 #ifndef vtkMeshQualityReport_h
 #define vtkMeshQualityReport_h

@@ -22,6 +22,7 @@ constexpr std::size_t longestBlock = std::size_t{ 1 } << 22;
 
 /// For each value of the last byte but one: the distances in bits from the end of the last byte at
 /// which a magic may end.
+/// Only where such a byte occurs are the 48 bits compared, at each bit.
 std::array<unsigned char, 256> PossibleEnds()
 {
   std::array<unsigned char, 256> ends{};
@@ -270,6 +271,8 @@ CodecState ParallelBzip2::Step(
 }
 
 /// Cuts the input until there are as many blocks as are unpacked at once.
+/// The first block comes alone, then two together, and so on: reading a header takes the time of
+/// one block.
 void ParallelBzip2::Gather(unsigned char*& in, std::size_t& inSize)
 {
   using Found = Bzip2BlockFinder::Found;

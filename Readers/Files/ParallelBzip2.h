@@ -11,8 +11,7 @@
  *
  * Memory: 13 MB for each thread, i.e. twice the 3.7 MB of libbz2, the compressed bytes of a block
  * and the first MiB of its content. The rest of a block (runs of one value, at most 46 MB) is
- * decompressed when it is returned. The first block is processed alone, the next two together, and
- * so on, so that reading a header takes the time of only one block.
+ * decompressed when it is returned.
  */
 #ifndef isthmus_ParallelBzip2_h
 #define isthmus_ParallelBzip2_h
@@ -42,12 +41,10 @@ struct Bzip2Block
  *
  * A member is "BZh" and a digit, blocks, and an end; a block begins with 0x314159265359 and the
  * checksum of its content, the end is 0x177245385090 and the checksum of all blocks', padded to a
- * byte. Blocks may begin at any bit, so these 48 bits are searched for at every bit, using a table
- * of the bytes that can occur within them. They may also occur in the data of a block (with a
- * probability of 1 in 2.8e14 for each bit). Such a piece cannot be decompressed, so libbz2 must
- * validate the pieces.
+ * byte. Blocks may begin at any bit. These 48 bits may also occur in the data of a block (with a
+ * probability of 1 in 2.8e14 for each bit): libbz2 must validate the pieces.
  *
- * Time: about 2 ns for each byte. Memory: one block, 4 MB at most.
+ * Time: O(bytes). Memory: one block, 4 MB at most.
  */
 class Bzip2BlockFinder
 {

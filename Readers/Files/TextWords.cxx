@@ -36,6 +36,7 @@ const char* BehindPlus(const char* begin, const char* end)
 
 TextWords::TextWords(ByteSource& source)
   : Source(source)
+  // Room for a word before, the current one and the next, which IsDecimalComma() looks at.
   , Buffer(3 * longestWord + std::min<std::uint64_t>(bufferBytes, source.MostBytes()))
 {
   this->Next = this->End = this->Buffer.data();
@@ -87,6 +88,7 @@ bool TextWords::IsDecimalComma()
   {
   }
   last = std::find_if(last, end, IsBlank);
+  // Three numbers or more with commas alone between them are a list: 0 1,2,3.
   const bool isListBefore = first - begin > 1 && first[-1] == ',' && !IsBlank(first[-2]);
   const bool isListAfter = end - last > 1 && *last == ',' && !IsBlank(last[1]);
   if (isListBefore || isListAfter)
@@ -251,6 +253,8 @@ void TextWords::Numbers(T* values, std::int64_t count)
     {
       this->Refill();
     }
+    // from_chars, since strtod follows the locale; what is unusual goes the slow way, which
+    // explains it.
     const auto result = std::from_chars(BehindPlus(this->Next, this->End), this->End, values[i]);
     if (result.ec == std::errc() && (result.ptr == this->End || IsBlank(*result.ptr)))
     {

@@ -35,7 +35,7 @@ public:
   /// The next word, empty at the end of the file; it is valid until the next call of any kind.
   std::string_view Word();
 
-  /// The next word as a number. `The error message if it is not a number calls it `what`.
+  /// The next word as a number. The error message if it is not a number calls it `what`.
   std::int64_t Whole(const char* what);
   double Number(const char* what);
 

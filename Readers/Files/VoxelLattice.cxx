@@ -247,6 +247,7 @@ VoxelLattice GridAround(const VoxelLattice& lattice)
   }
   const double had = static_cast<double>(lattice.Dimensions[0]) *
     static_cast<double>(lattice.Dimensions[1]) * static_cast<double>(lattice.Dimensions[2]);
+  // The box around a needle-like cell may have any number of nodes.
   if (!(nodes <= 64.0 * had + 4096.0))
   {
     throw ReaderError(ReaderFailure::BadRequest,

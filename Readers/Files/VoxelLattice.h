@@ -64,8 +64,8 @@ NodeBox NodesNeeded(const VoxelLattice& lattice, const VoxelLattice& grid, const
  * `components` each. T is signed char, unsigned char, short, unsigned short, float or double;
  * integers are rounded to the nearest. Outside the lattice, the values and the flags in `inside`
  * are 0; elsewhere the flags are 1. Along an axis with a single node, the inside extends half a
- * step. The value at a node depends only on the node, not on `region` or the threads. Time: about
- * 10 ns for each node and thread. Allocates nothing.
+ * step. The value at a node depends only on the node, not on `region` or the threads. O(nodes).
+ * Allocates nothing.
  */
 template <typename T>
 void ResampleValues(int components, const VoxelLattice& lattice, const T* nodes,

@@ -19,7 +19,7 @@
  * x_world = SKWMAT^-1 x_map + SKWTRN, as the direction matrix and origin of the image. The image's
  * extent starts at 0.
  *
- * **Cells that are not orthogonal (with an angle that differs from 90 degrees by more than 0.01)
+ * **Cells that are not orthogonal** (with an angle that differs from 90 degrees by more than 0.01)
  * cannot be represented by a vtkImageData directly. NonOrthogonalCell chooses: resampling (the
  * default), which adds the point array `InsideMap` (1 where the map has values, otherwise 0), or
  * the nodes as stored with right angles, which distorts shapes. A warning and the field data Notes

@@ -10,7 +10,7 @@
  *
  * If there are no nodes or no such array, the array has several components or too few values, or
  * the file cannot be written completely, there is one error through vtkErrorMacro, the error code
- * is set, and no file is left. Time: about 0.1 us for each number; memory: 1 MiB.
+ * is set, and no file is left. Time: O(numbers); memory: 1 MiB.
  */
 #ifndef vtkVolumeTextWriter_h
 #define vtkVolumeTextWriter_h

@@ -7,8 +7,8 @@
  * tables:
  *
  * - PDBx/mmCIF: coordinates and the name of the atom are enough. Columns that are missing are
- * added, with values of the matching auth_ or label_ column if there is one, otherwise as unknown;
- * elements are inferred from the names (ChemicalElement.h).
+ *   added, with values of the matching auth_ or label_ column if there is one, otherwise as
+ *   unknown; elements are inferred from the names (ChemicalElement.h).
  * - core CIF of small molecules (`_atom_site_label`, `_atom_site_fract_x`; COD, CSD, ICSD):
  *   fractional coordinates are converted with the cell. Symmetry is not applied. U_iso is converted
  *   to B, and disorder groups become alternate locations.

@@ -27,6 +27,7 @@ struct Candidate
   bool Hydrogen;
 };
 
+/// Two hydrogens, and atoms at different alternate locations, come near without a bond.
 bool Bonded(const Candidate& a, const Candidate& b)
 {
   if ((a.Hydrogen && b.Hydrogen) || (a.AltLoc != ' ' && b.AltLoc != ' ' && a.AltLoc != b.AltLoc))
@@ -83,6 +84,7 @@ std::vector<Candidate> SortedCandidates(const Macromolecule& molecule)
   return candidates;
 }
 
+/// In another unit of length all atoms would be bonded to each other, in quadratic time.
 bool TooCrowded(const std::vector<Candidate>& sorted)
 {
   for (std::size_t i = MostInACell; i < sorted.size(); ++i)

@@ -6,9 +6,8 @@
  *   AutoDock in 78-79, from which the element comes. MODEL begins a pose. ROOT, BRANCH and TORSDOF
  *   are skipped. Pseudo atoms (G0, W) have no element.
  * - GRO (GROMACS): a title, the number of atoms, a line of columns for each, the box; again for
- * each frame. Lengths are converted from nm in the file to angstrom; velocities are skipped. The
- * number of
- *   decimals follows from the first line. Elements come from names.
+ *   each frame. Lengths are converted from nm in the file to angstrom; velocities are skipped. The
+ *   number of decimals follows from the first line. Elements come from names.
  * - MOL2 (Tripos): MOLECULE, ATOM and BOND sections; elements from the types, charges unless the
  *   molecule says NO_CHARGES. Each molecule is a model.
  * - SDF and MOL (MDL): V2000 and V3000, formal charges. Each molecule ($$$$) is a model.

@@ -135,6 +135,7 @@ std::string OtherContent(std::string_view text, MoleculeFormat format)
   const std::string_view begin = text.substr(0, 1000);
   const auto has = [begin](std::string_view word) { return begin.find(word) != begin.npos; };
   const auto first = static_cast<unsigned char>(text.empty() ? ' ' : text[0]);
+  // The first byte of a map in MessagePack, as which MMTF and BinaryCIF are written.
   const bool isMessagePack = (first >= 0x80 && first <= 0x8f) || first == 0xde || first == 0xdf;
   if (isMessagePack && has("mmtf"))
   {
@@ -176,6 +177,7 @@ std::string OtherContent(std::string_view text, MoleculeFormat format)
   return {};
 }
 
+/// For names without a known extension. mmCIF first, since its text may contain PDB's words.
 MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
 {
   if (text.substr(0, 5) == "data_" || text.find("\ndata_") != std::string_view::npos)
@@ -517,6 +519,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   }
   const bool isByRecord = format == MoleculeFormat::PDB || format == MoleculeFormat::PQR;
   Separators found;
+  // Without reading atoms, since ParaView asks for time steps whenever a file is opened.
   if (isByRecord && source->RandomAccess())
   {
     found = FindSeparators(*source);

@@ -9,6 +9,7 @@
  *  - columns as in PDB files, where numbers may run together: name 13-16, residue 17-21, chain 22,
  *    number 23-26, insertion code 27, x 31-38, y 39-46, z 47-54, then charge and radius as two
  *    words or in columns 55-62 and 63-70.
+ *
  * Lines that begin with HETATM are hetero atoms; MODEL, ENDMDL and END separate models or parts as
  * in PDB files (PDBLines.h); other lines are ignored.
  */

@@ -11,7 +11,7 @@
  * - `Radius` (double): van der Waals radius in angstrom, the file's (PQR) or that of RadiusTable;
  *   NaN: none
  * - `Charge` (double): in e, the file's (PQR, PDBQT, MOL2), or its formal charge (PDB, mmCIF) where
- * not 0; NaN: none
+ *   not 0; NaN: none
  * - `Element` (unsigned short): atomic number, 0: unknown or none (beads, ghost and dummy atoms);
  *   its symbol is in `ElementSymbols` of the field data
  * - `AtomName`, `ResidueName`, `Chain` (string): the authors' names (auth_ of mmCIF); empty: none
@@ -50,9 +50,9 @@
  * CONECT). If no line end follows the last number of a PQR, XYZ or mmCIF file, or of a MOL2 file
  * without bonds, digits of it may be missing: such a file cannot be distinguished from a whole one.
  *
- * **Cost.** Reading a million atoms from PQR takes about 1.5 s on two cores, including all bonds,
- * and 0.8 GB. Progress and abort work while reading, except that gemmi parses mmCIF in one call. On
- * several MPI ranks, the first one has the whole molecule.
+ * **Cost.** O(bytes + n log n) for n atoms, including all bonds; about 800 bytes for each atom.
+ * Progress and abort work while reading, except that gemmi parses mmCIF in one call. On several MPI
+ * ranks, the first one has the whole molecule.
  */
 #ifndef vtkMacromoleculeReader_h
 #define vtkMacromoleculeReader_h

@@ -50,8 +50,7 @@ public:
 
   /**
    * Reads the values of the nodes of `box` into `out`, with x varying fastest; T is float or
-   * double. Time: one pass over the text, 30 ns for each number. Memory: a few grid planes of
-   * constant x.
+   * double. Time: one pass over the text. Memory: a few grid planes of constant x.
    */
   template <typename T>
   void Read(const NodeBox& box, T* out, const ProgressCallback& progress);

@@ -26,7 +26,7 @@ struct OpenDXLabels
  * gzip-compressed if the path ends in .gz. Each number, including those of the grid, is written
  * with the fewest digits that are read back bit for bit.
  *
- * Time: about 0.1 us for each number, 1 us with gzip. Memory: 1 MiB.
+ * Time: O(numbers). Memory: 1 MiB.
  * @throws std::runtime_error if the file cannot be written completely, and Cancelled; in both cases
  * no file is left.
  */

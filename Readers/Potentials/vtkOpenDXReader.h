@@ -12,9 +12,8 @@
  * or int; rank 0, or rank 1 with a shape, which becomes components; text, or raw bytes after
  * `binary`, `ieee`, `lsb` or `msb`) and field, attributes and comments. In the file, z varies
  * fastest; values are reordered to VTK's order, in which x varies fastest. Float values stay float,
- * all others become double. **The following are refused with an error: values in another file,
- * irregular positions, matrices, inconsistent counts, words instead of numbers, and too few or too
- * many values.
+ * all others become double. **Refused** with an error: values in another file, irregular positions,
+ * matrices, inconsistent counts, words instead of numbers, and too few or too many values.
  *
  * **Deltas.** Along x, y, z: spacing and origin. Orthogonal but rotated or reversed: also the
  * direction matrix of the image. Skewed (differing from 90 degrees by more than 0.01): trilinear
@@ -22,17 +21,16 @@
  * spacings. Nodes outside have the value NaN, and 0 in the point array InsideMap; a warning reports
  * this.
  *
- * **Field data: Comments (texts), FieldName, and Notes (the texts of the warnings), if there are
+ * **Field data:** Comments (texts), FieldName, and Notes (the texts of the warnings), if there are
  * any. Values that are not finite are kept and counted in a warning.
  *
- * **If a file is missing, empty, truncated, damaged or of another kind, there is an error with file
- * and line, the output is empty, and an error code of vtkErrorCode is set. If a file ends with its
- * values and no line end follows, digits of the last one may be missing: such a file cannot be
- * distinguished from a whole one.
+ * **Errors** (one message with file and line, an error code of vtkErrorCode, empty output): a file
+ * that is missing, empty, truncated, damaged or of another kind. If a file ends with its values and
+ * no line end follows, digits of the last one may be missing: such a file cannot be distinguished
+ * from a whole one.
  *
- * **Cost.** Time: one pass over the text, about 30 ns for each number on one thread. Memory: the
- * output, plus 32 MiB or one grid plane of constant x. Each MPI rank reads the whole text and keeps
- * its piece.
+ * **Cost.** Time: one pass over the text, on one thread. Memory: the output, plus 32 MiB or one
+ * grid plane of constant x. Each MPI rank reads the whole text and keeps its piece.
  */
 #ifndef vtkOpenDXReader_h
 #define vtkOpenDXReader_h
