@@ -30,7 +30,7 @@
 namespace
 {
 
-/// What follows from changes waits (ms) until the button that makes them has ended.
+/// Delay (ms) of reactions to changes, until the button that makes them has finished.
 int Moment()
 {
   return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
@@ -80,7 +80,8 @@ void IsthmusFirstLook::Stop()
   this->Waiting.clear();
 }
 
-// Once ParaView's own windows have taken the selection over: what they show would not be there yet.
+// After ParaView's own windows have processed the selection; before, their contents are not yet
+// there.
 void IsthmusFirstLook::FollowSelection(pqOutputPort* port)
 {
   const unsigned int id = port ? port->getSource()->getProxy()->GetGlobalID() : 0;
@@ -93,7 +94,7 @@ void IsthmusFirstLook::CollectNotes(pqPipelineSource* source)
 {
   constexpr qint64 ofButton = 15000; // ms
   auto* proxy = vtkSMSourceProxy::SafeDownCast(source->getProxy());
-  // What Atom Selection leaves out is what its panel says.
+  // The panel of Atom Selection already shows what it drops.
   if ((this->SinceButton.isValid() && this->SinceButton.elapsed() < ofButton) ||
     (proxy && QString(proxy->GetXMLName()) == "AtomSelection"))
   {
@@ -143,7 +144,7 @@ void IsthmusFirstLook::ShowNotesSoon(const QStringList& notes)
         auto* label = window->findChild<QLabel*>("IsthmusNote");
         if (!label)
         {
-          label = new QLabel(window->statusBar()); // a message would go with the next tip
+          label = new QLabel(window->statusBar()); // the next tool tip would erase a message
           label->setObjectName("IsthmusNote");
           label->setMaximumWidth(width);
           window->statusBar()->insertWidget(0, label);
@@ -168,7 +169,7 @@ void IsthmusFirstLook::Follow(pqRepresentation* added)
     [this, representation] { this->Waiting.remove(representation); });
 }
 
-// ParaView itself is still choosing colours when it tells of them.
+// ParaView is still choosing colours when it emits this signal.
 void IsthmusFirstLook::LookSoon(pqDataRepresentation* representation)
 {
   if (this->Waiting.isEmpty())
@@ -178,7 +179,7 @@ void IsthmusFirstLook::LookSoon(pqDataRepresentation* representation)
   this->Waiting.insert(representation);
 }
 
-// The menu has to be done with it first, and a script, which may give it values of its own.
+// The menu, or a script that sets its own values, must finish first.
 void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
 {
   QTimer::singleShot(0, source,

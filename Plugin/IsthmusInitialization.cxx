@@ -127,7 +127,7 @@ void ObserveSession(vtkSession* session)
   }
 }
 
-/// Observes the sessions that there are, and those to come.
+/// Observes the existing and all future sessions.
 void ObserveSessions()
 {
   vtkProcessModule* const process = vtkProcessModule::GetProcessModule();

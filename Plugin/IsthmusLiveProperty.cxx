@@ -91,7 +91,7 @@ void IsthmusLiveProperty::Finished()
     return; // nothing has changed, or it waits for the first Apply
   }
   this->Timer->stop();
-  // After ParaView has taken the value over.
+  // After ParaView has processed the value.
   QTimer::singleShot(0, this,
     [this]
     {

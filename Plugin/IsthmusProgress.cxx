@@ -55,7 +55,7 @@ bool IsInput(QEvent::Type type)
 
 IsthmusProgress& IsthmusProgress::Instance()
 {
-  // As long as the application, which it uses when it ends.
+  // Lives as long as the application, which it uses in the destructor.
   static IsthmusProgress* const instance = new IsthmusProgress;
   return *instance;
 }
@@ -114,7 +114,7 @@ void IsthmusProgress::ShowBar()
     auto* cancel = new QToolButton(bar);
     cancel->setObjectName("IsthmusCancel");
     cancel->setText(tr("Cancel"));
-    cancel->setToolTip(tr("Ends the button's work and removes what it has made (Escape)"));
+    cancel->setToolTip(tr("Cancels the operation and removes what it has created (Escape)"));
     QObject::connect(cancel, &QToolButton::clicked, this, [this] { this->IsCancelled = true; });
     this->Text = new QLabel(bar);
     row->addWidget(cancel); // first, so that it stays in its place
@@ -174,7 +174,7 @@ void IsthmusProgress::Progress(vtkObject* object, unsigned long, void*)
   }
 }
 
-// Without timers, which would act on filters that are half made.
+// Without timers, which would act on filters that are not yet complete.
 void IsthmusProgress::ReadEvents()
 {
   if (this->ReadsEvents)

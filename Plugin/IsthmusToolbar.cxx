@@ -37,7 +37,7 @@ QList<pqPipelineSource*> Sources()
   return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
 }
 
-/// As if the user had pressed Apply: what the panel shows is what a pipeline starts from.
+/// Like pressing Apply: a pipeline starts from the values shown in the panel.
 void ApplyWhatWaits()
 {
   auto* panel = pqCoreUtilities::mainWidget()->findChild<pqPropertiesPanel*>();
@@ -47,8 +47,8 @@ void ApplyWhatWaits()
   }
 }
 
-/// Runs a pipeline on what the panel shows; what it made is up to date, so that Apply has nothing
-/// to do. Steps before it can no longer be undone, since it stands on them.
+/// Runs a pipeline on the values shown in the panel; its results are up to date, so Apply has
+/// nothing to do. Earlier steps can no longer be undone, since it depends on them.
 void Run(const QString& call, const QString& title)
 {
   IsthmusProgress& progress = IsthmusProgress::Instance();
@@ -92,8 +92,8 @@ void MoveToLastRow(QMainWindow* window)
   bar->show();
 }
 
-/// A submenu: buttons of the toolbar, then filters, which the menu Filters > Isthmus has by the
-/// alphabet.
+/// A submenu: buttons of the toolbar, then filters, which the menu Filters > Isthmus lists
+/// alphabetically.
 struct Task
 {
   const char* Title;

@@ -1,7 +1,6 @@
 /**
  * @file RunPython.h
- * @brief From the window's signals to isthmus_plugin.pipelines, the one place that knows what to
- * do.
+ * @brief From the window's signals to isthmus_pipelines, the only place that defines the actions.
  */
 #ifndef isthmus_RunPython_h
 #define isthmus_RunPython_h

@@ -46,11 +46,11 @@ if command -v codespell >/dev/null; then
 else
   echo "codespell is not installed: spelling not checked." >&2
 fi
-# Phrases for which the field has a plainer term: in pages, panels, comments of headers, messages of sources.
+# Phrases for which the field has a plainer term: in pages, panels, comments, messages.
 phrases=$(sed '/^#/d; s/\t.*//' Testing/phrases.tsv | paste -sd'|')
 {
   git grep -niP "(?<!\w)(?:$phrases)(?!\w)" -- '*.md' 'Plugin/*.xml' ':!CHANGELOG.md'
-  git grep -niP "(//|/\*|^ *\*).*(?<!\w)(?:$phrases)(?!\w)" -- 'Filters/*.h' 'Readers/*.h' 'Plugin/*.h'
+  git grep -niP "(//|/\*|^ *\*).*(?<!\w)(?:$phrases)(?!\w)" -- 'Filters/*.h' 'Readers/*.h' 'Plugin/*.h' 'Filters/*.cxx' 'Readers/*.cxx' 'Plugin/*.cxx'
   git grep -niP "\"[^\"]*(?<!\w)(?:$phrases)(?!\w)[^\"]*\"" -- 'Filters/*.cxx' 'Readers/*.cxx' 'Plugin/*.cxx'
 } | complain "Phrases to avoid (Testing/phrases.tsv says what to write)"
 

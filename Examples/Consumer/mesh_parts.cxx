@@ -66,7 +66,7 @@ std::size_t LargestStar(const Map& map)
   return largest;
 }
 
-/// The first half of the cells cut off and glued on again, vertex by vertex.
+/// Cuts off the first half of the cells and glues it on again, vertex by vertex.
 Map CutAndGlued(const Map& map)
 {
   std::vector<unsigned char> first(map.NumberOfCells(), 0);

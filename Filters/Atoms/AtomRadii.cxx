@@ -125,7 +125,8 @@ double DefaultRadius(int element)
 AtomRadii ReadRadii(vtkDataSetAttributes* data, vtkIdType count, const std::vector<int>& elements,
   const std::string& name, RadiusFallback fallback)
 {
-  const std::string chosen = name.empty() ? DefaultArray : name; // a panel without data sends none
+  const std::string chosen =
+    name.empty() ? DefaultArray : name; // a panel without data sends an empty name
   AtomRadii radii;
   radii.Values.assign(static_cast<std::size_t>(count), 0.0);
   if (vtkDataArray* array = data->GetArray(chosen.c_str()))

@@ -94,14 +94,14 @@ void CheckBall(const Ball& ball, std::size_t atom, double maximum)
   }
 }
 
-/// Is it a mesh, whose points are no atoms?
+/// Whether it is a mesh, whose points are not atoms.
 bool HasPolygons(vtkDataObject* input)
 {
   auto* mesh = vtkPolyData::SafeDownCast(input);
   return mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
 }
 
-/// The atoms that count, by the names of their residues.
+/// The atoms to use, by the names of their residues.
 PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeAtoms& atoms)
 {
   PolymerChoice choice;
@@ -163,8 +163,8 @@ std::vector<std::size_t> CopiesAmong(
   return copies;
 }
 
-/// Finds the copies, says so, and unless they stay, removes them from `kept`. A surface is no
-/// molecule, and has such points.
+/// Finds and reports the copies, and removes them from `kept` unless they are to stay. A surface is
+/// not a molecule, and may have such points.
 void RemoveCopies(vtkDataObject* input, const AtomRadii& radii, const AtomOptions& options,
   std::vector<std::size_t>& kept, MoleculeAtoms& atoms)
 {

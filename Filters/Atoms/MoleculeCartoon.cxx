@@ -89,7 +89,7 @@ public:
     const double power = 2.0 / section.Exponent;
     for (std::int64_t k = 0; k < this->Sides; ++k)
     {
-      // Half a step on, so that a strand's flat faces have an edge on each side.
+      // Shifted by half a step, so that a strand's flat faces have an edge on each side.
       const double angle =
         2.0 * Pi * (static_cast<double>(k) + 0.5) / static_cast<double>(this->Sides);
       const double c = std::cos(angle);

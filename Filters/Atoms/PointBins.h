@@ -19,8 +19,8 @@ namespace isthmus
 {
 
 /**
- * Points sorted by the bin they are in (32 bytes a point). Where their box has few bins for their
- * number, a table says where each bin begins; else only bins with points take memory (24 bytes a
+ * Points sorted by the bin they are in (32 bytes per point). Where their box has few bins for their
+ * number, a table says where each bin begins; else only bins with points take memory (24 bytes per
  * point more), so that stray points far away do no harm. O(n log n). Points at coordinates over
  * size beyond 2^53, or not finite, are near none within that.
  */
@@ -92,7 +92,7 @@ public:
       low[axis] = std::max(low[axis], this->Low[axis]);
       high[axis] = std::min(high[axis], this->High[axis]);
     }
-    // Without a table, to find a row takes as long as to look at a hundred points.
+    // Without a table, finding a row takes as long as visiting a hundred points.
     const double rows =
       (static_cast<double>(high[0] - low[0]) + 1.0) * (static_cast<double>(high[1] - low[1]) + 1.0);
     if (this->Begins.empty() && 100.0 * rows > static_cast<double>(this->Entries.size()))

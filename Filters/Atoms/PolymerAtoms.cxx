@@ -110,7 +110,7 @@ bool Fit(int a, int b)
   return (a == 1 && b == 2) || (a == 2 && b == 1) || (a == 3 && b == 4) || (a == 4 && b == 3);
 }
 
-/// Lets what is linked to a residue of a chain be one, too.
+/// Marks residues linked to a residue of a chain as part of it.
 void SpreadAlongChains(const std::vector<NamedAtom>& atoms, const std::vector<std::size_t>& of,
   std::vector<Residue>& residues)
 {
@@ -234,7 +234,7 @@ private:
   std::map<std::pair<Key, std::string>, std::set<std::string>> OfAtom;
 };
 
-/// What was left out, counted.
+/// Counts of the dropped atoms.
 class LeftOut
 {
 public:

@@ -149,7 +149,7 @@ private:
     {
       return LeastEnergy;
     }
-    // DSSP rounds, so that a bond of -0.5004 is none.
+    // DSSP rounds, so that an energy of -0.5004 is not a bond.
     return std::round(1000.0 * Coupling * (1.0 / on + 1.0 / ch - 1.0 / oh - 1.0 / cn)) / 1000.0;
   }
 
@@ -291,8 +291,8 @@ void MarkStrands(const BackboneBonds& bonds, std::vector<SecondaryStructure>& of
   }
 }
 
-/// Helices of `stride` residues a turn, where two turns begin one after the other and all residues
-/// are coil, or `over`.
+/// Helices of `stride` residues per turn, where two turns begin one after the other and all
+/// residues are coil, or `over`.
 void MarkHelices(const BackboneBonds& bonds, std::int64_t stride, SecondaryStructure helix,
   std::initializer_list<SecondaryStructure> over, std::vector<SecondaryStructure>& of)
 {

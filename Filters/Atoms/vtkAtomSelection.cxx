@@ -32,7 +32,7 @@ using isthmus::NamedAtom;
 using isthmus::PolymerChoice;
 using isthmus::PolymerOptions;
 
-/// What `options` keeps beside the chains. Of `choice`, which it keeps with them.
+/// The atoms of `choice` that `options` keeps in addition to the chains.
 std::vector<std::size_t> WithoutPolymer(
   const std::vector<NamedAtom>& atoms, const PolymerOptions& options, const PolymerChoice& choice)
 {
@@ -49,7 +49,7 @@ std::vector<std::size_t> WithoutPolymer(
   return both;
 }
 
-/// The points, with their arrays. Returns the new id of each old one, -1: left out.
+/// The points, with their arrays. Returns the new id of each old one, -1: dropped.
 std::vector<vtkIdType> CopyPoints(
   vtkPointSet* atoms, const std::vector<std::size_t>& kept, vtkPointSet* output)
 {

@@ -39,7 +39,7 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 
-#include <memory> // for what it asks of its input
+#include <memory> // to update its input in RequestInformation
 
 class vtkPointSet;
 

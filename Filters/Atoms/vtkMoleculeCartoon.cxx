@@ -295,7 +295,7 @@ double BallRadius(const NamedAtom& atom, bool isBonded, double scale, double sti
   return std::max(stick, (isBonded ? 1.0 : 2.0) * scale * (std::isnan(radius) ? 1.7 : radius));
 }
 
-/// Half of a mesh's arrays are on its points: 162 points and 320 triangles of a ball, at most.
+/// Half of the mesh's arrays are on its points: 162 points and 320 triangles of a ball, at most.
 double CartoonBytes(std::size_t balls, std::size_t bonds, std::size_t residues, std::int64_t sides)
 {
   return 60e3 * static_cast<double>(balls) +

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t NamedCells = 5;
 
-/// The cells of one error message, in any order, as the subject of its sentence.
+/// The cells of one error message, in any order, as the subject of the message.
 std::string Named(std::vector<std::size_t> cells)
 {
   std::sort(cells.begin(), cells.end());

@@ -44,7 +44,7 @@ public:
 private:
   std::size_t TypeNumber(const CellType& type)
   {
-    if (&type != this->Known) // cells come in runs, so the answer is nearly always the last one
+    if (&type != this->Known) // cells come in runs, so the result is nearly always the last one
     {
       const auto added = this->Numbers.emplace(
         std::make_pair(type.NumberOfVertices(), type.Faces()), this->Cells.Types.size());
@@ -125,7 +125,7 @@ EditedCells Merge(const CompactCombinatorialMap<Id>& first,
       ofSecond[static_cast<std::size_t>(b)] != Unset)
     {
       throw std::invalid_argument("The vertices " + std::to_string(a) + " and " +
-        std::to_string(b) + " can't be made one: " +
+        std::to_string(b) + " can't be merged: " +
         (exist ? "one of them is paired already." : "one of them does not exist."));
     }
     paired[static_cast<std::size_t>(a)] = true;

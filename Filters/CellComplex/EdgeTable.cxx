@@ -21,7 +21,7 @@ EdgeTable<Id>::EdgeTable(const Map& map, const ProgressCallback& progress)
   }
 }
 
-/// Whether `dart`, from the smaller to the larger vertex, is the one that stands for its fan.
+/// Whether `dart`, from the smaller to the larger vertex, is the one that represents its fan.
 template <typename Id>
 bool EdgeTable<Id>::Leads(Dart dart) const
 {
@@ -107,7 +107,7 @@ void EdgeTable<Id>::SortByVertices(
     }
     std::vector<Dart>().swap(chunk);
   }
-  // An open fan goes before a closed one of the same edge, so that it decides IsBoundary.
+  // An open fan precedes a closed one of the same edge, so that it decides IsBoundary.
   constexpr std::int64_t VerticesPerPiece = 1 << 14;
   const auto key = [this](Dart dart)
   {

@@ -134,7 +134,7 @@ private:
   std::vector<Slot> Slots;
   unsigned Shift = 64 - 10;
   Id Stamp = 1;
-  std::size_t Size = 0; // at least what is in it
+  std::size_t Size = 0; // at least its number of ids
 };
 
 //--------------------------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ struct Elements
 
   vtkIdType Size() const { return this->Ids->GetNumberOfValues(); }
 
-  /// Places for the points of each element: `sizeOf(i)` of them.
+  /// Memory for the points of each element: `sizeOf(i)` of them.
   template <typename SizeOf>
   void LayOut(SizeOf&& sizeOf)
   {

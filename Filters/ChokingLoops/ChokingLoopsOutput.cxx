@@ -125,8 +125,8 @@ bool PassesNear(
     });
 }
 
-/// What a feature that holds no loop of its own can share, or null. One with an encircling loop
-/// shares only what is before it and no longer.
+/// The feature whose loops a feature without loops can share, or null. A feature with an encircling
+/// loop shares only with one before it and with no longer loops.
 const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
   const std::vector<char>& isFree, const ShownFeature& needy)
 {

@@ -107,7 +107,8 @@ Point3 PositionOf(const SurfaceAdjacency& s, const StripEdge& e)
   return (1.0 - u) * s.Mesh().Points[At(e.Ends[0])] + u * s.Mesh().Points[At(e.Ends[1])];
 }
 
-/// Adds a crossing at the end of others, where it may go back at once over the last edge.
+/// Appends a crossing to a strip; cancels the last one if the curve turns back across the same
+/// edge.
 void AddReduced(const SurfaceAdjacency& s, const SurfaceCurvePoint& c, EdgeStrip& strip)
 {
   if (!strip.empty() && s.Opposite(strip.back().HalfEdge) == c.HalfEdge)
@@ -518,7 +519,8 @@ private:
   SimplexId To;
   StripEdges Edges;
   UnfoldedStrip Plane;
-  std::size_t Unfolded = 0; ///< of the edges, at least so many lie in the plane as they would anew
+  std::size_t Unfolded =
+    0; ///< of the edges, at least this many are still laid out correctly in the plane
   std::vector<double> Fractions;
 };
 
@@ -901,8 +903,8 @@ EdgeStrip Corner::FanBeside(bool isLeft) const
   return {};
 }
 
-/// What the curve crosses at the bend: a pin on the side where the angle is smaller; empty where
-/// the way out is in the triangle of the way in.
+/// What the curve crosses at the bend: a pin on the side where the angle is smaller; empty if the
+/// curve leaves through the triangle by which it enters.
 EdgeStrip Corner::Beside() const
 {
   if (this->Here.Generation > 0)
@@ -992,7 +994,7 @@ SurfaceCurve CutCorners(
       continue;
     }
     bent = std::move(cut);
-    i = 0; // they are numbered anew
+    i = 0; // they have been renumbered
     --left;
   }
   curve.SharpestBend = 0.0;

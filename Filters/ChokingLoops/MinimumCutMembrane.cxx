@@ -253,7 +253,8 @@ private:
   ChokeSurroundings Around;
 };
 
-/// What stays whole on either side. Both grow in turn, so that where they would meet each has half.
+/// The cells that stay uncut on either side. Both sides grow alternately, so that each gets half
+/// where they would meet.
 std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
 {
   const double depth2 = this->Radius * this->Radius * (1.0 + 1e-9);

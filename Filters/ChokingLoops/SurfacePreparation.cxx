@@ -558,7 +558,7 @@ namespace
 /// Number of samples that automatic spacing spreads over a surface, however few points it has.
 constexpr double UsualSamples = 20000.0;
 
-/// More would take some 30 GB.
+/// More would take about 30 GB.
 constexpr std::size_t MostSamples = 20'000'000;
 
 /// Fraction of the spacing that three rounds, each finer by 0.6, would still resolve, and half of

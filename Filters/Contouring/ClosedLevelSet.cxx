@@ -46,7 +46,7 @@ std::array<double, 2> FiniteRange(const GridView<const T>& grid)
   return { low, high };
 }
 
-/// A level of a mask has a corner at each node, where no triangle is fine enough.
+/// A level set of a mask has a corner at each node, which no triangle resolves.
 template <typename T>
 void RefuseMask(const GridView<const T>& grid, double low, double high)
 {

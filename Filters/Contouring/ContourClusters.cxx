@@ -81,7 +81,7 @@ ContourClusters::Level ContourClusters::Fine(const UniformContour& contour) cons
 }
 
 /// Roots of clusters joined by sides inside a cell of this depth; these sides and the edges inside
-/// such cells are counted for Euler's number of the root, and taken out.
+/// such cells are counted for the Euler number of the root, and removed.
 std::vector<std::int64_t> ContourClusters::Joined(Level& level, int depth) const
 {
   const auto isSame = [&level, depth](std::int64_t a, std::int64_t b)
@@ -180,7 +180,7 @@ bool ContourClusters::AddLevel(Level& level, int depth, const UniformContour& co
   return any;
 }
 
-/// Puts a cluster where its planes are met best; are they met well enough?
+/// Places a cluster at the point that fits its planes best; true if they fit well enough.
 bool ContourClusters::Place(
   const Open& open, const Bounds3& box, const DualContouringParameters& parameters)
 {
@@ -319,7 +319,7 @@ private:
     this->Result.Edge.push_back(e);
   }
 
-  /// Triangles around the crossing, if any side has a point of its own.
+  /// Triangles around the crossing, if any side has a separate point.
   bool AddFan(std::int64_t e, const std::array<std::int64_t, 4>& corners, std::size_t count)
   {
     std::vector<std::int64_t> border;
@@ -345,8 +345,8 @@ private:
     return true;
   }
 
-  /// Cosine of the angle between triangle and `normal`; -1 for triangles without area, or so thin
-  /// that rounding decides where they face, as of three points on a sharp edge.
+  /// Cosine of the angle between triangle and `normal`; -1 for triangles without area, or too thin
+  /// for a reliable normal, e.g. of three points on a sharp edge.
   double Agreement(std::int64_t a, std::int64_t b, std::int64_t c, const Point3& normal) const
   {
     const Point3 u = this->Clusters.PointOf(b) - this->Clusters.PointOf(a);

@@ -26,7 +26,7 @@ namespace isthmus
 class ContourClusters
 {
 public:
-  /// O(points log points), 200 bytes a point. @throws Cancelled
+  /// O(points log points), 200 bytes per point. @throws Cancelled
   ContourClusters(const UniformContour& contour, const DualContouringParameters& parameters,
     const ProgressCallback& progress);
 
@@ -39,7 +39,7 @@ public:
 
   /// Moves a point of the contour.
   void Move(std::int64_t point, const Point3& x) { this->Points[At(point)] = x; }
-  /// `id` stands for others no more, from the next Choose() on. False if it never did.
+  /// From the next Choose() on, `id` no longer represents others. False if it never did.
   bool Split(std::int64_t id);
   /// Tops again. O(points)
   void Choose();
@@ -121,7 +121,7 @@ ContourPolygons PolygonsOf(const UniformContour& contour, const ContourClusters&
   bool triangles, const ContourCuts* cuts);
 
 //--------------------------------------------------------------------------------------------------
-// Do the polygons around each point of a contour form one ring?
+// Whether the polygons around each point of a contour form one ring.
 
 struct NonManifoldPoints
 {

@@ -27,8 +27,8 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Vertex = Triangulation::Vertex_handle;
 
-/// Sizes that the search for points does not resolve, or that take more points than allowed, are
-/// refused before refinement begins.
+/// Refuses sizes that the search for points does not resolve, or that need more points than
+/// allowed, before refinement begins.
 void RequireBudget(
   const DelaunayIsosurfaceParameters& p, const Bounds3& bounds, const SurfaceView& guide)
 {
@@ -36,23 +36,22 @@ void RequireBudget(
   if (p.Radius < finest || p.Distance < finest)
   {
     throw std::runtime_error("Radius is " + FormatNumber(p.Radius) + " and Distance " +
-      FormatNumber(p.Distance) + ", but the surface is found to some " + FormatNumber(finest) +
+      FormatNumber(p.Distance) + ", but the surface is located to about " + FormatNumber(finest) +
       " (a millionth of the diagonal of the volume): choose larger ones.");
   }
   const double area = SurfaceArea(guide);
-  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
+  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two per point.
   const double least = area / (2.6 * p.Radius * p.Radius);
   if (least > static_cast<double>(p.MaximumNumberOfPoints))
   {
-    throw std::runtime_error("A Radius of " + FormatNumber(p.Radius) + " takes at least " +
-      FormatNumber(least) + " points, and the most is " +
+    throw std::runtime_error("A Radius of " + FormatNumber(p.Radius) + " needs at least " +
+      FormatNumber(least) + " points, more than the limit of " +
       FormatNumber(static_cast<double>(p.MaximumNumberOfPoints)) +
-      ": ask for a larger one, or make the spacings of the volume more alike (Resample To Image).");
+      ": choose a larger one, or make the spacings of the volume more alike (Resample To Image).");
   }
 }
 
-/// Negative inside, as CGAL wants it; counts how often it was asked, the only thing that tells how
-/// far CGAL is.
+/// Negative inside, as CGAL expects; counts the evaluations, the only measure of CGAL's progress.
 class Side
 {
 public:
@@ -123,12 +122,12 @@ public:
     {
       throw std::runtime_error("Refinement passed " +
         std::to_string(this->Parameters.MaximumNumberOfPoints) +
-        " points: ask for a larger radius or distance; or move the level a little, since at a "
-        "level where two parts just touch it has no end.");
+        " points: choose a larger radius or distance, or move the level a little: refinement does "
+        "not terminate at a level where two parts just touch.");
     }
   }
 
-  /// Is one of these vertices part of the surface?
+  /// Whether one of these vertices is part of the surface.
   bool Caught(const std::vector<Vertex>& vertices) const
   {
     return std::any_of(vertices.begin(), vertices.end(),
@@ -182,8 +181,8 @@ std::string Place(const SeededComponent& component)
     FormatNumber(middle[2]) + "), " + FormatNumber(component.Bounds.Diagonal()) + " across";
 }
 
-/// Refines from the seeds of every component, and from all points of those that were not caught;
-/// returns the places of those that were not even then.
+/// Refines from the seeds of every component, and from all points of those that were missed;
+/// returns the positions of those that are still missing.
 std::vector<std::string> CatchAll(
   Refinement& refinement, const SurfaceView& guide, const std::vector<SeededComponent>& components)
 {
@@ -224,8 +223,9 @@ std::string Differences(
 {
   if (!lost.empty())
   {
-    return "Left out, since too small for the sizes asked for (lower Radius and Distance to keep "
-           "them): " +
+    return "Dropped, since they are too small for the requested sizes (reduce Radius and Distance "
+           "to "
+           "keep them): " +
       std::to_string(lost.size()) + " of the level set's components, the first at " + lost.front() +
       ".";
   }
@@ -248,7 +248,7 @@ std::string Differences(
     return "Topology differs from that of marching cubes: " + std::to_string(mine) +
       " components and genus " + std::to_string(genus(surface, mine)) + ", there " +
       std::to_string(theirs) + " and " + std::to_string(genus(guide, theirs)) +
-      ": ask for a smaller radius.";
+      ": choose a smaller radius.";
   }
   return {};
 }
@@ -257,7 +257,8 @@ std::string Differences(
 
 void Check(const DelaunayIsosurfaceParameters& p)
 {
-  RequireRange("Angle", p.Angle, 0.0, 30.0, "It is in degrees; above, refinement need not end.");
+  RequireRange(
+    "Angle", p.Angle, 0.0, 30.0, "It is in degrees; above, refinement may not terminate.");
   RequireRange("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
   RequireRange("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
   RequireRange("Level", p.Level, -Unlimited, Unlimited);

@@ -33,7 +33,7 @@ namespace
  *    mean of their crossings. Triangles around such a point stay in the hull of its crossings,
  *    which is apart from those of the other points of its cell.
  *
- * O(n log n) a round; a few rounds. @throws Cancelled
+ * O(n log n) per round; a few rounds. @throws Cancelled
  */
 class Refinement
 {
@@ -101,7 +101,7 @@ private:
     this->Fine = Triangulated(polygons, points, this->EdgeOfFine);
   }
 
-  /// Takes apart all clusters among the points of a crossed edge.
+  /// Splits all clusters among the points of a crossed edge.
   bool SplitAround(std::int64_t edge)
   {
     bool any = false;
@@ -171,7 +171,7 @@ private:
   {
     std::vector<std::int64_t> edges;
     TriangleMesh mesh = Triangulated(this->Polygons, this->Clusters, edges);
-    this->MoveToWorld(mesh.Points); // rounding there may turn a sliver over
+    this->MoveToWorld(mesh.Points); // rounding there may flip a sliver
     const std::vector<std::int64_t> crossing = SelfIntersections(mesh);
     this->StillCrossing = static_cast<std::int64_t>(crossing.size());
     if (crossing.empty())

@@ -10,7 +10,7 @@ namespace isthmus
 namespace
 {
 
-/// A kink is this many times what is beyond it, and what is around it.
+/// A kink's second difference is this many times those beyond it and around it.
 constexpr double KinkFactor = 3.0;
 
 /// Values along a line of the grid, numbered from a node of it.
@@ -46,7 +46,7 @@ bool IsKink(double jump, double beyond, double rough)
   return std::abs(jump) > KinkFactor * std::max(beyond, rough);
 }
 
-/// On the side towards `ahead`, 1 or -1: of second order where two nodes are there.
+/// On the side towards `ahead`, 1 or -1: of second order where there are two nodes.
 template <typename T>
 Slope SlopeTowards(const GridLine<T>& line, std::int64_t ahead)
 {
@@ -78,7 +78,8 @@ Slope SlopeAt(const GridLine<T>& line, double rough)
   return { 0.5 * (line.At(1) - line.At(-1)), std::abs(line.Bend(0)) };
 }
 
-/// v + t slope + t (t + 1) / 2 bend: from a node on, t from 0 to 1, away from those it is made of.
+/// v + t slope + t (t + 1) / 2 bend: from a node on, t from 0 to 1, away from the nodes that define
+/// it.
 struct Parabola
 {
   double Value, Slope, Bend;

@@ -21,7 +21,7 @@ double Quantile(const std::vector<double>& sorted, double fraction)
 /// other.
 double TwoClasses(const std::vector<double>& sorted)
 {
-  // About the median, so that a large offset costs no digits.
+  // About the median, so that a large offset loses no digits.
   const double middle = Quantile(sorted, 0.5);
   double total = 0.0;
   for (const double value : sorted)
@@ -69,7 +69,7 @@ double EstimateLevel(std::vector<double>& values)
   const double high = Quantile(values, 0.9995);
   if (!(low < high))
   {
-    // Less than a thousandth differs from the rest; take it for what is meant all the same.
+    // Less than a thousandth of the values differ from the rest: assume that these are the object.
     return values.front() / 2.0 + values.back() / 2.0;
   }
   const double background = Quantile(values, 0.5) + 3.0 * LowerDeviation(values);

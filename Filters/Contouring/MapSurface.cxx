@@ -55,7 +55,7 @@ std::vector<Component> FindComponents(
   return components;
 }
 
-/// Rank of each component by area, or -1 for one that goes; `areas` of those that stay.
+/// Rank of each component by area, or -1 for one that is removed; `areas` of the remaining ones.
 std::vector<std::int64_t> RankOf(const std::vector<Component>& components,
   const DustParameters& parameters, std::vector<double>& areas)
 {
@@ -81,7 +81,7 @@ std::vector<std::int64_t> RankOf(const std::vector<Component>& components,
   return rank;
 }
 
-/// Takes away the triangles without a rank, and the points that are then of no use.
+/// Removes the triangles without a rank, and the points that are then unused.
 void Compact(TriangleMesh& mesh, std::vector<std::int64_t>& ranks)
 {
   std::vector<std::int64_t> ids(mesh.Points.size(), -1);

@@ -253,7 +253,7 @@ QuadricError FitQuadricError(
   }
   const std::vector<Face> faces = FacesOf(planes);
   Point3 x = best.Least(around, threshold);
-  constexpr int rounds = 3; // each takes off a factor of h / R
+  constexpr int rounds = 3; // each reduces the error by a factor of h / R
   for (int round = 0; round < rounds; ++round)
   {
     QuadricError halfway;

@@ -51,7 +51,7 @@ private:
   Point3 Times(const Point3& d) const;
 
   std::int64_t Count = 0;
-  Point3 Origin{};                ///< the first p; all else is relative to it
+  Point3 Origin{};                ///< the first p; everything else is relative to it
   std::array<Point3, 3> Matrix{}; ///< sum of n n^T
   Point3 Vector{};                ///< sum of (n . p) n
   double Constant = 0.0;          ///< sum of (n . p)^2

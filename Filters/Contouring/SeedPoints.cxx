@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  /// Cells that share a key only cost a few comparisons more.
+  /// Cells that share a key only cause a few more comparisons.
   static std::int64_t Key(std::int64_t i, std::int64_t j, std::int64_t k)
   {
     constexpr std::int64_t range = 1 << 20;

@@ -107,7 +107,7 @@ DualCells::Face DualCells::FaceOf(std::int64_t cell, std::size_t axis, std::size
   {
     const std::int64_t corner = cell + static_cast<std::int64_t>(side) * this->Stride[axis];
     const bool turned = this->Turned.count({ corner, axis }) > 0;
-    // The corner between left and below: is it cut off alone?
+    // Whether the corner between left and below is cut off alone.
     face.Pairs = this->IsInside(corner) != turned
       ? std::array<std::size_t, 4>{ edges[3], edges[0], edges[1], edges[2] }
       : std::array<std::size_t, 4>{ edges[0], edges[1], edges[2], edges[3] };
@@ -155,7 +155,7 @@ std::array<signed char, CellEdges> DualCells::PiecesOf(std::int64_t cell) const
   return pieces;
 }
 
-/// Faces over which two cells are joined twice are turned; were there any?
+/// Turns faces over which two cells are joined twice; returns whether there were any.
 bool DualCells::TurnDoubleFaces()
 {
   bool any = false;
@@ -228,7 +228,7 @@ PlacedVertex VertexPlacement::Place(
   const bool areKnown = !this->Grid.Sharp.Segments.empty();
   const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, 1.0);
   const Point3 best = mine.Least(around, this->Parameters.FeatureThreshold);
-  // Normals of triangles have no noise: where a blunt edge is known, they show the way to it.
+  // Normals of triangles have no noise: near a known blunt edge, they point to it.
   constexpr double blunt = 0.01;
   const Point3 towards =
     areKnown ? mine.Least(around, std::min(blunt, this->Parameters.FeatureThreshold)) : best;
@@ -394,7 +394,7 @@ private:
     }
   }
 
-  /// Of points that went to the same place all but the first return to their cells.
+  /// Of coincident points, all but the first return to their cells.
   void Part()
   {
     std::vector<std::size_t> order(this->Result.Points.size());

@@ -125,8 +125,8 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
     throw std::invalid_argument("The surface has no size, or the spacing results in more than two "
                                 "thousand million nodes: choose a larger spacing.");
   }
-  // Measured on a torus with 4e4 to 1e6 crossed cells: 650 bytes a crossing, 900 with Tolerance and
-  // FreeOfCrossings, and 1 byte a node.
+  // Measured on a torus with 4e4 to 1e6 crossed cells: 650 bytes per crossing, 900 with Tolerance
+  // and FreeOfCrossings, and 1 byte per node.
   constexpr double bytesPerNode = 3.0;
   constexpr double bytesPerCrossing = 1000.0;
   isthmus::MemoryBudget().Require(

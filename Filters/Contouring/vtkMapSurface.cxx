@@ -123,7 +123,7 @@ int vtkMapSurface::FillInputPortInformation(int, vtkInformation* information)
 int vtkMapSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // Components are known only from all of the surface.
+  // Components can only be determined on the whole surface.
   isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }

@@ -14,7 +14,7 @@ namespace isthmus
 namespace
 {
 
-/// What was said last and when, kept with the algorithm, so that it goes when that goes.
+/// The last message and its time, stored with the algorithm, so that it is deleted with it.
 vtkInformationStringKey* LastWords()
 {
   static auto* const key = vtkInformationStringKey::MakeKey("LAST_WORDS", "isthmus");

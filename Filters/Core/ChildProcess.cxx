@@ -21,7 +21,7 @@ namespace isthmus
 namespace
 {
 
-/// A started program; killed and waited for when nobody waited before.
+/// A started program; killed by the destructor unless it has been waited for.
 class Child
 {
 public:
@@ -66,7 +66,8 @@ public:
 
   bool Ended()
   {
-    // An error other than EINTR (someone else has waited) leaves nothing to wait for either.
+    // An error other than EINTR (another caller has waited) also means that there is nothing to
+    // wait for.
     if (!this->Done)
     {
       const pid_t answer = waitpid(this->Pid, &this->State, WNOHANG);
@@ -85,8 +86,8 @@ private:
 };
 
 /**
- * Kills a program and removes a folder when this process dies, however it does: a shell of a
- * session of its own waits at a pipe that only this process holds open. PR_SET_PDEATHSIG would kill
+ * Kills a program and removes a folder when this process dies, for whatever reason: a shell in a
+ * separate session waits at a pipe that only this process holds open. PR_SET_PDEATHSIG would kill
  * the program with the thread that started it.
  */
 class Watchdog
@@ -127,7 +128,7 @@ public:
   {
     if (this->Lifeline >= 0)
     {
-      // All is well. A watchdog that somebody killed leaves a broken pipe, which is no one's fault.
+      // Success. If the watchdog was killed, the pipe is broken, which is not an error.
       struct sigaction ignore = {}, before = {};
       ignore.sa_handler = SIG_IGN;
       sigaction(SIGPIPE, &ignore, &before);
@@ -154,7 +155,7 @@ private:
 std::vector<std::string> UnderLimits(
   const std::vector<std::string>& command, const ChildLimits& limits)
 {
-  // The processor time is a second fence: it holds even if this process dies meanwhile.
+  // The limit of processor time is a safeguard: it holds even if this process dies meanwhile.
   std::string script = "ulimit -c 0; ulimit -t " +
     std::to_string(static_cast<std::int64_t>(limits.TimeLimit) + 2) + "; ";
   if (limits.Bytes > 0)
@@ -213,7 +214,7 @@ ChildResult RunChild(const std::vector<std::string>& command, const ChildLimits&
   const auto start = Clock::now();
   Child child(UnderLimits(command, limits), log);
   const Watchdog watchdog(child.Id(), log.parent_path());
-  auto pause = std::chrono::milliseconds(1); // short programs end soon; long ones are not bothered
+  auto pause = std::chrono::milliseconds(1); // poll short programs often, long ones rarely
   while (!child.Ended())
   {
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -228,7 +229,8 @@ ChildResult RunChild(const std::vector<std::string>& command, const ChildLimits&
   const int status = child.Status();
   if (WIFSIGNALED(status))
   {
-    // The limit of processor time lies beyond that of wall time, so an early one is someone else's.
+    // The limit of processor time exceeds that of wall time, so an earlier one was set by another
+    // program.
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const bool outOfTime = WTERMSIG(status) == SIGXCPU && seconds > 0.9 * limits.TimeLimit;
     return { outOfTime ? ChildEnd::TimedOut : ChildEnd::Crashed, WTERMSIG(status),

@@ -11,7 +11,7 @@
 
 #include <vtkWrappingHints.h>
 
-#include <ostream> // for what prints them: VTK's wrappers include none
+#include <ostream> // for printing: VTK's wrappers do not include them
 
 #define ISTHMUS_PROPERTY(type, name, value)                                                        \
 public:                                                                                            \

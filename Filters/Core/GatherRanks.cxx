@@ -55,7 +55,7 @@ std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
       x += 0.0; // -0 becomes 0
     }
   }
-  // By their bytes, so that what is not a number has its place, too.
+  // By their bytes, so that NaN is ordered, too.
   const auto compare = [&places](vtkIdType a, vtkIdType b)
   {
     // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bytes are meant
@@ -97,7 +97,7 @@ vtkSmartPointer<vtkCellArray> Renumbered(vtkCellArray* cells, const std::vector<
   return result;
 }
 
-/// One point for each place. Ranks cut a surface along edges, whose ends each of them has.
+/// One point for each position. Ranks cut a surface along edges, whose end points each of them has.
 vtkSmartPointer<vtkPolyData> Sewn(vtkPolyData* surface)
 {
   std::vector<vtkIdType> id = FirstAtSamePlace(surface);
@@ -152,8 +152,8 @@ void RequireNoBlocks(vtkAlgorithm* filter)
   {
     for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
     {
-      // While blocks are run one by one, what lies right before the filter has the block; what lies
-      // before ParaView's post filter, which it puts between any two, has them all.
+      // While blocks are processed one by one, the algorithm right before the filter has the block;
+      // the one before ParaView's post filter, which it inserts between any two, has all of them.
       int output = 0;
       vtkAlgorithm* before = filter->GetInputAlgorithm(port, i, output);
       vtkDataObject* data = before && before->IsA("vtkPVPostFilter")

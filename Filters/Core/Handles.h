@@ -35,10 +35,10 @@ struct Handle
   /// The id with this index in a vector. @pre `index` fits into Id.
   static constexpr Handle At(std::size_t index) { return Handle(static_cast<Id>(index)); }
 
-  /// The value that stands for no id: -1, below all others.
+  /// The value that represents no id: -1, below all others.
   static constexpr Handle None()
   {
-    static_assert(std::is_signed_v<Id>, "only a signed id can say that there is none");
+    static_assert(std::is_signed_v<Id>, "only a signed id can represent none");
     return Handle(Id{ -1 });
   }
   constexpr bool Exists() const

@@ -71,7 +71,7 @@ void RequestWholeExtent(vtkInformation* input)
   if (input->Has(Pipeline::WHOLE_EXTENT()))
   {
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-    // Else a source that can make a part makes this rank's, whatever the extent.
+    // Otherwise, a source that can produce a part produces this rank's, whatever the extent.
     RequestAll(input);
   }
 }
@@ -266,8 +266,8 @@ void CopyRows(vtkAbstractArray* array, const Extent& from, const Extent& to, vtk
   }
 }
 
-/// Makes `data`, of the elements in `from`, that of the elements in `to`. By hand, since
-/// CopyStructuredData goes value by value, as vtkImageData::Crop does.
+/// Crops `data` from the elements in `from` to those in `to`. Not by CopyStructuredData or
+/// vtkImageData::Crop, which copy value by value.
 template <typename Attributes>
 void Crop(Attributes* data, const Extent& from, const Extent& to)
 {

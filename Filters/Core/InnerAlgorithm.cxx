@@ -132,7 +132,7 @@ void UpdateInner(vtkAlgorithm* inner, const ProgressCallback& progress,
   inner->SetAbortExecute(0);
   inner->Update();
   events.Throw();
-  // There are no events where VTK's messages are switched off, or the same was said before.
+  // There are no events if VTK's messages are switched off, or if the same one was reported before.
   const std::string failure = FailureOf(inner);
   if (!failure.empty())
   {

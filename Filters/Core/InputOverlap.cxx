@@ -37,7 +37,7 @@ namespace
 {
 
 constexpr double GrownBy = 0.1;       // of the larger box's diagonal
-constexpr int NodesAlongAnAxis = 16;  // of an image that are looked at
+constexpr int NodesAlongAnAxis = 16;  // of an image that are sampled
 constexpr double SameRatio = 0.05;    // off 10
 constexpr std::int64_t Grain = 16384; // points or cells of a piece of parallel work
 constexpr double NanometreInAngstrom = 10.0;

@@ -44,7 +44,7 @@ double LeftByControlGroup()
   const double most = NumberIn("/sys/fs/cgroup/memory.max", "");
   const double used = NumberIn("/sys/fs/cgroup/memory.current", "");
   const double cached = NumberIn("/sys/fs/cgroup/memory.stat", "inactive_file");
-  const double known = most - used; // infinite or not a number where one is missing
+  const double known = most - used; // infinite or NaN if one is missing
   return known < Unknown ? known + (cached < Unknown ? cached : 0.0) : Unknown;
 }
 

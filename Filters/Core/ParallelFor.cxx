@@ -77,7 +77,7 @@ bool StacksFit(int threads)
 #endif
 }
 
-/// Keeps the first exception of any thread, since none may leave a vtkSMPTools functor.
+/// Stores the first exception of any thread, since none may leave a vtkSMPTools functor.
 class FirstException
 {
 public:
@@ -114,8 +114,8 @@ void RunRound(std::int64_t begin, std::int64_t end, std::int64_t grain, const Ra
   std::atomic<int> done{ 0 };
   auto guarded = [&](vtkIdType first, vtkIdType last)
   {
-    // The Sequential backend and a small range hand over everything at once: the grain is then
-    // ours to keep, since bodies size their scratch memory by it.
+    // The Sequential backend, or any backend for a small range, passes the whole range at once: it
+    // is then split here, since bodies size their scratch memory by the grain.
     for (std::int64_t piece = first; piece < last && !failure.Caught(); piece += grain)
     {
       try

@@ -38,7 +38,7 @@ namespace isthmus
 namespace
 {
 
-/// Is `data` of one of the types of the port? If not, what these are is left in `wanted`.
+/// Whether `data` is of one of the types of the port; if not, `wanted` names these types.
 bool Fits(vtkAlgorithm* self, int port, vtkDataObject* data, std::string& wanted)
 {
   vtkInformation* demand = self->GetInputPortInformation(port);
@@ -80,7 +80,7 @@ void DemandWholeArrays(vtkDataObject* data)
   }
 }
 
-/// Filters compute with all points and cells: those hidden from view would count, unseen.
+/// Filters compute with all points and cells, including those hidden from view.
 void RefuseHidden(vtkDataObject* data, int port)
 {
   for (const auto& [kind, bit, elements] :
@@ -160,7 +160,7 @@ void RequirePlaces(vtkPointSet* data, const std::string& name)
 {
   vtkDataArray* const values = data && data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
   const vtkIdType count = values ? values->GetNumberOfValues() : 0;
-  std::vector<bool> used; // for what has points that are nowhere
+  std::vector<bool> used; // for data with points that are not finite
   for (vtkIdType at = 0; values && (at = FirstNotFinite(values, at)) < count; ++at)
   {
     const vtkIdType point = at / 3;

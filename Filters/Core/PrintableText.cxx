@@ -5,8 +5,8 @@ namespace isthmus
 namespace
 {
 
-/// Bytes of the UTF-8 character that begins at `at`, 0 where none does. Overlong forms, surrogates
-/// and what lies beyond U+10FFFF are none.
+/// Number of bytes of the UTF-8 character that begins at `at`, 0 if there is none. Overlong forms,
+/// surrogates and values beyond U+10FFFF are not valid.
 std::size_t LengthOfCharacter(const std::string& text, std::size_t at)
 {
   const auto byte = [&text](std::size_t i)

@@ -64,7 +64,7 @@ std::string NameOf(vtkDataArray* values)
   return values->GetName() ? "Array '" + std::string(values->GetName()) + "'" : "The array";
 }
 
-/// All if there are no cells.
+/// All of them if there are no cells.
 std::vector<bool> PointsOfCells(vtkPointSet* set, vtkIdType points)
 {
   const bool hasCells = set && set->GetNumberOfCells() > 0;
@@ -154,7 +154,7 @@ void RequireUsualCoordinates(vtkDataObject* data, const std::string& name)
       {
         throw std::invalid_argument("Point " + std::to_string(i) + " of " + name +
           " has the coordinate " + FormatNumber(x) + ": at most " + FormatNumber(LargestLength) +
-          " can be worked with. Remove the point, or choose another unit of length.");
+          " is supported. Remove the point, or choose another unit of length.");
       }
     }
   }

@@ -38,7 +38,7 @@ UnitScale::UnitScale(const View<Point3>& points)
     {
       throw std::invalid_argument("Point " + std::to_string(i) + " has the coordinate " +
         FormatNumber(largest) + ": at most " + FormatNumber(LargestLength) +
-        " can be worked with. Remove the point, or choose another unit of length.");
+        " is supported. Remove the point, or choose another unit of length.");
     }
   }
   if (largest == 0.0)
@@ -78,7 +78,7 @@ UnitScale::UnitScale(const SurfaceView& surface)
     {
       if (!isPoint(t[k]) || !isPoint(t[(k + 1) % 3]))
       {
-        continue; // whoever looks at corners says so
+        continue; // reported by the code that checks corners
       }
       const Point3 a = this->TheFactor * surface.Point(t[k]);
       const Point3 b = this->TheFactor * surface.Point(t[(k + 1) % 3]);
@@ -88,7 +88,8 @@ UnitScale::UnitScale(const SurfaceView& surface)
         throw std::invalid_argument("Triangle " + std::to_string(i) + " has an edge of " +
           FormatNumber(edge / this->TheFactor) + ", and other points are more than " +
           FormatNumber(LargestReach) +
-          " times as far away: no mesh is made of both. Remove the points that are far away from "
+          " times as far away: they cannot be meshed together. Remove the points that are far away "
+          "from "
           "the others.");
       }
     }

@@ -27,7 +27,7 @@ namespace isthmus
 namespace
 {
 
-/// `array` itself if its values lie one after the other in memory, else such a copy.
+/// `array` itself if its values are contiguous in memory, otherwise a contiguous copy.
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
 {
   if (array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT)

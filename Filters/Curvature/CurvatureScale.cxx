@@ -70,8 +70,8 @@ void Shuffle(std::vector<Node>& nodes)
   }
 }
 
-/// `count` numbers for each node, by `work(node, numbers)` on a rank that has what is needed, else
-/// `missing`.
+/// `count` numbers for each node, by `work(node, numbers)` on a rank that has the required values,
+/// otherwise `missing`.
 template <typename Work>
 std::vector<double> NumbersAt(const std::vector<Node>& nodes, std::size_t count, Work&& work,
   const MaximumOverRanks& combine, const ProgressCallback& progress)
@@ -466,7 +466,7 @@ double Search::MeanOverEdges(std::size_t k, F&& f) const
 }
 
 /// The mean curvature of a level set at scale k with another one's normal. Gradients far below
-/// those of the edges at that scale have a lower bound: the curvature there says nothing of the
+/// those of the edges at that scale have a lower bound: the curvature there is unrelated to the
 /// edges.
 double Search::Curvature(
   std::size_t k, const NodeDerivatives& at, const NodeDerivatives& normal) const
@@ -568,7 +568,7 @@ void Search::AdaptNoiseToEdges()
   const double finest = LaplacianVariance(this->Kinds, { { 1.0, this->Filter(0) } }, this->Spacing);
   constexpr double notable = 0.5; // of the background's variance, which is known to a tenth
   const double next = excess(1);
-  constexpr double alike = 1.3; // as the next change says: structure of the edges is not white
+  constexpr double alike = 1.3; // as in the next change: structure of the edges is not white
   if (square * LaplacianVariance(white, { { 1.0, this->Filter(0) } }, this->Spacing) >
       notable * finest &&
     next > 0.0 && next < alike * square)
@@ -577,9 +577,9 @@ void Search::AdaptNoiseToEdges()
   }
 }
 
-/// The mean square bias of scale k that its change from finer scales shows, where noise lets it be
-/// seen, less the error of the finer scale's differences. Smoothing that has removed features makes
-/// no further changes: judged by the next scale, it would seem free of bias. For the same
+/// The mean square bias of scale k that its change from finer scales shows, where it exceeds the
+/// noise, less the error of the finer scale's differences. Smoothing that has removed features
+/// makes no further changes: judged by the next scale, it would seem free of bias. For the same
 /// reason, the bias is at least that of the finer scales.
 double Search::BiasSinceFinerScales(std::size_t k) const
 {
@@ -679,7 +679,8 @@ void Search::Measure(std::size_t k)
 
 /// The bias that noise hides is a quarter of the next scale's, like a mean square that grows with
 /// the fourth power of the scale. That of large scales, where differences are exact, grows at
-/// least as fast; the change to the next scale says less if the Gaussian is as wide as the object.
+/// least as fast; the change to the next scale is less informative if the Gaussian is as wide as
+/// the object.
 void Search::CompleteBias()
 {
   for (std::size_t k = this->Bias.size(); k-- > 0;)
@@ -772,7 +773,8 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
     {
       const double variance = MedianVariance(
         ResponsesAt(part, samples.Background, search.Scales[k], accuracy, combine, step(0.5, 1.0)));
-      if (variance > 0.0) // else edges reach into the background at this scale and all larger ones
+      if (variance >
+        0.0) // otherwise edges reach into the background at this scale and all larger ones
       {
         background.push_back(variance);
       }

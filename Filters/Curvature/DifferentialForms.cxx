@@ -36,7 +36,7 @@ void TurnIntoTangentPlane(LocalShape& shape)
   }
 }
 
-/// Null unless it is wanted.
+/// Null unless it is requested.
 vtkSmartPointer<vtkDataArray> NewLike(
   vtkDataArray* like, bool isWanted, const char* name, int components, vtkDataSet* output)
 {

@@ -42,7 +42,7 @@ void CheckBox(const GridView<const T>& grid, const NodeBox& box)
   }
 }
 
-/// What a valid place must have: depends on the grid and on the type of its values.
+/// The condition for a valid place: depends on the grid and on the type of its values.
 template <typename T>
 ShapeRule RuleFor(const GridView<const T>& grid, const HessianCurvatureOptions& options)
 {

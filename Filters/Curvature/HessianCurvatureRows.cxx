@@ -66,7 +66,7 @@ inline double HessianSquare(const DerivativeRows& d, std::int64_t i)
     2.0 * (d.XY[i] * d.XY[i] + d.XZ[i] * d.XZ[i] + d.YZ[i] * d.YZ[i]);
 }
 
-/// The numbers that all others follow from, zero at places that are not valid.
+/// The values from which all others are computed, zero at places that are not valid.
 struct ShapeRow
 {
   alignas(64) DerivativeRows::Row Gaussian;
@@ -107,7 +107,7 @@ ISTHMUS_VECTOR_CLONES void ComputeShape(
   }
 }
 
-/// Fills `out` with `value(i)` if it is wanted.
+/// Fills `out` with `value(i)` if it is requested.
 template <typename T, typename Value>
 inline void Fill(T* out, std::int64_t at, std::int64_t count, Value&& value)
 {

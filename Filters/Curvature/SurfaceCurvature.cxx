@@ -125,7 +125,7 @@ double OrientationOf(
   return sixVolumes < 0.0 ? -1.0 : 1.0;
 }
 
-/// Whether all triangles hang together by their points.
+/// Whether all triangles are connected through their points.
 bool IsOnePiece(const SurfaceView& mesh)
 {
   DisjointSets<vtkIdType> pieces(mesh.Points.size());
@@ -157,7 +157,7 @@ double MeanEdgeLength(const SurfaceView& mesh)
   return sum / static_cast<double>(std::max<vtkIdType>(3 * mesh.NumberOfTriangles(), 1));
 }
 
-/// Why a point has no curvature, counted.
+/// Why a point has no curvature.
 enum class Verdict : unsigned char
 {
   Valid,

@@ -389,7 +389,7 @@ isthmus::CurvatureScale vtkHessianCurvature::ChosenScale(
   {
     ShareGeometry(whole, spacing);
   }
-  // A rank that stopped would leave the others waiting.
+  // If one rank stopped, the others would wait forever.
   return isthmus::ChooseScaleOfImage(image, scalars, whole, spacing.data(),
     this->Parameters.Accuracy,
     together ? isthmus::MaximumOverRanks(MaximumOfRanks) : isthmus::MaximumOverRanks{},
@@ -454,8 +454,8 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
   }
 }
 
-/// Adds what follows from principal curvatures and directions, and removes those of them that were
-/// made for it alone.
+/// Adds arrays derived from principal curvatures and directions, and removes those that were
+/// computed only for this purpose.
 void vtkHessianCurvature::AddForms(vtkDataSet* output)
 {
   const isthmus::DifferentialFormsSelection selection = FormsSelectionOf(this);
@@ -529,7 +529,7 @@ int vtkHessianCurvature::RequestData(
       }
       catch (const std::exception&)
       {
-        failure = std::current_exception(); // the other ranks wait for this one's share
+        failure = std::current_exception(); // the other ranks wait for the share of this one
         scalars = nullptr;
       }
       isthmus::CurvatureScale scale;

@@ -86,9 +86,9 @@ void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result
   spread(result.MeanNormal, 3);
 }
 
-/// Curvature with points that coincide as one (SurfaceCleaning.h) where the surface is not closed
-/// and regular as it is: files with texture coordinates or normals at corners are so at every seam.
-/// `places`: for each point the one that stands for its place, empty where all are their own.
+/// Curvature with coincident points merged (SurfaceCleaning.h) where the surface is not closed and
+/// regular otherwise: files with texture coordinates or normals at corners are open at every seam.
+/// `places`: for each point the one that represents its position, empty if no points coincide.
 SurfaceCurvatureResult CurvatureOfPlaces(const isthmus::SurfaceView& mesh,
   const isthmus::SurfaceCurvatureOptions& options, const isthmus::ProgressCallback& progress,
   std::vector<vtkIdType>& places)
@@ -123,7 +123,7 @@ void AddAreas(
     { return places.empty() ? areas[i] : areas[i] / sharers[isthmus::At(places[i])]; });
 }
 
-/// Of the Gaussian curvature: each place once, by the area that belongs to it.
+/// Integral of the Gaussian curvature: each position counts once, with its area.
 double IntegralOver(const std::vector<vtkIdType>& places, const SurfaceCurvatureResult& result)
 {
   double sum = 0.0;

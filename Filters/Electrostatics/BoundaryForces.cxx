@@ -40,7 +40,7 @@ double Pull(const SurfaceValues& field, std::size_t i, const FitMedium& medium, 
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// Takes (weight times shares) from the forces of the atoms that carry a point.
+/// Subtracts (weight times shares) from the forces of the atoms that share a point.
 void Subtract(const std::vector<SurfaceShare>& shares, double weight, std::vector<Point3>& forces)
 {
   for (const SurfaceShare& share : shares)
@@ -60,7 +60,7 @@ double IonPressure(const GridPotential& solution, std::size_t layer, double phi)
   return std::isfinite(pressure) ? pressure : 0.0;
 }
 
-/// The ions that keep off the surface: access goes from 0 to 1 over IonBorderWidth, and with it.
+/// Ions kept away from the surface: access rises from 0 to 1 over IonBorderWidth.
 void AddDistantIons(const GridPotential& solution, std::size_t layer, const SurfaceMotion& motion,
   std::vector<Point3>& forces)
 {
@@ -163,7 +163,7 @@ SurfaceMotion::SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay
   {
     volume *= std::max(high[a] - this->Low[a], 1e-3);
   }
-  // Some atoms a cell, and no more cells than atoms wherever these lie.
+  // A few atoms per cell, and no more cells than atoms for any arrangement.
   const double longest =
     std::max({ high[0] - this->Low[0], high[1] - this->Low[1], high[2] - this->Low[2] });
   const auto count = static_cast<double>(atoms.size());

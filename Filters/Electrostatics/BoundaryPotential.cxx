@@ -166,7 +166,7 @@ void AddFace(const SolverBox& box, const std::vector<double>& u, const Radiating
   };
   const std::vector<double> along = weights(b);
   const std::vector<double> across = weights(c);
-  // A dipole is two charges so near that the pair's own size is not felt.
+  // A dipole is two charges so close that the distance between them has no effect.
   const double apart = 0.05 * h;
   for (std::size_t j = 0; j < along.size(); ++j)
   {
@@ -218,7 +218,7 @@ RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box)
     range.First[a] = std::max<std::int64_t>(2, inside.First[a] / 2);
     range.Last[a] = std::min(end - 2, (inside.Last[a] + end + 1) / 2);
     range.Stride[a] = std::max<std::int64_t>(1, std::llround(0.25 * gap / box.Spacing[a]));
-    // Whole strides: the rest is taken off both ends.
+    // Whole strides: the remainder is removed from both ends.
     const std::int64_t rest = (range.Last[a] - range.First[a]) % range.Stride[a];
     range.First[a] += rest / 2;
     range.Last[a] -= rest - rest / 2;

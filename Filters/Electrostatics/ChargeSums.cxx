@@ -120,7 +120,7 @@ ISTHMUS_VECTOR_CLONES void ScreenedLoop(std::size_t blocks, const double* px, co
   }
 }
 
-/// One charge by itself, into lane 0.
+/// A single charge, into lane 0.
 void AddOne(const ChargeList& charges, std::size_t i, const Point3& x, double (*sums)[Lanes])
 {
   double px[Lanes], py[Lanes], pz[Lanes], q[Lanes] = {};

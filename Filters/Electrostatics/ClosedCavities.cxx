@@ -10,7 +10,7 @@ namespace isthmus
 namespace
 {
 
-/// Nodes [First, Last) outside, one behind the other along x.
+/// Consecutive nodes [First, Last) outside along x.
 struct Run
 {
   std::int64_t First, Last;
@@ -33,7 +33,7 @@ public:
     this->Start.push_back(this->Runs.size());
   }
 
-  /// Sets of runs that hang together over neighbouring lines.
+  /// Sets of runs that are connected through neighbouring lines.
   DisjointSets<std::int64_t> Components(const SolverBox& box) const
   {
     DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(this->Runs.size()));

@@ -193,7 +193,7 @@ EdgePermittivity GridPotential::Permittivities() const
 
 void GridPotential::SetBorder(const PotentialFunction& border, bool sampled)
 {
-  // What charges and surface radiate is as smooth on the border as these are far from it.
+  // The field of charges and surface is smooth on the border if they are far from it.
   const double length = 0.3 * GapAround(this->RangeInside(), this->Box);
   FillBorder(this->Box, border, sampled ? length : 0.0, this->U);
 }
@@ -513,7 +513,7 @@ void GridPotential::SolveNonlinear(double tolerance, const ProgressCallback& pro
   const double reference = this->NonlinearResidual(zero, this->Work.Residual);
   zero = {};
   double norm = this->NonlinearResidual(this->U, this->Work.Residual);
-  // Where ions reach the surface, the fits depend on the potential there, and are linearised anew
+  // Where ions reach the surface, the fits depend on the potential there, and are linearised again
   // for each step.
   const double goal = tolerance * std::max(reference, 1e-300);
   for (int newton = 0;; ++newton)
@@ -530,7 +530,8 @@ void GridPotential::SolveNonlinear(double tolerance, const ProgressCallback& pro
     if (newton >= this->Parameters.MaximumNewtonSteps)
     {
       throw std::runtime_error("Newton's method did not converge in " + std::to_string(newton) +
-        " steps: the residual is " + FormatNumber(norm / reference) + " of that of no potential.");
+        " steps: the residual is " + FormatNumber(norm / reference) +
+        " of that of a zero potential.");
     }
     // Linear systems far from the solution need not be solved accurately.
     norm = this->NewtonStep(newton == 0 ? 1e-2 : 1e-3, norm);

@@ -69,13 +69,14 @@ std::vector<Datum> DataAround(const SolverBox& box, const std::vector<unsigned c
   return data;
 }
 
-/// The first `N` coefficients of the fit; false where the data do not tell them apart.
+/// The first `N` coefficients of the fit; false if the data do not determine them.
 template <int N>
 bool Solve(const std::vector<Datum>& data, std::array<double, 4>& answer)
 {
   using Matrix = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
-  // Half as many nodes again as coefficients, so that one-sided neighbourhoods stay well-posed.
+  // One and a half times as many nodes as coefficients, so that one-sided neighbourhoods stay
+  // well-posed.
   if (data.size() * 2 < 3 * static_cast<std::size_t>(N))
   {
     return false;

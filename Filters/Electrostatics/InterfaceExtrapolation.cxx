@@ -40,7 +40,7 @@ double Bulge(const SurfaceFrame& frame, const Point3& y)
   return 0.5 * along * along;
 }
 
-/// Adds what a constant in the Laplacian outside does to a continuation to `target`.
+/// Adds the effect of a constant in the Laplacian outside on a continuation to `target`.
 void AddLaplacian(const SurfaceFrame& frame, double laplacian, const FitNodes& nodes,
   bool insideFunction, const Point3& target, Continuation& c)
 {
@@ -54,10 +54,7 @@ void AddLaplacian(const SurfaceFrame& frame, double laplacian, const FitNodes& n
   }
 }
 
-/// Whether the nodes outside could not tell an outside quadratic by themselves.
-/// There the fit would continue the outside function from values inside, whose errors are magnified
-/// outside by eps_s / eps_m and shift the potential of a whole cavity; ghost-fluid fluxes around it
-/// add up to 0.
+/// Whether the nodes outside alone could not determine an outside quadratic.
 bool IsNarrow(const FitNodes& nodes)
 {
   constexpr std::ptrdiff_t harmonicQuadratic = 9;
@@ -156,7 +153,7 @@ InterfaceExtrapolation ValuesAtCrossing(const InterfaceProblem& problem, std::si
   std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
   if (problem.Model == DielectricModel::SmoothDielectric)
   {
-    values.Quality = FitQuality::Quadratic; // nothing fell back
+    values.Quality = FitQuality::Quadratic; // no fallback was needed
     GhostFluid(problem, c, charges, nodes, values);
     return values;
   }

@@ -50,7 +50,7 @@ void Gather(const LevelFunction& level, const SolverBox& box, const Line& line, 
 }
 
 /// Root of the sixth-order polynomial between the ends, which lie on two sides; linear where the
-/// samples are no smooth function.
+/// samples are not smooth.
 double RootOnEdge(const LevelFunction& level, const SolverBox& box, const Line& line)
 {
   double values[Reach];
@@ -133,7 +133,7 @@ void Derivatives(const Samples& s, const LineWeights& w, int axis, const Point3&
   hessian[c][b] = hessian[b][c];
 }
 
-/// P H P / |g|, held below one over the spacing: sharper bends are below what the grid shows.
+/// P H P / |g|, limited to one over the spacing: the grid does not resolve sharper bends.
 SurfaceFrame FrameOf(
   const Point3& g, const double (&hessian)[3][3], double spacing, int axis, double towards)
 {

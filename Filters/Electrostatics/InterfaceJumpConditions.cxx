@@ -13,7 +13,7 @@ constexpr int Unknowns = 9;
 constexpr int LinearUnknowns = 4; // phi0, a, b1, b2
 constexpr std::size_t FewestForQuadratic = 14;
 constexpr std::size_t FewestForLinear = 5;
-/// Fits whose answer amplifies the data more than this are not believed.
+/// Fits that amplify the data more than this are rejected.
 constexpr double LargestGain = 1e3;
 
 using Basis = std::array<double, Unknowns>;
@@ -192,7 +192,7 @@ FitQuality FitInterface(const FitMedium& medium, const SurfaceFrame& frame, cons
   for (const FitTarget& target : targets)
   {
     wanted.push_back(TargetBasis(target, local, rho, k));
-    // Slopes are values by the spacing, as large as that is small.
+    // Slopes are values divided by the spacing, and large if that is small.
     scale = target.What > FitTarget::SurfaceValue ? std::max(1.0, local.Inverse) : scale;
   }
   functionals.resize(targets.size());

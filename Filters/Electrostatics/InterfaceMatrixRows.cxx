@@ -127,7 +127,7 @@ void AssembleRange(const InterfaceProblem& problem,
     double wanted = 0.0;
     BuildRow(problem, values, row, wanted);
     const double diagonal = row.Entries.front().second; // the node itself came first
-    // A diagonal that the fits have all but cancelled is no measure of the row.
+    // A diagonal that the fits have nearly cancelled does not measure the row.
     const double scale = diagonal > 0.1 * wanted ? wanted / diagonal : 1.0;
     part.Start.push_back(static_cast<std::int64_t>(part.Column.size()));
     for (const auto& [column, value] : row.Entries)
@@ -141,7 +141,7 @@ void AssembleRange(const InterfaceProblem& problem,
   }
 }
 
-/// Room for what is appended: growing by doubling would hold twice that, at the peak of memory.
+/// Reserves the memory to be appended: growth by doubling would need twice as much at the peak.
 void Reserve(const std::vector<InterfaceMatrixRows>& parts, InterfaceMatrixRows& all)
 {
   std::size_t entries = 0;

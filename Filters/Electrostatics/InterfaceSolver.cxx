@@ -21,7 +21,7 @@ double Dot(const std::vector<A>& a, const std::vector<B>& b)
   return ParallelReduce<double>(static_cast<std::int64_t>(a.size()), ValuesPerTask, 0.0,
     [&](double& partial, std::int64_t first, std::int64_t last)
     {
-      // Four running sums: one would wait for each addition to end.
+      // Four running sums: a single one would wait for each addition.
       double s[4] = { 0.0, 0.0, 0.0, 0.0 };
       for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
       {
@@ -99,7 +99,7 @@ public:
 
   void Step();
 
-  /// A direction that has all but lost its shadow goes nowhere.
+  /// A direction nearly orthogonal to its shadow makes no progress.
   bool IsStuck(double norm) const
   {
     return !(std::abs(this->Rho) > 1e-12 * norm) || this->Omega == 0.0;
@@ -156,8 +156,8 @@ void RequireConvergence(const SolverReport& report, const SolverControl& control
     const double reached = report.Residuals.empty() ? 1.0 : report.Residuals.back();
     throw std::runtime_error("The potential did not converge: after " +
       std::to_string(report.Iterations) + " iterations the residual is " + FormatNumber(reached) +
-      " of that of the start, and " + FormatNumber(control.Tolerance) +
-      " was asked for. Allow more iterations, or use a smoother surface or a finer grid.");
+      " of the initial one, but " + FormatNumber(control.Tolerance) +
+      " was requested. Allow more iterations, or use a smoother surface or a finer grid.");
   }
 }
 
@@ -181,7 +181,7 @@ SolverReport SolveInterface(const InterfaceOperator& matrix, MultigridPoisson& m
   }
   const double start = std::log(norm / goal);
   BiCGSTAB search(matrix, multigrid, work, u);
-  bool fresh = true; // the search starts anew from the residual
+  bool fresh = true; // the search starts again from the residual
   while (report.Iterations < control.MaximumIterations)
   {
     if (fresh)

@@ -24,7 +24,7 @@ double DistanceFrom(const InterfaceCrossing& c, const Point3& y)
     return length;
   }
   const double focus = 1.0 + s * bend / t2;
-  // Behind the centre of a hollow the paraboloid says nothing.
+  // Beyond the centre of curvature of a hollow the paraboloid is meaningless.
   return focus > 0.3 ? std::clamp(s + 0.5 * bend / focus, 0.0, length) : length;
 }
 

@@ -61,8 +61,8 @@ std::int64_t StrideForBorder(const SolverBox& box)
   return stride;
 }
 
-/// The border function of SelfConsistent, from solutions of `problem` with border values that get
-/// better.
+/// The border function of SelfConsistent, from solutions of `problem` with successively better
+/// border values.
 PotentialFunction SelfConsistentBorder(
   GridPotential& problem, PotentialFunction border, const ProgressCallback& progress)
 {

@@ -34,7 +34,7 @@ void RequireOneComponent(vtkDataArray* array, const char* what)
   }
 }
 
-/// Trilinear in the level function, which goes on beyond the volume.
+/// Trilinear in the level function, which is extrapolated beyond the volume.
 double LevelAt(const LevelFunction& level, const Point3& x)
 {
   std::array<std::int64_t, 3> low;
@@ -55,11 +55,11 @@ double LevelAt(const LevelFunction& level, const Point3& x)
   return value;
 }
 
-/// A potential on a grid of its own, trilinear; NaN beyond it.
+/// A potential on a separate grid, trilinear; NaN beyond it.
 std::function<double(const Point3&)> OnItsGrid(
   vtkImageData* potential, vtkDataArray* values, vtkImageData* grid)
 {
-  // A copy: the filter's input may go before the function.
+  // A copy: the filter's input may be deleted before the function.
   auto copy =
     std::make_shared<std::vector<double>>(static_cast<std::size_t>(potential->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < potential->GetNumberOfPoints(); ++i)

@@ -105,7 +105,7 @@ void FillImage(const GridPotential& solution, vtkImageData* image, const Progres
       in[node] = inside ? 1 : 0;
     },
     progress);
-  // Not SetScalars, which would take the input's active array away.
+  // Not SetScalars, which would replace the input's active array.
   image->GetPointData()->AddArray(potential);
   image->GetPointData()->SetActiveScalars("Potential");
   image->GetPointData()->AddArray(reaction);

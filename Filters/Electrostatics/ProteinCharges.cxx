@@ -21,7 +21,7 @@ constexpr int MostResidues = 9999;
 
 const std::string WayOut = " Or open a PQR file.";
 
-/// A residue of the input, and what the child's files call it.
+/// A residue of the input, and its name in the files of the child process.
 struct FileResidue
 {
   std::vector<std::size_t> Atoms;
@@ -30,7 +30,8 @@ struct FileResidue
   bool Answered = false;
 };
 
-/// Letters and numbers of our own, so that whatever names a file has fit into a PDB's columns.
+/// Assigns letters and numbers that fit into the columns of a PDB file, whatever the names in the
+/// input.
 std::vector<FileResidue> ResiduesOf(const std::vector<NamedAtom>& atoms)
 {
   std::map<std::string, std::pair<std::size_t, int>> chains; // letter's place, residues so far
@@ -79,7 +80,8 @@ std::string PDBLine(const NamedAtom& atom, const FileResidue& residue, int seria
         WayOut);
     }
   }
-  // A name that is cut would be another one: what does not fit is nobody the force field knows.
+  // A truncated name could be that of another residue; names that do not fit are not in the force
+  // field.
   const std::string name = atom.Name.size() > 4 ? "X" : atom.Name;
   const std::string kind = atom.Residue.size() > 3 ? "X" : atom.Residue;
   std::string line = LeftAligned(atom.IsHetero ? "HETATM" : "ATOM", 6) +
@@ -175,7 +177,7 @@ void RequireSuccess(const ChildResult& result, const ChildLimits& limits)
   if (result.End == ChildEnd::Crashed || result.Code != 0)
   {
     throw std::runtime_error("The atoms have no charges, and pdb2pqr could not find them (" +
-      ReasonIn(result.Output) + "): complete the protein, or read the part of it that is." +
+      ReasonIn(result.Output) + "): complete the protein, or read only its complete part." +
       WayOut);
   }
 }
@@ -186,7 +188,7 @@ bool IsHydrogen(const std::string& name)
   return letter != std::string::npos && name[letter] == 'H';
 }
 
-/// The atoms of one line of the answer: ATOM serial name residue chain number x y z charge radius.
+/// The atoms of one line of the output: ATOM serial name residue chain number x y z charge radius.
 class Answer
 {
 public:
@@ -216,7 +218,7 @@ public:
     const auto at = this->Places.find({ chain.empty() ? ' ' : chain[0], number });
     if (!complete || at == this->Places.end())
     {
-      throw std::runtime_error("pdb2pqr gave a line that can't be read (" + Printable(line) +
+      throw std::runtime_error("pdb2pqr wrote a line that can't be read (" + Printable(line) +
         "): use version 3." + WayOut);
     }
     FileResidue& residue = this->Residues[at->second];
@@ -251,7 +253,7 @@ public:
     std::string text;
     if (count > 0)
     {
-      text = "The force field knows no charges of " + Printable(list) +
+      text = "The force field has no charges for " + Printable(list) +
         (count > 6 ? " and " + std::to_string(count - 6) + " more" : "") +
         ": they were left out. A PQR file can contain charges for them.";
     }
@@ -292,8 +294,8 @@ ChargedProtein ChargeProtein(const std::vector<NamedAtom>& atoms, ChargeTable ta
   }
   if (charged.Atoms.empty())
   {
-    throw std::runtime_error("The atoms have no charges, and pdb2pqr knows none of the residues: "
-                             "it is for proteins and nucleic acids." +
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr recognised none of the "
+                             "residues: it supports proteins and nucleic acids only." +
       WayOut);
   }
   charged.Warning = answer.Warning();

@@ -81,7 +81,7 @@ std::vector<Ball> BallsOf(const std::vector<ChargedAtom>& atoms)
   return balls;
 }
 
-/// Bends of S and of log S across the level, over its slopes; and whether S is cut off near it.
+/// Bends of S and of log S across the level, over its slopes; and whether S is clipped near it.
 struct Straightness
 {
   double Plain = 0.0, Logarithm = 0.0;
@@ -89,7 +89,7 @@ struct Straightness
   std::int64_t Edges = 0, Flat = 0;
 };
 
-/// The least and greatest value where many nodes have it: there the values were cut off.
+/// The minimum and maximum, if many nodes have these values: the values were clipped there.
 struct Plateaus
 {
   double Low = -std::numeric_limits<double>::infinity();
@@ -264,7 +264,7 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
       }
       else
       {
-        // The view's values are a passing copy.
+        // The view's values are a temporary copy.
         volume.Doubles.assign(grid.Data, grid.Data + grid.Size());
         volume.Level.Doubles = { volume.Doubles.data(), grid.Dimensions, grid.Spacing };
       }

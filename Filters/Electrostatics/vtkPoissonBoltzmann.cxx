@@ -62,7 +62,7 @@ const std::vector<isthmus::OutputArray>& vtkPoissonBoltzmann::OutputArrayTable()
     { 0, ArrayPlace::Field, "LinearFits", 1, "", ArrayChoice::None,
       "crossings of the surface at which a linear fit replaced the quadratic one" },
     { 0, ArrayPlace::Field, "GhostFits", 1, "", ArrayChoice::None,
-      "crossings at which a simpler one replaced that, most of them in cavities and clefts one or "
+      "crossings at which an even simpler fit was used, most of them in cavities and clefts one or "
       "two nodes wide" },
     { 0, ArrayPlace::Field, "DebyeLength", 1, "angstrom", ArrayChoice::None, "0 without salt" },
     { 0, ArrayPlace::Field, "NetCharge", 1, "e", ArrayChoice::None, "of the atoms" },
@@ -112,7 +112,7 @@ void vtkPoissonBoltzmann::AddIon(double valence, double concentration)
 
 void vtkPoissonBoltzmann::AddIon(double valence, double concentration, double radius)
 {
-  // NaN where none is meant: below 0 the algorithm would take IonRadius.
+  // NaN where none is given: for values below 0 the algorithm would use IonRadius.
   this->Parameters.Ions.push_back(
     { valence, concentration, radius >= 0.0 ? radius : std::numeric_limits<double>::quiet_NaN() });
   this->Modified();
@@ -210,7 +210,7 @@ int vtkPoissonBoltzmann::RequestInformation(
     outInfo->CopyEntry(info, vtkDataObject::DIRECTION());
     return 1;
   }
-  // The extent of the grid is that of the surface or of the atoms as they come. No program runs
+  // The extent of the grid follows from the surface or the atoms of the input. pdb2pqr is not run
   // here.
   this->Advance->Update(vtkPolyData::GetData(info) ? 1 : 0);
   isthmus::SetImageInformation(outInfo,
@@ -339,7 +339,7 @@ void vtkPoissonBoltzmann::Solve(
   {
     vtkWarningMacro(<< isthmus::TextOf("Padding is ", parameters.Padding,
                       " angstrom, less than the Debye length of ", 1.0 / kappa,
-                      ": the border is near enough to be felt."));
+                      ": the border is close enough to affect the result."));
   }
   auto* output = vtkImageData::GetData(outputVector, 0);
   if (image)

@@ -252,7 +252,7 @@ private:
   vtkPoissonBoltzmann(const vtkPoissonBoltzmann&) = delete;
   void operator=(const vtkPoissonBoltzmann&) = delete;
 
-  void Warn(const std::string& sentence); ///< empty: not
+  void Warn(const std::string& sentence); ///< nothing if empty
   /// The grid without input 1, the same for information and data.
   vtkSmartPointer<vtkImageData> GridAround(vtkPointSet* atoms);
   vtkPointSet* AtomsWithCharges(vtkInformationVector** inputVector);

@@ -448,8 +448,8 @@ void DiffusionPipeline<T>::AddReactions(const T* current, std::int64_t offset)
   }
 }
 
-/// Hands out pipelines, so that each thread has one and their memory is touched for the first time
-/// once and not for every tile.
+/// Provides pipelines, so that each thread has one and their memory is first touched once and not
+/// for every tile.
 template <typename T>
 class PipelinePool
 {

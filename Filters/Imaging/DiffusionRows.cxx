@@ -91,7 +91,7 @@ ISTHMUS_INLINE T ExponentialOfNegative(T x)
 template <typename T>
 ISTHMUS_INLINE void Exponential(std::int64_t n, T* __restrict values)
 {
-  // By itself: in one loop with the rest, a compiler makes of it a branch, and no vectors.
+  // A separate loop: within that of the rest, a compiler would generate a branch and not vectorise.
   for (std::int64_t i = 0; i < PaddedLength(n); ++i)
   {
     const T x = -values[i];

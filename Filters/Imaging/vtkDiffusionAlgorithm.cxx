@@ -127,7 +127,7 @@ int vtkDiffusionAlgorithm::RequestData(
       output->ShallowCopy(input);
       isthmus::CropTo(output, own);
       double anyDouble = scalars && !isthmus::FitsFloat(scalars) ? 1.0 : 0.0;
-      parts.Sum(&anyDouble, 1); // a rank without nodes has no array to tell it
+      parts.Sum(&anyDouble, 1); // a rank without nodes has no array
       if (anyDouble > 0.0)
       {
         this->Compute<double>(input, output, parts);

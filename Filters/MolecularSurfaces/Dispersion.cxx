@@ -18,7 +18,8 @@ namespace isthmus
 namespace
 {
 
-constexpr double CutOff = 10.0; // angstrom; beyond, a pair gives less than 1/1000 of its depth
+constexpr double CutOff =
+  10.0; // angstrom; beyond, a pair contributes less than 1/1000 of its depth
 
 /// Adds the energy of one pair to a row of nodes, the first `x` spacings from the atom along the
 /// row, all with the squared distance `rest` across.
@@ -168,8 +169,8 @@ constexpr double Near = 12.0;    // angstrom, within which an atom sees single n
 constexpr std::int64_t Side = 8; // nodes along a block
 constexpr std::size_t Lanes = 8;
 
-/// Nodes of a block with their volumes, and what they are together. In four arrays, for vector
-/// instructions, and as many as fill these: those at the end have no volume.
+/// Nodes of a block with their volumes, and their sums. In four arrays, for vector instructions,
+/// padded with nodes without volume.
 struct Block
 {
   Place At{ 0.0, 0.0, 0.0 };
@@ -277,7 +278,7 @@ ISTHMUS_VECTOR_CLONES void WellLoop(std::size_t groups, const double* x, const d
   }
 }
 
-/// The integral of a pair over blocks, of which those farther than `near` count as wholes.
+/// The integral of a pair over blocks, of which those farther than `near` count as one point.
 double IntegralOver(
   const std::vector<Block>& blocks, const Place& centre, const DispersionPair& pair, double near)
 {

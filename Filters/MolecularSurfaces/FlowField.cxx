@@ -68,7 +68,8 @@ enum : unsigned char
   LastIsNear = 4
 };
 
-/// Cuts the distances of a chunk, copies them to Next, and tells what of it lies in the band.
+/// Clamps the distances of a chunk, copies them to Next, and returns which part of it lies in the
+/// band.
 unsigned char Settle(float* distance, float* next)
 {
   bool any = false;
@@ -94,7 +95,8 @@ void SettleRange(FlowField& field, std::int64_t first, std::int64_t last)
   }
 }
 
-/// Stencils of redistancing reach so far, so that rows and planes at the border are never in a run.
+/// Redistancing stencils have this radius, so that rows and planes at the border are never in a
+/// run.
 constexpr std::int64_t Reach = 2;
 
 /// The runs of one plane: its chunks that are near, or next to a node that is.

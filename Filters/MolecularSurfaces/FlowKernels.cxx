@@ -32,8 +32,8 @@ inline float Minmod(float a, float b)
   return a * b > 0.0F ? least : 0.0F;
 }
 
-/// The squared upwind slope along one axis, of sign * phi: from below or from above, the steeper
-/// of those that come from the surface.
+/// The squared upwind slope along one axis, of sign * phi: from below or from above, the steeper of
+/// those that point away from the surface.
 inline float UpwindSquared(float mm, float m, float c, float p, float pp, float sign)
 {
   const float curveBelow = Minmod(mm - 2.0F * m + c, m - 2.0F * c + p);
@@ -114,8 +114,8 @@ void AdvanceNodes(const float* from, float* __restrict to, const float* ceiling,
 
 void AdvanceRow(const FlowStep& step, FlowStrides strides, std::int64_t first, std::int64_t last)
 {
-  // Without floor or pull, the ceiling stands in, with factors that leave nothing of it: one loop
-  // for all cases, and no condition in it.
+  // Without floor or pull, the ceiling is used in their place with a factor of zero: one loop for
+  // all cases, without a condition.
   const ScaledRow nowhere{ step.Ceiling, 0.0F, -1e6F };
   const ScaledRow floor = step.Floor ? ScaledRow{ step.Floor, 1.0F, 0.0F } : nowhere;
   const ScaledRow pull = step.Pull ? ScaledRow{ step.Pull, 1.0F, 0.0F } : nowhere;
@@ -139,7 +139,7 @@ void HoldSurfaceRow(const float* from, float* __restrict to, unsigned char* __re
       Lesser(Lesser(at[1], at[-1]), Lesser(at[row], at[-row])), Lesser(at[plane], at[-plane]));
     const float highest = Greater(
       Greater(Greater(at[1], at[-1]), Greater(at[row], at[-row])), Greater(at[plane], at[-plane]));
-    // Bit by bit, without jumps; 0 counts as inside.
+    // Bitwise, without branches; 0 counts as inside.
     const bool held = ((c > 0.0F) & (lowest <= 0.0F)) | ((c <= 0.0F) & (highest > 0.0F));
     const float x = 0.5F * (at[1] - at[-1]);
     const float y = 0.5F * (at[row] - at[-row]);

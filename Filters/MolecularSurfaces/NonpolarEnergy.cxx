@@ -111,7 +111,7 @@ NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
   if (atoms.size() != balls.size())
   {
     throw std::invalid_argument("There are " + std::to_string(balls.size()) + " balls and " +
-      std::to_string(atoms.size()) + " Lennard-Jones atoms, but they are to be the same atoms.");
+      std::to_string(atoms.size()) + " Lennard-Jones atoms, but they must be the same atoms.");
   }
   NonpolarEnergies energies;
   energies.Atoms.resize(balls.size());

@@ -161,7 +161,7 @@ private:
     return std::clamp(probe - std::sqrt(scratch.ToCircle[node]), -FlowGrid::Band, FlowGrid::Band);
   }
 
-  /// Is the sphere free where it is nearest to `place`?
+  /// Whether the sphere is free at its point nearest to `place`.
   bool IsOnFreeSphere(const std::array<double, 3>& place, std::size_t ball) const
   {
     const Ball& sphere = this->Rolled[ball];
@@ -182,7 +182,7 @@ private:
 
   const FlowGrid& Grid;
   double Probe;   // spacings, as all lengths here
-  double Outside; // how far beyond the spheres distances are wanted
+  double Outside; // how far beyond the spheres distances are needed
   BallBricks Spheres;
   std::vector<Ball> Rolled; // balls of radius plus probe
   BallNeighbours Neighbours;

@@ -157,16 +157,17 @@ void AddCoarseField(const FlowField& coarse, FlowField& fine)
   Advance(fine, 0.0);
 }
 
-constexpr double Lambda = 0.16;                // dt / spacing^2; 0.25 is where it becomes unstable
-constexpr int StepsToRedistance = 4;           // more seldom, necks break too early
-constexpr int RedistanceIterations = 2;        // by 0.45 spacings each
-constexpr int FinalIterations = 10;            // through the whole band
-constexpr int StepsToMeasure = 48;             // between two measures, a multiple of the above
-constexpr double Rest = 1e-5;                  // relative change of the volume in StepsToMeasure
-constexpr int MostSteps = 20000;               // on one grid, or on the coarsest of several
-constexpr int FinerSteps = 4 * StepsToMeasure; // at least, on finer grids: details only are left
-constexpr double Slow = 1.5e-4;                // relative change of the volume in a square angstrom
-constexpr double StartAgain = 1.3;             // enlargement of what is added on finer levels
+constexpr double Lambda = 0.16;      // dt / spacing^2; 0.25 is where it becomes unstable
+constexpr int StepsToRedistance = 4; // see the README: with a longer period, necks break too early
+constexpr int RedistanceIterations = 2; // by 0.45 spacings each
+constexpr int FinalIterations = 10;     // through the whole band
+constexpr int StepsToMeasure = 48;      // between two measures, a multiple of the above
+constexpr double Rest = 1e-5;           // relative change of the volume in StepsToMeasure
+constexpr int MostSteps = 20000;        // on one grid, or on the coarsest of several
+constexpr int FinerSteps =
+  4 * StepsToMeasure;              // at least, on finer grids, where only details remain
+constexpr double Slow = 1.5e-4;    // relative change of the volume in a square angstrom
+constexpr double StartAgain = 1.3; // enlargement of what is added on finer levels
 
 /// The time of a running flow, and the record of its measures.
 struct FlowHistory
@@ -203,7 +204,7 @@ void RunForTime(
   }
   const int steps = static_cast<int>(wanted);
   const double dt = steps > 0 ? time / steps : 0.0;
-  // Where redistancing has just been, since the volume swings a little in between.
+  // Right after redistancing, since the volume oscillates slightly in between.
   const int between = StepsToRedistance * std::max(1, steps / (measures * StepsToRedistance));
   history.Measure(field);
   for (int step = 1; step <= steps; ++step)
@@ -232,7 +233,7 @@ public:
   }
 
   /// By two measures, since the volume may pass through a turning point; or by the means of four
-  /// and the four before, since small surfaces can oscillate for ever.
+  /// and the four before, since small surfaces can oscillate forever.
   bool HasConverged() const
   {
     const std::size_t n = this->Volumes.size();
@@ -269,7 +270,7 @@ bool RunToConvergence(
   {
     Step(field, step, Lambda);
     history.Time += dt;
-    // How long it takes is not known, so progress slows down: half after 200 steps.
+    // The number of steps is unknown, so progress slows down: half after 200 steps.
     Report(progress, step / (step + 200.0));
     if (step % StepsToMeasure == 0)
     {
@@ -286,7 +287,7 @@ bool RunToConvergence(
 FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
   const PullField& pull, FlowHistory& history, const ProgressCallback& progress)
 {
-  // With a probe, flows are short; with a pull, coarse grids see too little of it.
+  // With a probe, flows are short; with a pull, coarse grids do not resolve it.
   const bool coarse = parameters.CoarseToFine && parameters.ProbeRadius == 0.0 && !pull;
   const int levels = coarse ? NumberOfCoarserLevels(balls, parameters) : 0;
   const auto part = [&](int level) { return static_cast<double>(level) / (levels + 1); };

@@ -34,7 +34,7 @@ double Nodes(const DensityGrid& grid)
   return static_cast<double>(n[0]) * static_cast<double>(n[1]) * static_cast<double>(n[2]);
 }
 
-/// The middle one of the balls' coordinates along each axis.
+/// The median of the balls' coordinates along each axis.
 std::array<double, 3> Middle(const std::vector<Ball>& balls)
 {
   std::array<double, 3> middle{};
@@ -50,7 +50,7 @@ std::array<double, 3> Middle(const std::vector<Ball>& balls)
   return middle;
 }
 
-/// A sentence about the outermost atom if it is ten times as far out as nine tenths of them are.
+/// A message about the outermost atom if it is ten times as far out as nine tenths of the atoms.
 std::string OutlierText(const std::vector<Ball>& balls)
 {
   const std::array<double, 3> middle = Middle(balls);
@@ -70,7 +70,7 @@ std::string OutlierText(const std::vector<Ball>& balls)
   {
     return "";
   }
-  return TextOf(" Atom ", atom, " lies ", far, " from the middle of the others: is it meant?");
+  return TextOf(" Atom ", atom, " lies ", far, " from the middle of the others: is this intended?");
 }
 
 }

@@ -94,7 +94,8 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   }
   result.Converged = converged || !parameters.Steady;
   result.S = InnerValues(field.Grid, field.Distance, -1.0F, Half);
-  // Where S is 0 or 1 it tells no distance: such nodes lie beyond the band, the whole margin too.
+  // Where S is 0 or 1 it does not determine a distance: such nodes lie beyond the band, like the
+  // whole margin.
   std::for_each(field.Distance.begin(), field.Distance.end(),
     [](float& value) {
       value = std::abs(value) < Half ? value * SpacingsToS : std::copysign(FlowGrid::Band, value);

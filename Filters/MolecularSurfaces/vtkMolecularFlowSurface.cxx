@@ -40,8 +40,8 @@ using isthmus::SurfaceFlowParameters;
 using isthmus::SurfaceFlowResult;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// 0 and `steps` more, equally far apart, to `whole` (square angstrom); none for a number of steps
-/// or a whole that Check() refuses, and where `input` has time steps of its own.
+/// 0 and `steps` more, equally far apart, to `whole` (square angstrom); none for values that
+/// Check() refuses, or if `input` has time steps.
 std::vector<double> FlowTimes(int steps, double whole, vtkInformation* input)
 {
   std::vector<double> times;
@@ -121,7 +121,8 @@ MoleculeAtoms vtkMolecularFlowSurface::vtkInternals::Atoms(vtkDataObject* input)
       isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms));
 }
 
-/// The times of the flow that can be asked for; none where time is not the flow's.
+/// The times of the flow that can be requested; none if the pipeline's time is not that of the
+/// flow.
 std::vector<double> vtkMolecularFlowSurface::vtkInternals::Times(vtkInformation* input) const
 {
   const isthmus::MolecularFlowParameters& p = this->Self->Parameters;
@@ -161,10 +162,10 @@ void vtkMolecularFlowSurface::vtkInternals::Warn(
   }
   if (!result.Converged)
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << isthmus::TextOf("The surface still moves after ", result.History.back().Time,
-                    " square angstrom of flow: parts of it are larger than a steady flow was made "
-                    "for. The last state is shown."));
+    vtkWarningWithObjectMacro(this->Self,
+      << isthmus::TextOf("The surface still moves after ", result.History.back().Time,
+           " square angstrom of flow: parts of it are larger than the steady flow is designed "
+           "for. The last state is shown."));
   }
 }
 
@@ -248,7 +249,7 @@ int vtkMolecularFlowSurface::FillOutputPortInformation(int port, vtkInformation*
 int vtkMolecularFlowSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
+  // The extent of the image must be reported now, and depends on the atoms, so they are updated.
   this->Advance->Update();
   vtkInformation* outInfo = outputVector->GetInformationObject(1);
   isthmus::SetImageInformation(outInfo,
@@ -274,7 +275,7 @@ int vtkMolecularFlowSurface::RequestInformation(
 int vtkMolecularFlowSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // the extent asked of the image means nothing to the atoms
+  return 1; // the extent requested of the image does not apply to the atoms
 }
 
 int vtkMolecularFlowSurface::RequestData(
@@ -316,7 +317,7 @@ int vtkMolecularFlowSurface::RequestData(
       for (vtkDataObject* output : { static_cast<vtkDataObject*>(surface),
              static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(history) })
       {
-        if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
+        if (!atoms.Notes.empty()) // ParaView interprets an empty array as the end of field data
         {
           isthmus::AddNotes(atoms.Notes, output);
         }

@@ -167,7 +167,7 @@ int vtkNonpolarSolvation::FillOutputPortInformation(int port, vtkInformation* in
 int vtkNonpolarSolvation::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // All of the inside counts, whatever piece is asked for.
+  // The whole inside is needed, whatever piece is requested.
   if (vtkInformation* image = input[1]->GetInformationObject(0))
   {
     isthmus::RequestWholeExtent(image);

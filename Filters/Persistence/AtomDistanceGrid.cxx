@@ -28,7 +28,7 @@ void CheckAtoms(const std::vector<Point3>& atoms, const std::vector<double>& sca
     if (!scales.empty() && (!(scales[i] > 0.0) || std::isinf(scales[i])))
     {
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
-        FormatNumber(scales[i]) + ", but distances are to be divided by it: give a positive one.");
+        FormatNumber(scales[i]) + ", but distances are divided by it: set a positive one.");
     }
   }
 }

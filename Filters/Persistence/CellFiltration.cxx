@@ -108,7 +108,7 @@ std::size_t IdOf(Entry entry)
   return static_cast<std::size_t>(entry & 0xFFFFFFFFU);
 }
 
-/// Whether a run of entries stands in the order of whole keys already: most have one key.
+/// Whether a run of entries is already in the order of whole keys: most have one key.
 bool IsInOrder(const Entry* begin, const Entry* end, const EntryKeys& keys)
 {
   std::uint64_t before = keys.Of(IdOf(*begin));
@@ -170,7 +170,7 @@ std::vector<std::int64_t> RunStarts(const std::vector<Entry>& entries)
   return starts;
 }
 
-/// Writes down the order and the ranks of the entries [begin, end); `before` others come first.
+/// Stores the order and the ranks of the entries [begin, end); `before` others come first.
 template <typename Id, typename Rank>
 void Number(const std::vector<Entry>& entries, std::size_t begin, std::size_t end,
   std::size_t before, HandleVector<Rank, Id>& order, HandleVector<Id, Rank>& rank)
@@ -383,7 +383,7 @@ namespace
 {
 
 constexpr std::size_t CellsOfPiece = 1 << 14;
-constexpr std::ptrdiff_t FewEdges = 24; ///< are counted sooner than halves are guessed right
+constexpr std::ptrdiff_t FewEdges = 24; ///< counting them is faster than mispredicted bisection
 
 /// Calls visit(cell, corner) for the faces that are triangles of the cells of piece `p`: of two
 /// tetrahedra the one with the smaller id has it.
@@ -484,7 +484,7 @@ SimplexId* SortOnce(SimplexId* begin, SimplexId* end)
   return kept;
 }
 
-/// Edges bucketed by their smaller point, so that finding one takes a look into a short list.
+/// Edges bucketed by their smaller point, so that finding one requires searching a short list.
 void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
 {
   std::vector<std::int64_t> first(f.Points.size() + 1, 0);
@@ -542,8 +542,8 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
     });
 }
 
-/// The edges opposite to the points of a triangle. Two begin at its least point: where few do, both
-/// are counted out of one look at them.
+/// The edges opposite to the points of a triangle. Two begin at its lowest point: if few edges do,
+/// one pass over them finds both.
 std::array<EdgeId, 3> EdgesOf(const CellFiltration& f, const std::array<SimplexId, 3>& p)
 {
   const EdgeId first = f.FirstEdge[At(p[0])];

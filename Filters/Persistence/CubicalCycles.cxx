@@ -21,11 +21,11 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// Shortest ways through a volume's complex, for the cycles round its tunnels.
+// Shortest paths through a volume's complex, for the cycles around its tunnels.
 
 /**
- * Shortest ways through the complex just before a node enters (Dijkstra, by cells: along edges and
- * across faces and cubes). Cost: the part of the volume within the length of the way.
+ * Shortest paths through the complex just before a node enters (Dijkstra, by cells: along edges and
+ * across faces and cubes). Cost: the part of the volume within the length of the path.
  */
 template <typename Gradient>
 class ShortestPaths
@@ -48,14 +48,14 @@ public:
     }
   }
 
-  /// From the far end of an edge round to its node, which is the one that enters: nodes, both ends
-  /// included. Empty where there is no way.
+  /// From the far end of an edge to its node, which is the one that enters: nodes, both ends
+  /// included. Empty if there is no path.
   Nodes Round(std::int64_t node, std::int64_t far)
   {
     return this->Find(far, node, node, std::numeric_limits<double>::infinity());
   }
 
-  /// Between two nodes that were there before `latest`, if there is a way shorter than `limit`.
+  /// Between two nodes that were there before `latest`, if there is a path shorter than `limit`.
   Nodes Between(std::int64_t from, std::int64_t to, std::int64_t latest, double limit)
   {
     return this->Find(from, to, latest, limit);
@@ -185,7 +185,7 @@ private:
 };
 
 //--------------------------------------------------------------------------------------------------
-// Closes a reduced column, from which edges that join components were left out.
+// Closes a reduced column, from which edges that join components were omitted.
 
 /**
  * The edges that join components are a spanning tree of the grid: gradient paths down to minima,
@@ -207,7 +207,7 @@ public:
   {
   }
 
-  /// Closed ways that together run along the column and what it lacks.
+  /// Closed paths that together consist of the column and the missing edges.
   std::vector<Nodes> Close(const std::vector<Key>& column)
   {
     if (this->Above.empty())
@@ -266,7 +266,7 @@ private:
     return node;
   }
 
-  /// Descends from `node` to its minimum, toggling the way.
+  /// Descends from `node` to its minimum, toggling the path.
   std::int64_t ToggleDescent(std::int64_t node)
   {
     for (std::int64_t next = this->Below(node); next != node; next = this->Below(node))
@@ -322,7 +322,8 @@ private:
     }
   }
 
-  /// Takes closed ways off the chain until nothing is left. Every node has an even number of edges.
+  /// Removes closed paths from the chain until nothing is left. Every node has an even number of
+  /// edges.
   std::vector<Nodes> TakeLoops()
   {
     std::map<std::int64_t, std::set<std::int64_t>> beside;
@@ -383,7 +384,7 @@ namespace
 
 using Nodes = std::vector<std::int64_t>;
 
-/// The grid's edges along a closed way; diagonals are taken axis by axis.
+/// The grid's edges along a closed path; diagonals are taken axis by axis.
 template <typename Gradient>
 std::vector<typename Gradient::Key> EdgesAlong(const Gradient& gradient, const Nodes& way)
 {
@@ -427,7 +428,7 @@ double LengthOf(const Nodes& loop, const LowerStars& stars, const std::array<dou
   return length;
 }
 
-/// Makes cycles shorter and keeps their class.
+/// Shortens cycles within their class.
 template <typename Gradient>
 class CycleShortening
 {
@@ -444,8 +445,8 @@ public:
   ShortestPaths<Gradient>& Shortest() { return this->Ways; }
 
   /**
-   * Replaces arcs, longer ones first, by shorter ways where what lies between is filled by the
-   * faces given to the reduction so far. Arcs with the node `latest` stay.
+   * Replaces arcs, longer ones first, by shorter paths if the loop between them is filled by the
+   * faces reduced so far. Arcs with the node `latest` stay.
    */
   void Shorten(Nodes& loop, std::int64_t latest)
   {

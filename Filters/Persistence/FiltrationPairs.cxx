@@ -19,8 +19,8 @@ constexpr std::size_t LeastSides = 1 << 16;
 using Sides = std::vector<std::array<TetrahedronRank, 2>>;
 
 /// For the triangles of ranks [first, first + sides.size()) the ranks of the tetrahedra beside
-/// them; the exterior comes last. Triangles are gone through as they are numbered, since their
-/// tetrahedra then lie near each other.
+/// them; the exterior comes last. Triangles are processed in the order of their numbers, since
+/// their tetrahedra are then close in memory.
 void FindSides(const CellFiltration& f,
   const HandleVector<TetrahedronId, TetrahedronRank>& cellRank, std::size_t first, Sides& sides)
 {
@@ -49,7 +49,7 @@ void ForVoidPairs(const CellFiltration& f, const ProgressCallback& progress, con
   HandleVector<TetrahedronId, TetrahedronRank> rank;
   const auto inOrder = SimplexOrder(f.TetrahedronValue, {}, rank, Between(progress, 0.0, 0.2));
   // Basins of tetrahedra by rank, the last one the exterior. The root of each is its latest one, so
-  // that the elder rule is which of two roots is the greater number.
+  // that the elder rule compares the numbers of two roots.
   DisjointSets<TetrahedronRank> basins(inOrder.size() + 1);
   // A quarter of the triangles at a time, so that their sides need a quarter of the memory.
   Sides sides;
@@ -118,7 +118,7 @@ public:
     return Rank::None();
   }
 
-  /// Moves all that is left behind `ranks`, in descending order.
+  /// Appends all that is left to `ranks`, in descending order.
   void TakeAll(std::vector<Rank>& ranks)
   {
     for (Rank rank = this->Take(); rank.Exists(); rank = this->Take())
@@ -164,7 +164,7 @@ constexpr std::int64_t ReportEvery = 1 << 16;
 
 }
 
-/// What one reduction after the other works on, so that its memory is allocated once.
+/// Working memory of successive reductions, allocated once.
 struct FiltrationPairs::Reduction
 {
   RankHeap<EdgeRank> Column;
@@ -183,7 +183,8 @@ FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback
 }
 
 /// For each triangle, by rank, the rank of its latest edge; None for those that close voids.
-/// Triangles are gone through as they are numbered, since their edges then lie near each other.
+/// Triangles are processed in the order of their numbers, since their edges are then close in
+/// memory.
 HandleVector<TriangleRank, EdgeRank> FiltrationPairs::Pivots() const
 {
   HandleVector<TriangleRank, EdgeRank> pivots(this->F.TriangleCount());
@@ -248,7 +249,7 @@ std::array<EdgeRank, 3> FiltrationPairs::BoundaryOf(TriangleRank rank) const
   return { ranks[edges[0]], ranks[edges[1]], ranks[edges[2]] };
 }
 
-/// The column of a triangle but for its pivot, which the taker has just taken out of the heap.
+/// The column of a triangle but for its pivot, which the caller has just removed from the heap.
 template <typename Heap>
 void FiltrationPairs::AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) const
 {

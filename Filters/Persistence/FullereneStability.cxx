@@ -81,11 +81,11 @@ Spread SpreadOf(const std::vector<Point3>& points)
   return spread;
 }
 
-/// Relative to the size: what the rounding of coordinates makes of a line or a plane.
+/// Relative to the size: how far rounded coordinates deviate from a line or a plane.
 constexpr double Flat = 1e-12;
 
-/// Atoms on one circle or sphere make bars that have no length but for the rounding of radii, whose
-/// relative error is at most this (DelaunayFiltration.h): they are left out.
+/// Atoms on one circle or sphere give bars whose length is due only to the rounding of radii, whose
+/// relative error is at most this (DelaunayFiltration.h): they are dropped.
 constexpr double Rounding = 1e-9;
 
 /// Values of the filtration are squared radii.
@@ -143,8 +143,8 @@ std::vector<DistanceBar> AlphaBars(
   double end = std::numeric_limits<double>::infinity();
   if (inPlane)
   {
-    // What the far point takes part in enters at half its distance or later; in the plane all is
-    // over at the radius of the largest circle, which for obtuse triangles can be large as well,
+    // Simplices with the far point enter at half its distance or later; in the plane the last ones
+    // enter at the radius of the largest circle, which for obtuse triangles can be large as well,
     // but no ring ends there.
     places.push_back(places.front() + (1e4 * spread.Size) * spread.Normal);
     end = spread.Size * spread.Size * 1e6;
@@ -183,7 +183,7 @@ std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
   {
     if (pair.Dimension > 0)
     {
-      // What reaches Theta there ends at Theta itself, not at its float.
+      // Bars that reach Theta end at Theta itself, not at its rounded value.
       const double death = volume.Value(pair.Death.Node());
       bars.push_back({ pair.Dimension, volume.Value(pair.Birth.Node()),
         death < static_cast<float>(parameters.Theta) ? death : parameters.Theta });

@@ -53,7 +53,7 @@ void ForFaces(const CellFiltration& f, const Visit& visit)
 /// The faces of all tetrahedra in buckets of their smallest points: [first[p], first[p + 1]).
 std::vector<Face> FacesByPoint(const CellFiltration& f, std::vector<std::size_t>& first)
 {
-  // Counted two places on: filling moves each start to where the next one begins.
+  // Counted two positions ahead: filling moves each start to the beginning of the next.
   first.assign(f.Points.size() + 2, 0);
   ForFaces(f, [&first](std::size_t p, const Face&) { ++first[p + 2]; });
   std::partial_sum(first.begin(), first.end(), first.begin());
@@ -150,7 +150,8 @@ void Match(const CellFiltration& f, TriangleMesh& surface)
       if (id < 0)
       {
         throw std::invalid_argument("A corner of triangle " + std::to_string(i) +
-          " of the surface is no point of the tetrahedral mesh: mesh this surface without moving "
+          " of the surface is not a point of the tetrahedral mesh: mesh this surface without "
+          "moving "
           "or splitting it.");
       }
       p = id;
@@ -168,7 +169,7 @@ public:
     : First(points + 2, 0)
     , Entries(surface.Triangles.size())
   {
-    // Counted two places on: filling moves each start to where the next one begins.
+    // Counted two positions ahead: filling moves each start to the beginning of the next.
     for (const Triangle& t : surface.Triangles)
     {
       ++this->First[At(std::min({ t[0], t[1], t[2] })) + 2];
@@ -236,7 +237,7 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
   if (missing != found.end())
   {
     throw std::invalid_argument("Triangle " + std::to_string(missing - found.begin()) +
-      " of the surface is no face of the tetrahedral mesh: mesh this surface without moving or "
+      " of the surface is not a face of the tetrahedral mesh: mesh this surface without moving or "
       "splitting it.");
   }
 }

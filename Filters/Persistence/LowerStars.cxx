@@ -10,7 +10,7 @@ namespace isthmus
 namespace
 {
 
-/// Orders of the nodes in the 3 x 3 rows round one row, each with a node to spare at both ends.
+/// Orders of the nodes in the 3 x 3 rows round one row, each with an extra node at both ends.
 template <typename Order>
 class RowWindow
 {
@@ -177,7 +177,7 @@ void LowerStars::NumberKinds(RankedSet& masks, const ProgressCallback& progress)
     0, this->NodeCount(), 65536,
     [&](std::int64_t first, std::int64_t last)
     {
-      // Neighbours are often of one kind, and most nodes have all or nothing below.
+      // Neighbouring nodes are often of the same kind, and most have all or no neighbours below.
       std::uint32_t mask = ~0U;
       std::uint32_t kind = 0;
       for (std::int64_t node = first; node < last; ++node)

@@ -20,7 +20,7 @@ VolumeView TypedView(const void* values, const std::array<std::int64_t, 3>& dime
   return VolumeView(static_cast<const T*>(values), dimensions);
 }
 
-/// Are the values in memory, in one buffer or in one for each component?
+/// Whether the values are in memory, in one buffer or in one for each component.
 template <typename T>
 bool IsStored(vtkDataArray* values)
 {

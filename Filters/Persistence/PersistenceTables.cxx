@@ -24,7 +24,7 @@ namespace isthmus
 namespace
 {
 
-/// What is known of a feature, as arrays: one tuple each.
+/// The properties of features, as arrays with one tuple for each.
 class FeatureColumns
 {
 public:

@@ -163,7 +163,7 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
     const auto vertex = hint == Regular::Vertex_handle()
       ? triangulation.insert(BallOf<Kernel>(f, id))
       : triangulation.insert(BallOf<Kernel>(f, id), hint->cell());
-    // A hidden ball gets no vertex, and may later hide others: then the hint is gone.
+    // A hidden ball gets no vertex; the vertex of the hint may later be hidden as well.
     hint = vertex;
     if (vertex != Regular::Vertex_handle())
     {
@@ -215,7 +215,7 @@ double TriangleValue(const RegularFiltration& f, TriangleId triangle)
   return attached ? lowest : std::min(lowest, TrianglePower(f, t));
 }
 
-/// Does the ball `third` cut into the smallest sphere orthogonal to an edge's balls?
+/// Whether the ball `third` intersects the smallest sphere orthogonal to an edge's balls.
 bool CutsInto(const RegularFiltration& f, const std::array<SimplexId, 2>& edge,
   const Orthosphere& sphere, SimplexId third)
 {

@@ -14,7 +14,8 @@ std::vector<double> SurfaceDistances(
   const SurfaceView& surface, const std::vector<Point3>& points, const ProgressCallback& progress)
 {
   const TriangleTree tree(surface);
-  constexpr std::size_t Block = 256; // a guess starts anew in each: same bits on any threads
+  constexpr std::size_t Block =
+    256; // each starts without a guess: identical on any number of threads
   std::vector<double> distance(points.size());
   ParallelFor(
     0, static_cast<std::int64_t>((points.size() + Block - 1) / Block), 4,
@@ -84,7 +85,8 @@ DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, st
   const ProgressCallback& progress)
 {
   DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.7));
-  // In spacings, since floats know neither 1e40 nor 1e-40. No way on the grid is longer than this.
+  // In spacings, since floats represent neither 1e40 nor 1e-40. No path on the grid is longer than
+  // this.
   const auto farthest =
     static_cast<float>(grid.Dimensions[0] + grid.Dimensions[1] + grid.Dimensions[2]);
   std::vector<float> values(grid.Values.size(), farthest);

@@ -74,7 +74,7 @@ Extremes ExtremesOf(const T* values, std::int64_t count)
     });
 }
 
-/// `half`: values, minimum and width are taken by half, for a width that is beyond all numbers.
+/// `half`: values, minimum and width are halved, for a width beyond the range of doubles.
 template <typename T>
 Moments MomentsOf(const T* values, std::int64_t count, double minimum, double width, bool half)
 {
@@ -101,7 +101,7 @@ std::int64_t FirstNaN(const T* values, std::int64_t count)
   return ParallelReduce(count, Block, FirstIndex{},
     [&](FirstIndex& part, std::int64_t first, std::int64_t last)
     {
-      // Most blocks have none: without a way out the loop is vectorised.
+      // Most blocks have none: without an early exit the loop is vectorised.
       bool any = false;
       for (std::int64_t i = first; i < last; ++i)
       {

@@ -71,7 +71,7 @@ std::vector<double> RadiiOf(vtkDataSetAttributes* data, std::size_t atoms)
   return scales;
 }
 
-/// What is written of a molecule.
+/// The columns of a molecule's row.
 struct MoleculeRow
 {
   vtkIdType Molecule = 0;

@@ -50,7 +50,7 @@ public:
   isthmus::FeatureList Features;
   std::vector<double> Levels;
   std::vector<std::int64_t> EulerNumbers;
-  double End = 0.0; ///< where deaths that never come are drawn
+  double End = 0.0; ///< where infinite deaths are drawn
 };
 
 vtkScalarPersistence::vtkScalarPersistence()
@@ -99,7 +99,7 @@ int vtkScalarPersistence::RequestInformation(
 int vtkScalarPersistence::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // A loop can run anywhere, so all of the volume is needed whatever part is asked for.
+  // A loop can run anywhere, so the whole volume is needed, whatever part is requested.
   isthmus::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }

@@ -15,7 +15,7 @@ public:
     : Costs(costs)
     , Columns(columns)
     , Alone(alone)
-    , Width(columns + costs.size()) // each row has a column of its own to stay alone
+    , Width(columns + costs.size()) // each row has an extra column for staying unassigned
     , RowPrice(costs.size() + 1, 0.0)
     , ColumnPrice(Width + 1, 0.0)
     , RowOf(Width + 1, 0)
@@ -51,7 +51,7 @@ private:
     return column == this->Columns + row ? this->Alone : HUGE_VAL;
   }
 
-  /// The column nearest to those seen, to which `at` is added; prices follow.
+  /// Adds `at` to the visited columns and returns the nearest other one; updates the prices.
   std::size_t Nearest(std::size_t at)
   {
     this->Seen[at] = 1;

@@ -104,7 +104,7 @@ private:
     Cell cell{};
     for (std::size_t a = 0; a < 3; ++a)
     {
-      // Far out, cells only get larger than need be.
+      // Far away, cells are merely larger than necessary.
       cell[a] = static_cast<std::int64_t>(
         std::clamp(std::floor(this->Mesh.Point(point)[a] / this->Distance), -1e15, 1e15));
     }

@@ -419,7 +419,7 @@ std::vector<SitePlace> FillSiteProbabilities(
   return places;
 }
 
-/// Where in the pockets a place of the site model is.
+/// The cell of a pocket to which a place of the site model belongs.
 struct CellPlace
 {
   std::size_t Pocket, Cell;

@@ -106,7 +106,7 @@ vtkIdType NumberOfCells(const PocketReport& report)
   return count;
 }
 
-/// Of the places, if they were kept: with what lines them, for the training.
+/// Of the places, if they were kept: with their descriptors, for training.
 vtkSmartPointer<vtkFloatArray> DescriptorsOf(const std::vector<SitePlace>& places)
 {
   std::vector<std::string> names = SiteDescriptorNames();

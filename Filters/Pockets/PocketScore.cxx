@@ -12,8 +12,8 @@ namespace isthmus
 namespace
 {
 
-/// Whether two densities differ by no more than balls that touch at an axis of symmetry make out,
-/// as either of two triangulations may be chosen there.
+/// Whether two densities differ by no more than symmetry explains: at an axis of symmetry, either
+/// of two triangulations may be chosen.
 bool AreTied(const Pocket& a, const Pocket& b)
 {
   constexpr double slack = 2e-4;
@@ -39,7 +39,8 @@ void ScorePocket(Pocket& pocket)
     pocket.Centre = (1.0 / pocket.Score) * sum;
     return;
   }
-  // Only where mouths take more than there is among many atoms: then the room without them counts.
+  // Only if the mouths take more volume than there is among many atoms: then the volume without
+  // them counts.
   double weights = 0.0;
   pocket.Score = 0.0;
   for (const PocketCell& cell : pocket.Cells)
@@ -76,7 +77,7 @@ void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sit
     std::stable_sort(first, last,
       [&](std::size_t a, std::size_t b)
       { return std::tie(sites[a].Chain, names[a]) < std::tie(sites[b].Chain, names[b]); });
-    first = std::max(last, first + 1); // a density may be no number
+    first = std::max(last, first + 1); // a density may be NaN
   }
   std::vector<Pocket> sorted;
   std::map<std::int64_t, std::int64_t> parents;

@@ -199,7 +199,7 @@ std::vector<PocketSite> FindSites(
       continue;
     }
     const Mean mode = density.Mode(places[i], sites);
-    // A shoulder of a site that is there already climbs to its mode.
+    // A shoulder of an existing site climbs to its mode.
     const bool isNew = std::none_of(sites.begin(), sites.end(),
       [&](const PocketSite& site)
       {

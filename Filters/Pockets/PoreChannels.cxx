@@ -27,7 +27,7 @@ double EdgeClearance(const RegularFiltration& f, EdgeId edge, double probe)
   return std::sqrt(std::max(0.0, f.Complex.EdgeValue[edge] + r * r)) - (r - probe);
 }
 
-/// A way out, which may be empty: where a triangle of the hull closes a channel.
+/// A path out, which may be empty: where a triangle of the hull closes a channel.
 struct CellPath
 {
   std::vector<TetrahedronId> Cells;
@@ -106,7 +106,7 @@ std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& pat
     {
       centres.pop_back();
     }
-    // What the last centre lacks to be that far out.
+    // The distance that the last centre lacks.
     const double lacks = beyond - height(centres.back());
     if (lacks > 0.0)
     {
@@ -152,7 +152,7 @@ Channel Join(const RegularFiltration& f, TriangleId triangle, const CellPath& a,
   return channel;
 }
 
-/// The tetrahedron whose free room is nearest to a place.
+/// The tetrahedron whose free space is nearest to a place.
 TetrahedronId CellAt(
   const RegularFiltration& f, const CellAccessibility& access, const Point3& place)
 {
@@ -177,7 +177,7 @@ double FromLine(const Point3& p, const Point3& a, const Point3& b)
   return Length(p - (a + t * d));
 }
 
-/// A path that has come to `Cell` at some cost.
+/// A path that has reached `Cell` at some cost.
 struct Step
 {
   double Cost;

@@ -31,10 +31,10 @@ namespace
 constexpr double OneWater = 1.15;
 constexpr double TwoWaters = 2.30;
 
-/// An atom so near to a pore's ball lines it; in angstrom.
+/// An atom within this distance of a pore's ball lines it; in angstrom.
 constexpr double Reach = 0.5;
 
-/// "TRP 23 A", or what of it is known.
+/// "TRP 23 A", or the known part of it.
 std::string ResidueOf(const MoleculeAtoms& atoms, std::int64_t ball)
 {
   if (ball < 0 || !atoms.HasNames)
@@ -64,7 +64,7 @@ std::string ResiduesAround(
   return list;
 }
 
-/// The arrays that samples have wherever they go.
+/// The arrays that samples have in all outputs.
 class SampleArrays
 {
 public:
@@ -256,7 +256,7 @@ void FillPoreLiningAtoms(const PoreReport& report,
 
 void FillTubes(vtkPolyData* lines, vtkPolyData* output)
 {
-  // The filter takes scalars as radii as they are; where atoms overlap the line it gets no tube.
+  // The filter takes scalars as radii as they are; where atoms overlap the line, there is no tube.
   vtkNew<vtkPolyData> positive;
   positive->ShallowCopy(lines);
   auto width = NamedArray<vtkDoubleArray>("TubeWidth");

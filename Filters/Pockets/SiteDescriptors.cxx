@@ -222,7 +222,7 @@ struct NearPoints
   }
 
 private:
-  /// What is written beyond the end costs less than a branch.
+  /// Writing beyond the end costs less than a branch.
   void Append(std::size_t first, std::size_t last, const PointColumns& points, const Point3& from,
     double limit)
   {
@@ -324,7 +324,7 @@ struct Directions
   }
 };
 
-/// What the atoms around a place say.
+/// Descriptors from the atoms around a place.
 class AtomsAround
 {
 public:
@@ -416,13 +416,14 @@ private:
   double Weight = 0.0, LargestChain = 0.0, ChainCount = 0.0, MetalBinders = 0.0;
 };
 
-/// What a tetrahedron tells those around.
+/// Values that a tetrahedron contributes to its neighbours.
 struct CellNear
 {
   double Volume, Burial, Clearance;
 };
 
-/// What the tetrahedra around a place say: those of scratch.All, whose positions `cells` has.
+/// Descriptors from the tetrahedra around a place: those of scratch.All, whose positions `cells`
+/// has.
 void WriteCellsAround(const std::vector<CellNear>& cells, Scratch& scratch, std::vector<float>& row)
 {
   NearPoints& all = scratch.All;
@@ -608,7 +609,7 @@ SiteDescriptorTable DescribeSites(const std::vector<SiteAtom>& atoms,
         table.Residues[i * NumberOfResidues + k] = static_cast<float>(around.NearResidues()[k]);
       }
     });
-  // The largest burial but for a twentieth of the places: that of a core with a hole may be alone.
+  // The 95th percentile of the burial: a core with a hole may have a single outlier.
   std::vector<double> sorted;
   sorted.reserve(told.size());
   for (const CellNear& cell : told)

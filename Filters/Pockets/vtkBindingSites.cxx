@@ -221,7 +221,7 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
   const std::vector<double> areas = isthmus::PointAreas(triangles);
   for (std::size_t i = 0; i < areas.size(); ++i)
   {
-    // A point that no triangle uses is no part of the surface.
+    // A point that no triangle uses is not part of the surface.
     result.Labels[i] = areas[i] > 0.0 ? result.Labels[i] : 0;
   }
   const isthmus::HullDepth depth(triangles, {});

@@ -21,7 +21,7 @@
 namespace isthmus::cgal
 {
 
-/// CGAL's domain of a surface, which counts how often it is asked: all that tells how far it is.
+/// CGAL's domain of a surface, which counts the queries, the only measure of CGAL's progress.
 class SurfaceDomain : public CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, SurfaceMesh>
 {
   using Base = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, SurfaceMesh>;
@@ -86,7 +86,7 @@ using DelaunayComplex = CGAL::Mesh_complex_3_in_triangulation_3<DelaunayTriangul
   SurfaceDomain::Corner_index, SurfaceDomain::Curve_index>;
 using DelaunayCriteria = CGAL::Mesh_criteria_3<DelaunayTriangulation>;
 
-/// The triangles of one label, with points of their own.
+/// The triangles of one label, with their own points.
 TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int label)
 {
   TriangleMesh part;
@@ -113,7 +113,7 @@ TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int
   return part;
 }
 
-/// One connected part, facing as the old one where `made` lies on it.
+/// Orients one connected part like the old surface where `made` lies on it.
 TriangleMesh RefinedPart(const SurfaceView& part, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
@@ -169,7 +169,7 @@ void Append(const RemeshedSurface& part, RemeshedSurface& whole)
   }
 }
 
-/// Turns a part around where it faces against the old surface.
+/// Flips a part that is oriented against the old surface.
 void FaceAlike(const SurfaceView& old, RemeshedSurface& part)
 {
   double alike = 0.0;
@@ -209,8 +209,8 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
   if (points > static_cast<double>(parameters.MaximumPoints))
   {
     throw std::invalid_argument("An edge length of " + FormatNumber(parameters.EdgeLength) +
-      " takes about " + FormatNumber(points) + " points, and the most is " +
-      std::to_string(parameters.MaximumPoints) + ": ask for longer edges.");
+      " needs about " + FormatNumber(points) + " points, more than the limit of " +
+      std::to_string(parameters.MaximumPoints) + ": choose longer edges.");
   }
   const UnitScale scale(mesh);
   if (!scale.IsOne())

@@ -19,7 +19,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using cgal::SurfaceMesh;
 using Face = SurfaceMesh::Face_index;
 
-/// What a triangle came from, and whether it was there before.
+/// The origin of a triangle, and whether it existed before.
 struct Origin
 {
   int Tag = 0;
@@ -31,7 +31,7 @@ using Origins = SurfaceMesh::Property_map<Face, Origin>;
 constexpr double NeedleRatio = 50.0;
 constexpr double CapCosine = -0.9998;
 
-/// Hands tags on to the parts of triangles, and to those that go over into the result.
+/// Passes tags on to the parts of triangles, and to those copied into the result.
 class OriginVisitor : public PMP::Corefinement::Default_visitor<SurfaceMesh>
 {
 public:

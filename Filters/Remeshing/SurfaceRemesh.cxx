@@ -44,7 +44,7 @@ void RequireManifold(const SurfaceView& mesh)
   }
 }
 
-/// Which edges are features, for CGAL to ask.
+/// Which edges are features, as a property map for CGAL.
 struct Features
 {
   using key_type = SurfaceMesh::Edge_index;
@@ -55,8 +55,8 @@ struct Features
   SurfaceMesh::Property_map<key_type, bool> Map;
   const SurfaceMesh* Mesh = nullptr;
 
-  /// Where all triangles around a point are flat, CGAL 5.5's tangential relaxation asks for the
-  /// edge of a half edge that there is none of: as a feature it is left alone.
+  /// Where all triangles around a point are flat, CGAL 5.5's tangential relaxation requests the
+  /// edge of a null half edge; a feature is skipped.
   friend bool get(const Features& features, key_type e)
   {
     return e.idx() >= features.Mesh->num_edges() || features.Map[e];
@@ -64,10 +64,11 @@ struct Features
   friend void put(const Features& features, key_type e, bool is) { features.Map[e] = is; }
 };
 
-/// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
+/// Number of triangles with edges of `length`, or more; refuses an invalid length, or too many
+/// triangles.
 double ExpectedTriangles(const SurfaceView& mesh, double length)
 {
-  double edges = 0.0; // of needles: they have no area, and are split all the same
+  double edges = 0.0; // of needles: they have no area, but are split as well
   double longest = 0.0;
   for (const Triangle& t : mesh.Triangles)
   {
@@ -93,7 +94,7 @@ double ExpectedTriangles(const SurfaceView& mesh, double length)
   return expected;
 }
 
-/// What `remesh` makes of a mesh brought to about 1, at the scale of the mesh again.
+/// Applies `remesh` to the mesh scaled to about 1, and scales the result back.
 template <typename Remesh>
 RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& remesh)
 {
@@ -104,7 +105,7 @@ RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& 
 }
 
 /// Weights of the corners of a needle for a point on it: along its longest edge, by the corner that
-/// lies between, which has data of its own.
+/// lies between, which has its own data.
 std::array<double, 3> WeightsOnNeedle(const std::array<Point3, 3>& corners, const Point3& point)
 {
   std::size_t first = 0;
@@ -177,10 +178,10 @@ RemeshedSurface Located(SurfaceMesh& remeshed, const OldSurface& old)
   return result;
 }
 
-/// Visits of points, against those expected, after which remeshing has no end.
+/// Ratio of visits of points to the expected number beyond which remeshing does not terminate.
 constexpr double ManyTimes = 100.0;
 
-/// Puts points that are on no feature and no border back onto the old surface.
+/// Projects points that are on no feature or border onto the old surface.
 class Projection
 {
 public:
@@ -226,7 +227,7 @@ private:
   std::int64_t Done = 0;
 };
 
-/// Stops at a number of edges; also where progress is told, since CGAL asks it for each collapse.
+/// Stops at a number of edges; also reports progress, since CGAL calls it for each collapse.
 struct StopAtEdges
 {
   std::size_t Edges;
@@ -253,7 +254,7 @@ void Check(const SurfaceRemeshParameters& parameters)
   RequireRange(
     "NumberOfIterations", parameters.NumberOfIterations, 1, 100, "It is a number of rounds.");
   RequireRange("MinimumAngle", parameters.MinimumAngle, 0.0, 30.0,
-    "It is an angle in degrees; above 30, refinement need not end.");
+    "It is an angle in degrees; above 30, refinement may not terminate.");
   RequireRange("MaximumDistance", parameters.MaximumDistance, 0.0, LargestLength,
     "It is a length; 0 stands for a tenth of the edge length.");
 }
@@ -292,7 +293,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
       Projection projection(old, 0.5 * expected * parameters.NumberOfIterations, rest);
       for (int i = 0; i < parameters.NumberOfIterations; ++i)
       {
-        // Its own relaxation asks for edges that there are none of: Features.
+        // Its own relaxation requests null edges: see Features.
         PMP::isotropic_remeshing(faces(after), length, after,
           CGAL::parameters::edge_is_constrained_map(isFeature)
             .number_of_relaxation_steps(0)
@@ -358,7 +359,7 @@ double MeanEdgeLength(const SurfaceView& mesh)
   const auto points = static_cast<std::int64_t>(mesh.Points.size());
   for (const Triangle& t : mesh.Triangles)
   {
-    // Corners that are no points are told by what checks the mesh, later.
+    // Corners that are not points are reported later, by the check of the mesh.
     if (std::any_of(t.begin(), t.end(), [points](auto id) { return id < 0 || id >= points; }))
     {
       continue;

@@ -35,14 +35,14 @@ namespace
 namespace PMP = CGAL::Polygon_mesh_processing;
 using cgal::SurfaceMesh;
 
-/// Points and triangles as CGAL's soup functions want them.
+/// Points and triangles in the form of CGAL's soup functions.
 struct Soup
 {
   std::vector<cgal::Point> Points;
   std::vector<std::vector<std::size_t>> Triangles;
 };
 
-/// What of `mesh` has finite, distinct points.
+/// The triangles of `mesh` that have finite, distinct points.
 Soup UsablePart(const SurfaceView& mesh, const SurfaceDefects& defects)
 {
   std::set<std::int64_t> badPoints(defects.InvalidPoints.begin(), defects.InvalidPoints.end());
@@ -108,15 +108,16 @@ SurfaceMesh AsSurface(Soup soup)
 /// three.
 constexpr int MostPasses = 3;
 
-/// Asked by CGAL before each patch that it replaces; copied, so it only refers.
+/// Called by CGAL before each patch that it replaces; CGAL copies it, so it holds references only.
 struct RemovalWatch : PMP::experimental::Remove_self_intersection_default_visitor<SurfaceMesh>
 {
   const SurfaceMesh* Mesh = nullptr;
   const ProgressCallback* Progress = nullptr;
   int* Rounds = nullptr;
 
-  /// A patch that does not fit leaves a hole with borders wrongly linked, on which CGAL 5.5 walks
-  /// out of its arrays. Seen in the counts: each edge of a closed mesh has two of its triangles.
+  /// A patch that does not fit leaves a hole with borders wrongly linked, on which CGAL 5.5
+  /// accesses its arrays out of bounds. The counts reveal it: each edge of a closed mesh has two
+  /// triangles.
   bool stop() const
   {
     Report(*this->Progress, 1.0 - std::pow(0.8, *this->Rounds));
@@ -157,7 +158,7 @@ std::string ChangesBetween(const SurfaceDefects& defects, const SurfaceView& bef
   const auto add = [&text](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (!defects.None())
   {
-    add("removed what is invalid or double and turned triangles alike");
+    add("removed invalid and duplicate triangles and oriented the rest consistently");
   }
   if (holes > 0)
   {
@@ -165,7 +166,7 @@ std::string ChangesBetween(const SurfaceDefects& defects, const SurfaceView& bef
   }
   if (crossings)
   {
-    add("replaced triangles that crossed");
+    add("replaced crossing triangles");
   }
   return text.empty() ? text
                       : "Repair " + text + ": " + std::to_string(before.Triangles.size()) +
@@ -176,7 +177,7 @@ std::string ChangesBetween(const SurfaceDefects& defects, const SurfaceView& bef
 
 TriangleMesh OrientConsistently(const SurfaceView& mesh)
 {
-  return cgal::RethrowWithContext("turning triangles alike",
+  return cgal::RethrowWithContext("orienting triangles consistently",
     [&]
     {
       const SurfaceDefects defects = FindDefects(mesh);

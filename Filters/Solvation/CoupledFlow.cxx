@@ -53,7 +53,8 @@ double EvolveForPeriod(FlowField& field, const UpdatePolicy& policy)
       }
     }
   }
-  // Redistancing leaves the obstacle by a little: all policies end with the same steps after it.
+  // Redistancing moves the surface slightly off the obstacle; all policies end with the same steps
+  // after it.
   for (int step = 1; step < StepsToRedistance; ++step)
   {
     Advance(field, Lambda);

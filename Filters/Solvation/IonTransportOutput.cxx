@@ -23,7 +23,7 @@ namespace isthmus
 namespace
 {
 
-/// Doubles that the solution holds may be more than floats do.
+/// The doubles of the solution may exceed the range of floats.
 void DemandFinite(vtkFloatArray* array)
 {
   const float* const values = array->GetPointer(0);
@@ -36,7 +36,7 @@ void DemandFinite(vtkFloatArray* array)
   }
 }
 
-/// The fluxes of all species at a node, and their current in pA a square angstrom.
+/// The fluxes of all species at a node, and their current in pA per square angstrom.
 void WriteFluxes(const PoissonNernstPlanck& solution, std::int64_t node,
   const std::vector<float*>& fluxes, float* density)
 {

@@ -269,7 +269,7 @@ WallValues MovingChannel::ForceAtWall() const
   return isthmus::ForceAtWall(*this->Solution, level, FlowBox(this->Room), Margin);
 }
 
-/// Whether the last change took back some of the one before.
+/// Whether the last change reversed some of the one before.
 bool MovingChannel::Oscillates() const
 {
   const std::size_t n = this->Updates.size();

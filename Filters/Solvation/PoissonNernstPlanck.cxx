@@ -18,7 +18,8 @@ constexpr double LargestStep = 3.0;  // of phi in the water, kT/e, in one step o
 constexpr int MostNewtonSteps = 100; // a guard: a convex problem takes 3 to 20
 constexpr double NewtonReduction = 1e-3;
 constexpr double FinalAccuracy = 1e-7; // of a species' current, in all cross-sections
-constexpr double MostImbalance = 1e-4; // more of a current than this lost on its way is no solution
+constexpr double MostImbalance =
+  1e-4; // if more of a current than this is lost, it is not a solution
 
 /// mV to kT/e.
 double Thermal(double millivolt, double kelvin)
@@ -320,7 +321,7 @@ double PoissonNernstPlanck::Throughput(SpeciesId species) const
   return std::abs(total);
 }
 
-/// The part of its current that nodes do not pass on when it is done.
+/// The part of its current that nodes do not conserve at the end.
 double PoissonNernstPlanck::SolveSpecies(
   SpeciesId k, double accuracy, const ProgressCallback& progress)
 {
@@ -332,7 +333,7 @@ double PoissonNernstPlanck::SolveSpecies(
     std::minmax({ this->BathValue(k, static_cast<unsigned char>(Bath::Below)),
       this->BathValue(k, static_cast<unsigned char>(Bath::Above)) });
   double left = this->Ions.Residual(v, {});
-  // How much is enough is known only when the current is: so by and by.
+  // The accuracy needed depends on the current, which is known only gradually.
   for (int round = 0; round < rounds; ++round)
   {
     const double wanted = accuracy * this->Throughput(k);
@@ -344,12 +345,12 @@ double PoissonNernstPlanck::SolveSpecies(
     const auto answer =
       this->Ions.Solve(v, {}, { std::max(0.5 * wanted, rounding), 1e-3 }, progress);
     this->Report.LinearIterations += answer.Iterations;
-    // A value between the baths' is what the equation has; rounding leaves that by its own size.
+    // Solutions of the equation lie between the values of the baths, up to rounding.
     for (std::size_t p = 0; p < this->Open.size(); ++p)
     {
       v[p] = this->Open[p] != 0 ? std::clamp(v[p], low, high) : 0.0;
     }
-    // Anew: the clamp does not make a solution whole that got stuck, it only hides it.
+    // Computed again: the clamp does not correct a solution that got stuck, it only hides it.
     const double before = std::exchange(left, this->Ions.Residual(v, {}));
     if (left > 0.5 * before)
     {
@@ -359,8 +360,8 @@ double PoissonNernstPlanck::SolveSpecies(
   return left / std::max(this->Throughput(k), this->NegligibleCurrent(k));
 }
 
-/// A current that nobody asks for: a millionth of what the larger bath would send through the whole
-/// cylinder. Of less than that no part is worth telling.
+/// A negligible current: a millionth of what the larger bath would send through the whole cylinder.
+/// Relative errors of smaller ones are meaningless.
 double PoissonNernstPlanck::NegligibleCurrent(SpeciesId species) const
 {
   constexpr double part = 1e-6;

@@ -180,14 +180,14 @@ double ResistorNetwork::Multiply()
       double product = 0.0;
       for (std::int64_t p = first; p < last; ++p)
       {
-        product += v[p] * to[p]; // v is 0 where it is held, whatever stands there in Q
+        product += v[p] * to[p]; // v is 0 where it is fixed, whatever the value in Q
       }
       return product;
     });
 }
 
-/// Z = the slab's factor's answer to R; returns R times Z. Row by row: a neighbour beyond the
-/// slab's first or last row or plane is another slab's business.
+/// Z = solution for R by the slab's factor; returns R times Z. Row by row: neighbours beyond the
+/// slab's first or last row or plane belong to another slab.
 double ResistorNetwork::SolveSlab(const Slab& slab)
 {
   const double* x = this->Edges[0].data();

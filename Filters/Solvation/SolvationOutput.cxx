@@ -71,7 +71,7 @@ void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& no
   for (vtkDataObject* made : { static_cast<vtkDataObject*>(surface),
          static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(table) })
   {
-    if (!notes.empty()) // ParaView takes an empty array for the end of field data
+    if (!notes.empty()) // ParaView interprets an empty array as the end of field data
     {
       AddNotes(notes, made);
     }

@@ -12,7 +12,7 @@ namespace isthmus
 namespace
 {
 
-/// Ions a nanosecond in a flux of 1 angstrom mol/l 1e-9 m^2/s.
+/// Ions per nanosecond in a flux of 1 angstrom mol/l 1e-9 m^2/s.
 constexpr double IonsPerFlux = 100.0 * units::IonsPerCubicAngstrom; // 1e-9 m^2/s = 100 A^2/ns
 
 }

@@ -36,7 +36,7 @@ CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
 /// faces.
 Point3 FluxAt(const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
 
-/// pA for an ion of 1 e a nanosecond.
+/// pA for one ion of charge 1 e per nanosecond.
 double PicoamperePerIon();
 
 /// The stored result for one point.

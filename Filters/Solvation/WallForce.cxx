@@ -41,7 +41,7 @@ public:
 
   const std::vector<unsigned char>& Sides() const { return this->Inside; }
 
-  /// kT/angstrom^3; not a number where it can't be had.
+  /// kT/angstrom^3; NaN if it cannot be computed.
   double PullAt(const InterfaceCrossing& crossing) const;
 
 private:
@@ -59,10 +59,10 @@ private:
   FitMedium Medium;
 };
 
-/// The nodes around an edge, weighted by their distances alone. Rows of equations hang on those at
-/// its ends, which so have a thousandfold weight (InterfaceExtrapolation.h); but here one
-/// permittivity an edge leaves the largest errors there, and at an end just behind the wall they
-/// would be the slope.
+/// The nodes around an edge, weighted by their distances alone. Rows of equations depend on those
+/// at its ends, which therefore have a thousandfold weight (InterfaceExtrapolation.h); but here one
+/// permittivity per edge leaves the largest errors there, and at an end just behind the wall they
+/// would dominate the slope.
 FitNodes Wall::NodesAround(const InterfaceCrossing& crossing) const
 {
   const double h = this->Domain.Spacing;

@@ -68,8 +68,8 @@ std::string SurfaceNotConverged(const MovingChannel& moving)
 }
 
 /// Atoms that were left out or lie outside the surface, a channel narrower than a spacing, the
-/// first point that has not converged or has lost ions on their way, a surface that has not come to
-/// rest.
+/// first point that has not converged or has lost ions on their way, a surface that has not
+/// converged.
 std::vector<std::string> Warnings(const isthmus::MoleculeAtoms& atoms,
   isthmus::ChannelSolution& channel, const std::vector<TransportPoint>& points)
 {
@@ -183,7 +183,7 @@ void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
   isthmus::FillTransportImage(solution, image, isthmus::Between(progress, part, part + 0.05));
   isthmus::FillTransportNumbers(shown, species, channel.GetPassage(), image);
   isthmus::FillMotion(channel.GetMoving(), species, image, vtkTable::GetData(outputs, 3));
-  if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
+  if (!atoms.Notes.empty()) // ParaView interprets an empty array as the end of field data
   {
     isthmus::AddNotes(atoms.Notes, image);
   }
@@ -269,7 +269,7 @@ int vtkIonTransport::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkIonTransport::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
+  // The extent of the image must be reported now, and depends on the atoms, so they are updated.
   this->Advance->Update();
   if (this->GetNumberOfInputConnections(1) > 0)
   {
@@ -295,7 +295,7 @@ int vtkIonTransport::RequestInformation(
 int vtkIonTransport::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // the extent asked of the image means nothing to the atoms
+  return 1; // the extent requested of the image does not apply to the atoms
 }
 
 int vtkIonTransport::RequestData(

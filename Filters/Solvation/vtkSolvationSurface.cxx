@@ -88,7 +88,7 @@ void vtkSolvationSurface::vtkInternals::Warn(
     atoms.Balls.size() > 1)
   {
     vtkWarningWithObjectMacro(this->Self,
-      << isthmus::TextOf("The field has drawn the surface onto the atoms (",
+      << isthmus::TextOf("The field has pulled the surface onto the atoms (",
            100.0 * last.OnObstacle,
            " % of it): it follows clefts that no water enters. Set a ProbeRadius, 1.4 for water."));
   }
@@ -130,7 +130,7 @@ int vtkSolvationSurface::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkSolvationSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
+  // The extent of the image must be reported now, and depends on the atoms, so they are updated.
   this->Advance->Update();
   isthmus::SetImageInformation(outputVector->GetInformationObject(1),
     [&](vtkImageData* image)
@@ -150,7 +150,7 @@ int vtkSolvationSurface::RequestInformation(
 int vtkSolvationSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // the extent asked of the image means nothing to the atoms
+  return 1; // the extent requested of the image does not apply to the atoms
 }
 
 int vtkSolvationSurface::RequestData(

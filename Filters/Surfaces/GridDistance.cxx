@@ -354,8 +354,8 @@ public:
 private:
   static constexpr std::int64_t Side = 8;
 
-  /// To and fro along its lines, each node with the answer of its neighbour as a guess; anew in
-  /// each block, so that the bits do not depend on the pieces.
+  /// Back and forth along its lines, with the result of the neighbouring node as a guess; each
+  /// block starts without one, so that results do not depend on the division into pieces.
   void FillBlock(const std::array<std::int64_t, 3>& low)
   {
     const auto& n = this->Grid.Dimensions;

@@ -167,7 +167,7 @@ void FillCrossings(
   points->SetDataTypeToDouble();
   SizePoints(points, count);
   SizeArray(corners, count);
-  SizeArray(offsets, count + 1); // vtkCellArray makes them where they are left out, and may abort
+  SizeArray(offsets, count + 1); // vtkCellArray creates them if they are missing, and may abort
   const int* const size = grid->GetDimensions();
   const int* const extent = grid->GetExtent();
   for (vtkIdType i = 0; i < count; ++i)

@@ -90,7 +90,7 @@ double LargestDistance(const SurfaceView& from, const TriangleTree& to)
 
 TriangleMesh BoundarySurface(const TetrahedralMesh& mesh)
 {
-  // Side by side by their first corner: each lot is sorted where it lies.
+  // Bucketed by their first corner; each bucket is sorted in place.
   std::vector<std::size_t> first(mesh.Points.size() + 2, 0);
   ForFacesOfSolids(mesh, [&first](const SortedFace& face) { ++first[At(face.Corners[0]) + 2]; });
   std::partial_sum(first.begin(), first.end(), first.begin());

@@ -25,7 +25,7 @@ namespace isthmus
 namespace
 {
 
-/// Less than this part of the surface's diagonal is no crossing but a touch.
+/// Less than this part of the surface's diagonal is a touch, not a crossing.
 constexpr double TouchingPart = 1e-10;
 /// How many points of a shell are tested, apart from those where it touches another.
 constexpr std::size_t SpreadSamples = 200;
@@ -159,11 +159,11 @@ private:
   struct Shell
   {
     std::vector<Triangle> Triangles;
-    std::unique_ptr<WindingNumber> Winding; ///< these two are made when first asked for
+    std::unique_ptr<WindingNumber> Winding; ///< these two are created on first use
     std::unique_ptr<TriangleTree> Tree;
   };
 
-  /// How the samples of a shell lie to another.
+  /// On which side of another shell the samples of a shell lie.
   struct Sides
   {
     bool In = false, Out = false, On = false;

@@ -65,8 +65,8 @@ double Gap(const SurfaceView& mesh, const Point3& p, const Point3& d, double own
 }
 
 /// A point right inside the first of `walls`: below the middle of one of its largest triangles,
-/// half way to whatever comes next; of some of them, the one with most room. The other walls are
-/// the shells right within it: nothing else can come next.
+/// half way to the next triangle; of several candidates, the one with the most space. The other
+/// walls are the shells directly inside it: no other triangle can come next.
 Point3 PointInside(const std::vector<SurfaceView>& walls)
 {
   const SurfaceView& shell = walls.front();

@@ -28,7 +28,7 @@ void RemoveRepeated(std::vector<Triangle>& triangles)
     triangles.end());
 }
 
-/// One layer of flat triangles, each exchanged at most once.
+/// One layer of flat triangles, each flipped at most once.
 class FlatLayer
 {
 public:
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// Whether anything was exchanged.
+  /// Whether any edge was flipped.
   bool Exchange(const std::vector<std::int64_t>& flat)
   {
     bool any = false;
@@ -144,7 +144,7 @@ TriangleMesh RemoveFlatTriangles(TriangleMesh surface)
 namespace
 {
 
-/// A number that points at the same place have in common, and hardly others (G. L. Steele, D. Lea,
+/// A hash of a point's position (G. L. Steele, D. Lea,
 /// C. H. Flood, 2014: the finalizer of SplitMix).
 std::uint64_t HashOf(const Point3& p)
 {
@@ -178,7 +178,7 @@ std::vector<std::uint64_t> HashesOf(std::int64_t count, const Point& point)
 }
 
 /// For each of `count` points the first of those at the same place; `point(i)` gives coordinates.
-/// By a table of places, which stays half empty. What is not a number is at no other's place.
+/// Uses a hash table at most half full. A point with NaN coincides with no other.
 template <typename Point>
 std::vector<std::int64_t> FirstAtPlace(std::int64_t count, const Point& point)
 {
@@ -213,7 +213,7 @@ std::vector<std::int64_t> FirstAtPlace(std::int64_t count, const Point& point)
   return first;
 }
 
-/// The points that triangles use: others are at no place, and need not be finite.
+/// The points that triangles use; others need not be finite.
 std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
 {
   std::vector<std::int64_t> ids;
@@ -295,7 +295,7 @@ TriangleMesh MergePoints(const SurfaceView& surface, std::vector<std::int64_t>* 
   for (const Triangle& t : surface.Triangles)
   {
     const Triangle corners{ idOf[At(t[0])], idOf[At(t[1])], idOf[At(t[2])] };
-    if (HasRepeated(t) || !HasRepeated(corners)) // what was wrong before is told, not hidden
+    if (HasRepeated(t) || !HasRepeated(corners)) // defects of the input are reported, not hidden
     {
       merged.Triangles.push_back(corners);
     }

@@ -142,7 +142,7 @@ private:
       static_cast<double>(opposite[2]);
     if (sum == 0.0)
     {
-      return false; // no area on the lattice: three equal signs of nothing can't be
+      return false; // no area on the lattice: the three signs cannot be equal
     }
     for (std::size_t c = 0; c < 3; ++c)
     {

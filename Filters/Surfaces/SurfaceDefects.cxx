@@ -80,7 +80,7 @@ public:
         }
       }
     };
-    // Counted two places on: filling moves each start to where the next one begins.
+    // Counted two positions ahead: filling moves each start to the beginning of the next.
     forCorners([this](std::size_t p, StarTriangle) { ++this->First[p + 2]; });
     std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
     this->Around.resize(this->First.back());
@@ -112,7 +112,7 @@ struct Spoke
   }
 };
 
-/// Looks at one star after the other; memory is kept between them.
+/// Checks one star after the other; memory is reused between them.
 class StarCheck
 {
 public:
@@ -212,7 +212,7 @@ private:
     }
     for (const Spoke* spoke = first + 1; spoke < end; ++spoke)
     {
-      // Of the same triangle's three edges the one between its two lowest points tells.
+      // Reported once, at the edge between the triangle's two lowest points.
       if (spoke->Apex == spoke[-1].Apex && spoke->Apex > spoke->Other)
       {
         this->Found.DuplicateTriangles.push_back(triangle(*spoke));
@@ -240,9 +240,9 @@ constexpr std::vector<std::int64_t> SurfaceDefects::*ListsOfStars[] = {
  * and points whose triangles form more than one fan; each list in ascending order, without
  * repetition.
  *
- * All of that shows in the star of one point, the lowest of what is concerned, whose triangles are
+ * All of these are visible in the star of one point, the lowest one involved, whose triangles are
  * sorted by their other corners: O(n) for stars of bounded size, in parallel over points, 32 bytes
- * a triangle. The same on any number of threads.
+ * per triangle. The same on any number of threads.
  *
  * @param skip Triangles to leave out, one flag each.
  * @pre The corners of all others are points, and differ.
@@ -367,7 +367,7 @@ SurfaceDefects FindDefects(const SurfaceView& mesh, const ProgressCallback& prog
 
 void RequireResolved(const SurfaceView& mesh)
 {
-  constexpr double resolution = 0x1p-50; // what a few sums of coordinates round away
+  constexpr double resolution = 0x1p-50; // the rounding error of a few sums of coordinates
   double reach = 0.0;
   std::vector<double> longest(mesh.Points.size(), -1.0); // edge of each point; < 0: none
   for (const Triangle& t : mesh.Triangles)

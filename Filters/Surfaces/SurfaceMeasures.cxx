@@ -17,7 +17,7 @@ namespace
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
-/// What the edges from a point to points of higher id look like.
+/// The edges from a point to points of higher id.
 struct EdgeCount
 {
   vtkIdType Edges = 0;
@@ -170,7 +170,7 @@ void AddTriangles(const SurfaceView& mesh, const std::vector<vtkIdType>& compone
   }
 }
 
-/// What follows once a component is counted.
+/// Computes the derived measures of a component.
 void Conclude(SurfaceMeasure& measure)
 {
   if (!measure.IsClosed())

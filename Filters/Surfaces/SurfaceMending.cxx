@@ -82,7 +82,7 @@ double DiagonalOf(const SurfaceView& surface)
   return box.Diagonal();
 }
 
-/// For each point the one that stands for it: `points` nearer than `tolerance` are joined.
+/// For each point the one that represents it: `points` nearer than `tolerance` are joined.
 std::vector<vtkIdType> JoinNear(
   const SurfaceView& surface, const std::vector<vtkIdType>& points, double tolerance)
 {
@@ -234,7 +234,7 @@ std::vector<Triangle> TurnAlike(const SurfaceView& surface, SurfaceMending& done
 {
   std::vector<Triangle> triangles = CornersOf(surface);
   const auto neighbours = NeighboursOf(surface);
-  std::vector<int> way(triangles.size(), 0); // 1 as it is, -1 turned, 0 not seen
+  std::vector<int> way(triangles.size(), 0); // 1 unchanged, -1 flipped, 0 not visited
   std::vector<vtkIdType> component;
   for (std::size_t start = 0; start < triangles.size(); ++start)
   {
@@ -245,7 +245,7 @@ std::vector<Triangle> TurnAlike(const SurfaceView& surface, SurfaceMending& done
     component.assign(1, static_cast<vtkIdType>(start));
     way[start] = 1;
     bool consistent = true;
-    double area[2] = { 0.0, 0.0 }; // turned, as it is
+    double area[2] = { 0.0, 0.0 }; // flipped, unchanged
     for (std::size_t next = 0; next < component.size(); ++next)
     {
       const vtkIdType t = component[next];
@@ -279,7 +279,8 @@ std::vector<Triangle> TurnAlike(const SurfaceView& surface, SurfaceMending& done
 namespace
 {
 
-/// Shells around others are looked for among the largest ones; all pairs of specks would take long.
+/// Shells around others are sought among the largest ones; testing all pairs of small ones would
+/// take too long.
 constexpr std::size_t MostParents = 1000;
 
 struct Shell
@@ -290,7 +291,7 @@ struct Shell
   double Volume = 0.0;
   bool IsClosed = true;
   int Parent = -1;
-  std::unique_ptr<WindingNumber> Winding; ///< these two are made when first asked for
+  std::unique_ptr<WindingNumber> Winding; ///< these two are created on first use
   std::unique_ptr<TriangleTree> Tree;
 };
 
@@ -377,7 +378,7 @@ bool IsInside(const SurfaceView& surface, const Shell& inner, Shell& outer)
   }
 }
 
-/// `outward`: whether the outermost shells face outward even if all of them faced inward.
+/// `outward`: whether to orient the outermost shells outward even if all of them face inward.
 std::vector<Triangle> TurnNested(const SurfaceView& surface, bool outward, SurfaceMending& done)
 {
   std::vector<Triangle> triangles = CornersOf(surface);
@@ -453,8 +454,7 @@ std::string SurfaceMending::Message() const
   }
   if (this->Turned > 0)
   {
-    add(std::to_string(this->Turned) +
-      " triangles were turned over, to face as their neighbours do.");
+    add(std::to_string(this->Turned) + " triangles were flipped to match their neighbours.");
   }
   if (this->Shells > 0)
   {

@@ -25,7 +25,7 @@ struct SurfaceMending
   double Tolerance = 0.0;  ///< distance up to which points were merged
   double Share = 0.0;      ///< the same as a share of the diagonal of the surface's box
   std::int64_t Turned = 0; ///< triangles turned to face as their neighbours do
-  std::int64_t Shells = 0; ///< closed shells turned as a whole
+  std::int64_t Shells = 0; ///< closed shells flipped as a whole
 
   /// One message, empty if nothing was changed.
   VTKISTHMUSFILTERSSURFACES_EXPORT std::string Message() const;

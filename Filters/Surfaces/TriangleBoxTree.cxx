@@ -15,8 +15,8 @@ namespace
 
 constexpr std::int64_t TrianglesPerTask = 4096;
 
-/// Triangles are sorted by the 33 leading bits of their places: 2048 cells a side tell neighbours
-/// apart well enough.
+/// Triangles are sorted by the 33 leading bits of their places: 2048 cells per side distinguish
+/// neighbours well enough.
 constexpr unsigned int FirstPlaceBit = 30;
 
 /// The lowest 21 bits of `x`, two zeros after each.
@@ -29,7 +29,7 @@ std::uint64_t Spread(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-/// Place of a point of `box` on Morton's curve through 2^21 cells a side.
+/// Place of a point of `box` on the Morton curve through 2^21 cells per side.
 std::uint64_t PlaceOnCurve(const Point3& p, const Bounds3& box, double width)
 {
   std::uint64_t place = 0;

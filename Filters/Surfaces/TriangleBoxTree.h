@@ -47,7 +47,7 @@ private:
     bool Overlaps(const Box& other) const
     {
       bool overlaps = true;
-      for (std::size_t a = 0; a < 3; ++a) // all of it: which one fails can't be foreseen
+      for (std::size_t a = 0; a < 3; ++a) // all of it: which one fails cannot be predicted
       {
         overlaps &= this->Min[a] <= other.Max[a];
         overlaps &= other.Min[a] <= this->Max[a];
@@ -129,7 +129,7 @@ void TriangleBoxTree::ForPairs(std::int64_t group, Visit&& visit) const
       const std::size_t own = 2 * next.Own, other = 2 * next.Other;
       wait(own, other, next.Height - 1, 0);
       wait(own, other + 1, next.Height - 1, 0);
-      wait(own + 1, other, next.Height - 1, 0); // of a node with itself it is behind: left out
+      wait(own + 1, other, next.Height - 1, 0); // of a node with itself it comes later: skipped
       wait(own + 1, other + 1, next.Height - 1, 0);
     }
   }

@@ -14,7 +14,8 @@ TriangleStars::TriangleStars(const SurfaceView& mesh)
   , Around(3 * mesh.Triangles.size())
 {
   // Serial: threads would leave the order within a star to chance, and with it the last bits of
-  // every sum over a star. Counted, summed up, then each put before what its point has already.
+  // every sum over a star. A counting sort that inserts each triangle before those that its point
+  // already has.
   for (const Triangle& corners : mesh.Triangles)
   {
     for (const vtkIdType point : corners)

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t DeepestStack = 128; // 7 that wait on each of 12 levels, and one
+constexpr std::size_t DeepestStack = 128; // 7 pending nodes on each of 12 levels, and one more
 
 }
 
@@ -118,7 +118,7 @@ private:
     float Squared; ///< in the tree's scale, not more than any triangle's there
   };
 
-  /// The children that may be nearer than what is found wait, the nearest on top.
+  /// Children that may be nearer than the best result so far are pushed, the nearest on top.
   ///
   /// With u = 2^-24 and all lengths in the tree's scale: x and a centre are rounded by u of their
   /// sizes, |x| + 1 together, so r is by less than 2^-22 (|x| + 1), height by 8u |r| more; r^2 -
@@ -157,7 +157,7 @@ private:
     }
   }
 
-  /// What an edge of lane n's triangle says of x.
+  /// The position of x relative to an edge of lane n's triangle.
   struct EdgeOfLane
   {
     double Squared; ///< distance from it
@@ -205,7 +205,7 @@ private:
     if (least < this->Found.Squared)
     {
       this->Found = { least, index };
-      // A little more than it, for the rounding of squares.
+      // Slightly larger, to allow for the rounding of squares.
       this->Reach = static_cast<float>(
         least / (this->Tree.Scale * this->Tree.Scale) * (1.0 + 2.0 * double(Rounding)) +
         std::numeric_limits<float>::min());

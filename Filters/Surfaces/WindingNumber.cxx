@@ -40,8 +40,8 @@ std::complex<double> HalfAngle(const Point3& a, const Point3& b, const Point3& c
   return { below, Dot(a, Cross(b, c)) };
 }
 
-/// Sum of the angles of complex numbers: that of their product, and the times it went round. For
-/// some tens of them, which the product is then not too small for.
+/// Sum of the angles of complex numbers: that of their product, plus the number of full turns. For
+/// a few tens of numbers, so that the product does not underflow.
 class AngleSum
 {
 public:

@@ -26,7 +26,7 @@ vtkStandardNewMacro(vtkAreaQuantiles);
 namespace
 {
 
-/// How much each value of an array on points or cells counts.
+/// The weight of each value of an array on points or cells.
 std::vector<double> Weights(vtkDataSet* data, int association)
 {
   const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;

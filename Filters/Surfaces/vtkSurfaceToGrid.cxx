@@ -165,7 +165,7 @@ int vtkSurfaceToGrid::RequestInformation(
     outInfo->CopyEntry(gridInfo, vtkDataObject::DIRECTION());
     return 1;
   }
-  // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
+  // The extent of the grid must be reported now, and depends on the surface, so it is updated.
   this->Advance->Update();
   isthmus::SetImageInformation(outInfo,
     [&](vtkImageData* grid)
@@ -199,7 +199,7 @@ int vtkSurfaceToGrid::RequestUpdateExtent(
   return 1;
 }
 
-/// Where the surface is not closed, once more with cracks between its facets closed.
+/// If the surface is not closed, tries again with the cracks between its facets closed.
 void vtkSurfaceToGrid::FromSurfaceOrJoined(
   vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings)
 {
@@ -332,7 +332,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   isthmus::MemoryBudget().RequireGrid(
     shape.Dimensions, BytesPerNode, "crop or subsample the volume");
   vtkSmartPointer<vtkDataArray> scalars = isthmus::ChosenScalars(this, image);
-  if (scalars->GetDataType() == VTK_BIT) // VTK finds no range and no contour of bits
+  if (scalars->GetDataType() == VTK_BIT) // VTK computes neither range nor contour of bit arrays
   {
     const auto bytes =
       isthmus::ArrayOfType(VTK_UNSIGNED_CHAR, scalars->GetName(), scalars->GetNumberOfTuples());
@@ -348,7 +348,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   {
     vtkWarningMacro(<< isthmus::TextOf("There is no surface at Level ", this->Level,
                       ", so SignedDistance is infinite: the volume has values from ", range[0],
-                      " to ", range[1], ". Choose one between."));
+                      " to ", range[1], ". Choose a level between these."));
   }
   const auto progress = isthmus::ProgressOf(this);
   std::vector<unsigned char> inside(static_cast<std::size_t>(shape.Size()));

@@ -40,7 +40,7 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
-#include <memory> // for what it asks of its input
+#include <memory> // to update its input in RequestInformation
 
 class vtkPolyData;
 

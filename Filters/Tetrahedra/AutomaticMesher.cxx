@@ -36,8 +36,8 @@ public:
 
   double operator()(const Point3& x) const
   {
-    // The nearest triangle of the last place asked for, which is beside this one, saves most of the
-    // search; whatever it is, the answer is the same.
+    // The nearest triangle of the last query, which is close to this one, saves most of the search;
+    // the result does not depend on it.
     thread_local std::int64_t last = -1;
     const auto nearest = this->Tree.Find(x, last < this->Triangles ? last : -1);
     last = nearest.Guess;
@@ -51,7 +51,7 @@ private:
   std::int64_t Triangles;
 };
 
-/// Leaves the tetrahedra of region 0 and the points they use.
+/// Keeps the tetrahedra of region 0 and the points they use.
 TetrahedralMesh OutsideOf(const TetrahedralMesh& mesh)
 {
   TetrahedralMesh outside;
@@ -103,7 +103,7 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   const std::vector<Triangle> turned = TurnShells(soup, mending);
   const SolidField field(SurfaceView(soup.Points, turned));
   StuffingParameters stuffing;
-  // Whether anything is enclosed shows on the inside, so it is always made.
+  // The inside is always meshed, since it shows whether anything is enclosed.
   stuffing.Side = parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;
   stuffing.Margin = parameters.Side == MeshedSide::Inside ? 0.0 : parameters.BoxMargin * diagonal;
   stuffing.Memory = MemoryBudget::OfBytes(parameters.MaximumBytes);
@@ -120,7 +120,7 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
 namespace
 {
 
-/// Triangles of finite points, each corner there and different.
+/// Triangles whose corners are finite and distinct points.
 TriangleMesh SoundPart(const SurfaceView& mesh)
 {
   const auto count = static_cast<std::int64_t>(mesh.Points.size());
@@ -197,7 +197,7 @@ public:
   }
 
 private:
-  /// Runs `body`; what goes wrong is kept for the report. A request to stop is none of that.
+  /// Runs `body` and stores its error for the report. Cancellation is not treated as an error.
   template <typename Body>
   bool Try(const char* what, Body&& body)
   {
@@ -270,7 +270,7 @@ private:
 
   void Stuff()
   {
-    // Crossings and holes do no harm here, triangles turned against each other do.
+    // Crossings and holes are harmless here, inconsistently oriented triangles are not.
     const TriangleMesh sound =
       this->Repaired ? this->Repaired->Mesh : OrientConsistently(SoundPart(this->Surface));
     const SolidStuffingParameters parameters{ this->Parameters.CGAL.CellSize, this->Parameters.Side,
@@ -308,10 +308,10 @@ private:
     static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
       "isosurface stuffing from the winding number" };
     result.Report = std::string("Tetrahedra by ") + names[static_cast<int>(result.Backend)] +
-      (kept
-          ? ": the surface is kept."
-          : ": the surface moved by at most " + Text(result.Hausdorff) + ", the volume went from " +
-            Text(result.VolumeBefore) + " to " + Text(result.VolumeAfter) + ".");
+      (kept ? ": the surface is kept."
+            : ": the surface moved by at most " + Text(result.Hausdorff) +
+            ", the volume changed from " + Text(result.VolumeBefore) + " to " +
+            Text(result.VolumeAfter) + ".");
     if (result.IsDoubtful)
     {
       result.Report +=
@@ -325,7 +325,7 @@ private:
     }
   }
 
-  /// With Outside it is the boundary of what is meshed, without the box.
+  /// With Outside it is the boundary of the meshed region, without the box.
   TriangleMesh BoundaryOfSolids() const
   {
     if (this->Parameters.Side != MeshedSide::Outside)

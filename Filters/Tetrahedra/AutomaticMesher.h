@@ -15,7 +15,7 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// Isosurface stuffing of what a triangle soup encloses, by its winding number.
+// Isosurface stuffing of the region that a triangle soup encloses, by its winding number.
 
 struct SolidStuffingParameters
 {
@@ -56,9 +56,9 @@ struct AutomaticMesh
   /// Volume enclosed by the input triangles after consistent orientation. Holes are closed by cones
   /// to the middle of their box; regions that are enclosed twice count twice.
   double VolumeBefore = 0.0;
-  double VolumeAfter = 0.0; ///< of the solids
-  /// These two differ by more than a hundredth: what the surface encloses is a matter of how its
-  /// holes and crossings are understood. The report says so.
+  double VolumeAfter =
+    0.0; ///< of the solids These two differ by more than a hundredth: the enclosed volume depends
+         ///< on how holes and crossings are interpreted, as the report states.
   bool IsDoubtful = false;
 };
 

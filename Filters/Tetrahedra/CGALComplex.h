@@ -148,7 +148,7 @@ public:
   };
   Is_in_domain is_in_domain_object() const { return { this->Regions }; }
 
-  /// Refinement of facets asks for intersections only: cancellation must be checked here, too.
+  /// Refinement of facets computes intersections only: cancellation must be checked here, too.
   struct Construct_intersection : Base::Construct_intersection
   {
     explicit Construct_intersection(const Domain& domain)
@@ -180,7 +180,7 @@ using Triangulation = CGAL::Mesh_triangulation_3<DomainWithBox>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, DomainWithBox::Corner_index,
   DomainWithBox::Curve_index>;
 
-/// Lloyd, ODT, perturbation and exudation, as asked for by the criteria.
+/// Lloyd, ODT, perturbation and exudation, as requested by the criteria.
 void Optimize(const DomainWithBox& domain, const CGALCriteria& criteria, Complex& complex,
   const ProgressCallback& progress);
 

@@ -12,7 +12,7 @@ namespace isthmus::cgal
 namespace
 {
 
-/// The criterion of CGAL's exuder, the only call of ours in it: it checks for cancellation.
+/// The criterion of CGAL's exuder, its only callback, which also checks for cancellation.
 class ReportingCriterion : public CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>
 {
   using Base = CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>;
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  double Usual; ///< calls after which some two thirds of the bar are full
+  double Usual; ///< calls after which about two thirds of the progress bar are full
   const ProgressCallback* Progress;
   std::uint64_t* Calls;
 };

@@ -39,7 +39,7 @@ struct GrowingSize
   }
 };
 
-/// The twelve edges of the box, so that they come out straight.
+/// The twelve edges of the box, which keeps them straight.
 void AddBoxEdges(const SurfaceView& box, DomainWithBox& domain)
 {
   std::vector<std::vector<Point>> edges;
@@ -82,7 +82,7 @@ TetrahedralMesh Extract(const Complex& complex)
   return mesh;
 }
 
-/// The criteria with their defaults worked out.
+/// The criteria with their defaults resolved.
 CGALCriteria Sizes(CGALCriteria criteria, const Bounds3& bounds)
 {
   const auto fallBack = [](double& size, double value) { size = size > 0.0 ? size : value; };
@@ -98,7 +98,7 @@ void AddSeeds(
   const std::vector<const SurfaceMesh*>& shells, const DomainWithBox& domain, Complex& complex)
 {
   constexpr std::size_t count = 40;
-  // Steps of the golden ratio, since equal ones can all hit one ring of a regular mesh.
+  // Steps by the golden ratio, since equal steps can all fall on one ring of a regular mesh.
   constexpr double golden = 0.6180339887498949;
   for (const SurfaceMesh* shell : shells)
   {

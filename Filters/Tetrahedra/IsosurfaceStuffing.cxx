@@ -14,7 +14,7 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// What the surface leaves of a tetrahedron of the lattice on each of its sides.
+// The parts of a lattice tetrahedron on both sides of the surface.
 
 /// A lattice point (both the same), or the crossing of the surface with the edge between two.
 struct StuffingCorner
@@ -43,7 +43,7 @@ void CutTetrahedron(
 Point3 PositionOf(const StuffingWarp& warp, const StuffingCorner& corner);
 
 //--------------------------------------------------------------------------------------------------
-// Sees to it that no tetrahedron of isosurface stuffing breaks the bounds on angles.
+// Ensures that no tetrahedron of isosurface stuffing violates the bounds on angles.
 
 /**
  * Measures every tetrahedron near the surface, on both sides. Where one would have an angle out of
@@ -67,7 +67,7 @@ public:
   {
   }
 
-  /// What the surface leaves of `t` on the sides wanted.
+  /// The parts of `t` on the requested sides of the surface.
   void AddCut(const LatticeTetrahedron& t);
   /// A tetrahedron that the surface does not come near, on the side given (1 or -1).
   void AddWhole(const LatticeTetrahedron& t, int side);
@@ -86,7 +86,7 @@ private:
   const StuffingWarp& Warp;
   MeshedSide Wanted;
   TetrahedralMesh Result;
-  std::vector<bool> Surface; ///< of each point: is it on the level set?
+  std::vector<bool> Surface; ///< for each point, whether it is on the level set
   std::unordered_map<std::uint64_t, std::int64_t> Ids;
   std::vector<StuffingPiece> Pieces;
 };
@@ -99,7 +99,7 @@ bool IsLongEdge(const LatticePoint& a, const LatticePoint& b)
   return ((a[0] ^ b[0]) & 1) == 0;
 }
 
-/// Does the parity rule let the diagonal begin at `a`, seen from the third corner `c`?
+/// Whether the parity rule lets the diagonal begin at `a`, seen from the third corner `c`.
 bool IsEven(const LatticePoint& a, const LatticePoint& c)
 {
   const bool isCorner = (a[0] & 1) == 0;
@@ -111,7 +111,8 @@ bool IsEven(const LatticePoint& a, const LatticePoint& c)
   return positive % 2 == 0;
 }
 
-/// Of the quadrilateral a, b, crossing(b c), crossing(a c): is its diagonal a to crossing(b c)?
+/// Whether the diagonal of the quadrilateral a, b, crossing(b c), crossing(a c) runs from a to
+/// crossing(b c).
 bool StartsAtFirst(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
 {
   return IsLongEdge(a, b) ? IsEven(a, c) : IsLongEdge(b, c);
@@ -275,7 +276,7 @@ public:
   {
   }
 
-  /// Goes through all tetrahedra near the surface once; were some points let go?
+  /// Processes all tetrahedra near the surface once; returns whether some points were released.
   bool Pass(const ProgressCallback& progress)
   {
     const std::int64_t before = this->Warp.Stayed();
@@ -362,7 +363,7 @@ void KeepAngles(
   bool again = true;
   while (again)
   {
-    // Each pass has half of what is left of the bar.
+    // Each pass takes half of the remaining progress.
     again = straightener.Pass(Between(progress, from, 0.5 * (1.0 + from)));
     from = 0.5 * (1.0 + from);
   }

@@ -25,7 +25,7 @@ double Angle(const Point3& u, const Point3& v)
 }
 
 /// The power of two that brings the longest of these edges to between 1/2 and 1; 1 for none.
-/// Fourth powers of lengths are taken below: of 1e100 they are no doubles, of 1e-100 they are 0.
+/// Fourth powers of lengths are computed below: those of 1e100 overflow, those of 1e-100 are 0.
 double PowerOfTwoFor(std::initializer_list<Point3> edges)
 {
   double largest = 0.0;
@@ -108,7 +108,7 @@ QualitySummary MeasureAll(const View<Point3>& points,
   const ProgressCallback& progress, const View<unsigned char>& ghosts)
 {
   RequireRange("NumberOfBins", bins, 1, MostBins, "It is the number of columns of the histogram.");
-  const UnitScale range(points); // refuses what no product of lengths can be made of
+  const UnitScale range(points); // refuses values whose products overflow
   measures.resize(cells.size());
   QualitySummary summary;
   summary.Bins.assign(static_cast<std::size_t>(bins), 0);

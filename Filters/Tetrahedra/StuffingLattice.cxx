@@ -52,7 +52,7 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
 
 double StuffingLattice::Bytes() const
 {
-  // A value and a warp a node; the marks of a cell, one of them twice while they grow, its level.
+  // Value and warp per node; marks per cell, one of them twice while they grow, and its level.
   return 9.0 * static_cast<double>(this->Nodes()) + 3.0 * static_cast<double>(this->Centres);
 }
 
@@ -282,7 +282,7 @@ void StuffingLattice::Grade(int levels)
   }
 }
 
-/// Does one of the cells around the edge belong to an octant below `level`?
+/// Whether one of the cells around the edge belongs to an octant below `level`.
 bool StuffingBackground::IsSplit(const LatticePoint& a, const LatticePoint& b, int level) const
 {
   if (level == 0)
@@ -506,7 +506,7 @@ Point3 StuffingWarp::Crossing(const LatticePoint& a, const LatticePoint& b) cons
 {
   const bool isShort = ((a[0] ^ b[0]) & 1) != 0;
   const double alpha = isShort ? StuffingAlphaShort : StuffingAlphaLong;
-  // Always from the same end, so that all tetrahedra around the edge find the same bits.
+  // Always from the same end, so that all tetrahedra around the edge get the same point.
   const bool swap = b < a;
   const LatticePoint& low = swap ? b : a;
   const LatticePoint& high = swap ? a : b;

@@ -82,7 +82,7 @@ public:
     std::ifstream file(name, std::ios::binary | std::ios::ate);
     if (!file)
     {
-      throw std::runtime_error("TetGen left no file " + this->Name + ".");
+      throw std::runtime_error("TetGen wrote no file " + this->Name + ".");
     }
     this->Text.resize(static_cast<std::size_t>(file.tellg()));
     file.seekg(0);
@@ -238,7 +238,7 @@ std::string Switches(const TetGenCriteria& criteria, bool smooths)
   }
   if (smooths)
   {
-    text += "s0/0"; // no iteration of it; 1.5 has no such switch, and fails
+    text += "s0/0"; // no iterations; 1.5 has no such switch, and fails
   }
   return text;
 }
@@ -248,7 +248,7 @@ std::string Seconds(double value)
   return std::to_string(static_cast<std::int64_t>(value)) + " s";
 }
 
-/// The last line TetGen wrote that tells of an error, in brackets.
+/// The last line of TetGen's output that reports an error, in brackets.
 std::string Complaint(const std::string& output)
 {
   std::size_t from = std::string::npos;
@@ -267,14 +267,14 @@ std::string Complaint(const std::string& output)
   return " (it says: " + output.substr(from, output.find('\n', from) - from) + ")";
 }
 
-/// Signals that no program brings upon itself.
+/// Signals that a program does not send to itself.
 bool FromOutside(int signal)
 {
   return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP ||
     signal == SIGQUIT || signal == SIGXCPU;
 }
 
-/// Ends in a sentence unless TetGen ended well.
+/// Throws with a message unless TetGen succeeded.
 void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
 {
   const std::string advice =
@@ -289,12 +289,12 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   if (result.End == ChildEnd::NotRun)
   {
     throw std::runtime_error("TetGenCommand names '" + criteria.TetGenCommand +
-      "', which can't be run: it is a folder, or no program. Set the path of the TetGen "
+      "', which can't be run: it is a folder, or not a program. Set the path of the TetGen "
       "executable, or use CGAL instead.");
   }
   if (result.End == ChildEnd::Crashed && FromOutside(result.Code))
   {
-    throw std::runtime_error("TetGen was ended from outside by the signal " +
+    throw std::runtime_error("TetGen was killed by the signal " +
       std::string(strsignal(result.Code)) +
       ": by a user, or by the system because memory ran out. Run it again, with a lower limit of "
       "memory or for fewer tetrahedra.");
@@ -316,10 +316,10 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   }
 }
 
-/// Whether TetGen smooths the mesh after refining it, which moves points until tetrahedra exceed
-/// the bounds, and takes longer than the refinement: so it does from 1.6 on. The program prints its
-/// version only on a terminal, but 1.6 improves meshes where 1.5 optimises them, as the output on
-/// a single tetrahedron says.
+/// Whether TetGen smooths the mesh after refining it, which can move points so far that tetrahedra
+/// exceed the bounds, and takes longer than the refinement: true from 1.6 on. The program prints
+/// its version only on a terminal, but the output for a single tetrahedron differs: 1.6 "improves"
+/// meshes, 1.5 "optimises" them.
 bool Smooths(const TetGenCriteria& criteria, const std::filesystem::path& folder,
   const ProgressCallback& progress)
 {

@@ -21,7 +21,7 @@ namespace isthmus
 namespace
 {
 
-/// The same demands for a surface whose lengths are `factor` times as large.
+/// The same criteria for a surface whose lengths are `factor` times as large.
 TetrahedralParameters Scaled(TetrahedralParameters p, double factor)
 {
   p.TetGen.MaximumVolume *= factor * factor * factor;
@@ -40,7 +40,7 @@ void RequireCGALBudget(const SurfaceView& surface, const TetrahedralParameters& 
     return;
   }
   const double area = SurfaceArea(surface);
-  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
+  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two per point.
   const double points = c.FacetSize > 0.0 ? area / (2.6 * c.FacetSize * c.FacetSize) : 0.0;
   const double cells = c.CellSize > 0.0
     ? std::abs(SignedVolume(surface)) / (3.6 * c.CellSize * c.CellSize * c.CellSize)
@@ -49,9 +49,9 @@ void RequireCGALBudget(const SurfaceView& surface, const TetrahedralParameters& 
   constexpr double hopeless = 1e12; // below, refinement ends at MaximumPoints, and can be stopped
   if (least > hopeless)
   {
-    throw std::invalid_argument("The sizes asked of CGAL take at least " + FormatNumber(least) +
-      " points, and the most is " + FormatNumber(static_cast<double>(c.MaximumPoints)) +
-      ": ask for larger ones.");
+    throw std::invalid_argument("The sizes requested from CGAL need at least " +
+      FormatNumber(least) + " points, more than the limit of " +
+      FormatNumber(static_cast<double>(c.MaximumPoints)) + ": choose larger ones.");
   }
   const double finest = 1e-7 * BoundsOf(surface).Diagonal();
   for (const double length : { c.FacetSize, c.FacetDistance, c.CellSize })
@@ -59,8 +59,8 @@ void RequireCGALBudget(const SurfaceView& surface, const TetrahedralParameters& 
     if (length > 0.0 && length < finest)
     {
       throw std::invalid_argument("A size of " + FormatNumber(length) +
-        " is asked of CGAL, but it finds points to " + FormatNumber(finest) +
-        " only (1e-7 of the surface's diagonal): ask for larger ones.");
+        " is requested from CGAL, which locates points to " + FormatNumber(finest) +
+        " only (1e-7 of the surface's diagonal): choose larger ones.");
     }
   }
 }
@@ -89,9 +89,10 @@ void AddBox(TetrahedralTask& task, const Bounds3& bounds, double margin)
   }
 }
 
-/// Turns the tetrahedra to positive volume, all of them or none, and returns the volume of each
-/// region. Both libraries turn theirs alike; those so flat that rounding decides about the sign of
-/// their volume must stay as their neighbours are, else the skin has triangles facing inward.
+/// Orients the tetrahedra to positive volume, all of them or none, and returns the volume of each
+/// region. Both libraries orient all of theirs alike; those so flat that rounding determines the
+/// sign of their volume must agree with their neighbours, otherwise the boundary has triangles that
+/// face inward.
 std::map<int, double> OrientAndMeasure(TetrahedralMesh& mesh)
 {
   std::map<int, double> volumes;
@@ -120,7 +121,7 @@ std::map<int, double> OrientAndMeasure(TetrahedralMesh& mesh)
   return volumes;
 }
 
-/// Do the tetrahedra fill each region asked for? Libraries are not taken at their word.
+/// Checks that the tetrahedra fill each requested region; the libraries do not guarantee it.
 void CheckVolumes(
   const TetrahedralTask& task, const std::map<int, double>& volumes, double tolerance)
 {
@@ -140,7 +141,7 @@ void CheckVolumes(
     {
       throw std::runtime_error("Region " + std::to_string(region.Id) + " of volume " +
         FormatNumber(region.Volume) +
-        " got no tetrahedra: it is smaller than the sizes asked for.");
+        " got no tetrahedra: it is smaller than the requested sizes.");
     }
     if (std::abs(found->second - region.Volume) > tolerance * region.Volume)
     {

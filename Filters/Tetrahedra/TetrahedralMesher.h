@@ -31,10 +31,11 @@ enum class TetrahedralLibrary
 /// Criteria of TetGen. The switches are those in section 4.2 of its manual.
 struct TetGenCriteria
 {
-  bool PreserveSurface = true; ///< no new point on the surface (Y): its triangles come out as faces
+  bool PreserveSurface =
+    true; ///< no new point on the surface (Y): its triangles are faces of the mesh
   double RadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most (q), but for one in a
                                 ///< thousand where shells are near each other; 0: no refinement
-  double MinimumDihedralAngle = 0.0; ///< degrees (q/); 0: none asked
+  double MinimumDihedralAngle = 0.0; ///< degrees (q/); 0: not requested
   double MaximumVolume = 0.0;        ///< of a tetrahedron (a), in cubed units of the data; 0: none
   std::string TetGenCommand = "tetgen"; ///< found on PATH
   ChildLimits Limits;

@@ -46,7 +46,7 @@ isthmus::IsosurfaceStuffingResult Stuff(const isthmus::GridView<const T>& grid, 
   const auto high = static_cast<double>(*most);
   constexpr double largest = 1e150;
   isthmus::RequireRange("Level", level, -largest, largest);
-  isthmus::RequireRange("The least value of the volume", low, -largest, largest);
+  isthmus::RequireRange("The smallest value of the volume", low, -largest, largest);
   isthmus::RequireRange("The largest value of the volume", high, -largest, largest);
   // As far beyond the level as the inside goes at most, so that it is closed half way.
   const double outside =

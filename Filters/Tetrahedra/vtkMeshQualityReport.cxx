@@ -86,7 +86,7 @@ std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
   return points;
 }
 
-/// The flags of cells that other ranks have, too.
+/// Flags of the cells that other ranks also have.
 isthmus::View<unsigned char> GhostsOf(vtkPointSet* mesh)
 {
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
@@ -118,7 +118,7 @@ void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
     [all](std::int64_t count) { return all > 0.0 ? static_cast<double>(count) / all : 0.0; });
 }
 
-/// What all ranks have together.
+/// The combined summary of all ranks.
 isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySummary& own)
 {
   isthmus::RequireNoBlocks(filter);

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkTetrahedralMesher);
 namespace
 {
 
-/// What Automatic may use when nobody says otherwise: it tries again with less after a failure.
+/// The default limit of Automatic, which tries again with less after a failure.
 constexpr double AutomaticBytes = 8.0 * 1024 * 1024 * 1024;
 
 void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
@@ -46,7 +46,7 @@ void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
   isthmus::AddColumn<vtkDoubleArray>(fields, "VolumeIsDoubtful", { made.IsDoubtful ? 1.0 : 0.0 });
 }
 
-/// From ids of points of a surface to those of what it was made of; -1 stays.
+/// Replaces ids of points of a surface by those of the input surface; -1 stays.
 void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::TetrahedralMesh& mesh)
 {
   for (std::int64_t& id : mesh.OriginalPoints)
@@ -55,7 +55,7 @@ void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::Tetrahe
   }
 }
 
-/// Adds the field data `UnmetBounds` where there are some; returns them behind `warning`.
+/// Adds the field data `UnmetBounds` if there are any, and returns `warning` with them appended.
 std::string WithUnmetBounds(const std::string& warning, const isthmus::TetrahedralMesh& mesh,
   const isthmus::TetrahedralParameters& parameters, vtkUnstructuredGrid* grid)
 {
@@ -67,7 +67,7 @@ std::string WithUnmetBounds(const std::string& warning, const isthmus::Tetrahedr
   return warning + (warning.empty() || unmet.empty() ? "" : " ") + unmet;
 }
 
-/// Fills `grid` by whatever way works; returns what the user should be warned of.
+/// Fills `grid` by the first method that succeeds; returns the warning.
 std::string FillByAnyWay(const isthmus::CleanedSurface& surface,
   isthmus::TetrahedralParameters parameters, const isthmus::ProgressCallback& progress,
   vtkUnstructuredGrid* grid)
@@ -90,7 +90,7 @@ std::string FillByAnyWay(const isthmus::CleanedSurface& surface,
   return WithUnmetBounds(warning, made.Mesh, parameters, grid);
 }
 
-/// Fills `grid` by the library asked for, after repair if that is wanted; returns likewise.
+/// Fills `grid` by the chosen library, after repair if requested; returns the warning.
 std::string FillByLibrary(const isthmus::CleanedSurface& surface, bool repair,
   isthmus::TetrahedralParameters parameters, const isthmus::ProgressCallback& progress,
   vtkUnstructuredGrid* grid)

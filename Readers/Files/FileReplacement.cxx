@@ -15,7 +15,7 @@ namespace isthmus
 namespace
 {
 
-/// What `path` leads to over symbolic links, also where the last one leads to nothing yet.
+/// The target of `path` through symbolic links, even if the last one is dangling.
 std::string Resolved(const std::string& path)
 {
   std::filesystem::path target = path;
@@ -28,7 +28,7 @@ std::string Resolved(const std::string& path)
   return target.string();
 }
 
-/// A name beside `target` that no other writer of this or another process takes.
+/// A name in the folder of `target` that no other writer of this or another process uses.
 std::string NameBeside(const std::string& target, unsigned int attempt)
 {
   static std::atomic<unsigned int> count{ 0 };

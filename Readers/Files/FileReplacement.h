@@ -45,15 +45,15 @@ public:
 
 private:
   std::string Path;   ///< as it was given
-  std::string Target; ///< what it leads to
-  std::string New;    ///< the same as Target for what is no regular file
+  std::string Target; ///< its target
+  std::string New;    ///< the same as Target if that is not a regular file
   bool IsFinished = false;
 };
 
 /**
  * A file that is removed together with the replacement of others: Hide() gives it a temporary name,
  * Remove() removes it. Without Remove(), or if hiding fails, it has its name again afterwards.
- * Links are removed, not what they lead to.
+ * Links are removed, not their targets.
  */
 class VTKISTHMUSREADERSFILES_EXPORT FileRemoval
 {

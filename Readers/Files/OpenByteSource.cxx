@@ -211,7 +211,8 @@ public:
 
   void CheckEnd() override
   {
-    // The checksum follows the content; what follows a map is of no use, so don't go far for it.
+    // The checksum follows the content; the rest after a map is not needed, so only a little of it
+    // is read.
     this->SkipTo(this->Position + 4 * skipBytes, {});
   }
 
@@ -301,7 +302,7 @@ class FallbackSource : public ByteSource
 public:
   using Opener = std::function<std::unique_ptr<ByteSource>()>;
 
-  /// @pre `quick` gives no byte that what `careful` opens would not give.
+  /// @pre `quick` returns no byte that the source opened by `careful` would not return.
   FallbackSource(std::unique_ptr<ByteSource> quick, Opener careful)
     : Source(std::move(quick))
     , Careful(std::move(careful))
@@ -326,7 +327,7 @@ public:
   }
   bool IsCut() const override { return this->Source->IsCut(); }
   bool RandomAccess() const override { return false; }
-  /// As long as the quick one will do.
+  /// As long as the fast one suffices.
   bool UsesThreads() const override { return this->Careful != nullptr; }
   std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
   std::string Compression() const override { return this->Source->Compression(); }
@@ -378,7 +379,7 @@ std::unique_ptr<ByteSource> OpenBzip2(PlainFile file)
     [path]() { return std::make_unique<CompressedSource<Bzip2Codec>>(PlainFile(path)); });
 }
 
-/// @throws ReaderError where a file begins as one of a compression that is not read.
+/// @throws ReaderError if a file begins like one of an unsupported compression.
 void RefuseOtherCompressions(const unsigned char (&magic)[4], const std::string& path)
 {
   const struct

@@ -127,7 +127,7 @@ void Bzip2BlockFinder::Cut(std::uint64_t end, Bzip2Block& block) const
   block.DataBits = 8 * headerBytes + bits;
   block.Stream = { 'B', 'Z', 'h', this->Level };
   block.Stream.resize(headerBytes + (bits + 7) / 8 + (magicBits + checksumBits) / 8 + 1);
-  // Two bytes a time: the magic behind the block makes sure that there is another.
+  // Two bytes at a time: there is another one, since the magic follows the block.
   unsigned char* to = block.Stream.data() + headerBytes;
   const unsigned char* const from = this->Bytes.data();
   const auto left = static_cast<unsigned>(this->FirstBit);
@@ -175,7 +175,7 @@ public:
   {
   }
 
-  /// All that takes long: codes and sorting are undone before the first byte comes out.
+  /// The slow part: codes and sorting are undone before the first byte is output.
   void Start()
   {
     this->Codec = std::make_unique<Bzip2Codec>();
@@ -186,8 +186,8 @@ public:
     std::size_t room = roomBytes;
     this->State = this->Codec->Step(this->In, this->Left, out, room);
     this->Held = roomBytes - room;
-    // With room left it wants more input; and codes that end elsewhere than the block was cut are
-    // another's.
+    // With room left it wants more input; and codes that end elsewhere than the block belong to
+    // another one.
     const std::uint64_t used = this->Block.Stream.size() - this->Left;
     if (this->State == CodecState::Running && (room > 0 || used != (this->Block.DataBits + 7) / 8))
     {
@@ -286,7 +286,7 @@ void ParallelBzip2::Gather(unsigned char*& in, std::size_t& inSize)
       this->WaitingBlocks += found == Found::Block ? 1 : 0;
       this->Waiting.push_back(std::move(block));
     }
-    // With fewer bytes than tell a member, whoever has the file looks.
+    // With too few bytes to recognise a member, the caller checks the file.
     this->Ended = found == Found::MemberEnd && (inSize < headerBytes || !StartsMember(in, inSize));
   }
 }

@@ -32,7 +32,7 @@ namespace isthmus
 struct Bzip2Block
 {
   std::vector<unsigned char> Stream;
-  std::uint64_t DataBits = 0; ///< of Stream, up to the end that was put behind the block
+  std::uint64_t DataBits = 0; ///< of Stream, up to the end marker that was added after the block
   std::uint32_t Checksum = 0; ///< of the block, or of all of the member
 };
 
@@ -53,7 +53,7 @@ public:
   {
     Nothing, ///< the input is used up
     Block,
-    MemberEnd, ///< the input is moved to the byte behind the member, where another may begin
+    MemberEnd, ///< the input is moved to the byte after the member, where another may begin
     Foreign    ///< no bzip2
   };
 

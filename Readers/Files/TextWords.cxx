@@ -26,7 +26,7 @@ bool IsDigit(char c)
   return c >= '0' && c <= '9';
 }
 
-/// A plus before a number is no part of one for from_chars.
+/// from_chars does not accept a plus sign before a number.
 const char* BehindPlus(const char* begin, const char* end)
 {
   return begin + 1 < end && *begin == '+' && begin[1] != '-' ? begin + 1 : begin;
@@ -173,7 +173,7 @@ std::string_view TextWords::Word()
     const char* const close = std::find(this->Next + 1, last, '"');
     if (close == last)
     {
-      this->Refuse("a text in quotes has no end. Fetch or write the file again.");
+      this->Refuse("a quoted text is not terminated. Fetch or write the file again.");
     }
     this->Quoted.assign(this->Next + 1, close);
     this->Line += std::count(this->Next, close, '\n');
@@ -184,7 +184,7 @@ std::string_view TextWords::Word()
   const char* const end = std::find_if(begin, last, [](char c) { return IsBlank(c); });
   if (end == begin + longestWord + 1)
   {
-    this->Refuse("a word of more than 1024 characters: this is no text of words and numbers.");
+    this->Refuse("a word of more than 1024 characters: this is not a text of words and numbers.");
   }
   this->Next = end;
   return { begin, static_cast<std::size_t>(end - begin) };
@@ -206,8 +206,7 @@ std::int64_t TextWords::Whole(const char* what)
   std::int64_t value = 0;
   if (!FromText(word, value))
   {
-    this->Refuse(
-      std::string(what) + " should be a whole number, but is '" + std::string(word) + "'.");
+    this->Refuse(std::string(what) + " should be an integer, but is '" + std::string(word) + "'.");
   }
   return value;
 }

@@ -61,7 +61,7 @@ MRCStack StackOf(MRCHeader& header, const std::string& path)
     }
     header.Repairs.push_back("The space group (word 23) is " + std::to_string(header.SpaceGroup) +
       ", a stack of volumes, but the " + std::to_string(sections) +
-      " sections are no multiple of the " + std::to_string(each) +
+      " sections are not a multiple of the " + std::to_string(each) +
       " that each should have: taken as one volume.");
     return single;
   }

@@ -40,7 +40,7 @@ public:
   bool HasMapWord() const { return this->Text(208, 3) == "MAP"; }
   /// Mode is known and the grid positive.
   bool Possible() const;
-  /// How many things look as they should, 0 if not even Possible().
+  /// Number of plausible values, 0 if not Possible().
   int Plausibility(std::uint64_t contentBytes) const;
 
 private:
@@ -56,7 +56,7 @@ std::uint64_t MRCDataBytes(const std::array<int, 3>& counts, int mode);
 /// Byte order that the machine stamp states (true: big endian), if the stamp is a valid one.
 std::optional<bool> ByteOrderOfMRCStamp(const MRCHeaderBytes& bytes);
 
-/// The words in the byte order that makes more sense; the stamp decides where both do.
+/// The words in the more plausible byte order; the stamp decides if both are.
 MRCHeaderWords ChooseMRCByteOrder(const MRCHeaderBytes& bytes, std::uint64_t contentBytes);
 
 /// True for 1, 2, 3 in any order.
@@ -237,7 +237,7 @@ bool IsRotation(const Matrix3& matrix)
   return vtkMath::Determinant3x3(matrix[0].data(), matrix[1].data(), matrix[2].data()) > 0.0;
 }
 
-/// Fills a header from words, replacing what can't be used and saying so.
+/// Fills a header from words; invalid values are replaced and reported.
 class Decoder
 {
 public:
@@ -280,8 +280,8 @@ private:
         stamp += "0123456789abcdef"[this->Bytes[i] & 15];
       }
       this->Repair("The machine stamp (word 54) is " + stamp +
-        (stated ? ", which the rest of the header contradicts" : ", which is none") + ": read as " +
-        found + ", the byte order in which the header makes sense.");
+        (stated ? ", which the rest of the header contradicts" : ", which is not valid") +
+        ": read as " + found + ", the byte order in which the header is plausible.");
     }
     if (!this->Out.HasMapWord)
     {
@@ -358,7 +358,7 @@ private:
     if (std::any_of(this->Out.Origin.begin(), this->Out.Origin.end(), lost))
     {
       this->Repair("The ORIGIN (words 50-52) is " + Text(this->Out.Origin) +
-        ", no position within 1e9 angstrom: taken as not set.");
+        ", not a position within 1e9 angstrom: taken as not set.");
       this->Out.Origin = { 0.0, 0.0, 0.0 };
     }
   }
@@ -452,7 +452,7 @@ MRCHeader DecodeMRCHeader(const MRCHeaderBytes& bytes, const MRCHeaderWords& wor
     throw ReaderError(ReaderFailure::ForeignFormat,
       path + ": this is not an MRC, CCP4 or EMDB map: grid " + Text(words.Ints(1)) + " and mode " +
         std::to_string(words.Int(4)) +
-        " (words 1-4) make no sense in either byte order, and the word "
+        " (words 1-4) are not plausible in either byte order, and the word "
         "\"MAP \" is missing. Choose another file.");
   }
   const bool badMode = !IsKnownMRCMode(words.Int(4));
@@ -480,7 +480,7 @@ void CheckSize(MRCHeader& header, const std::string& path, std::uint64_t content
   if (expected > contentBytes)
   {
     throw ReaderError(ReaderFailure::Truncated,
-      path + ": the file is truncated or its header lies: " + std::to_string(expected) +
+      path + ": the file is truncated or its header is wrong: " + std::to_string(expected) +
         " bytes expected (header 1024, extended header " +
         std::to_string(header.ExtendedHeaderBytes) + ", " + std::to_string(header.Counts[0]) +
         " x " + std::to_string(header.Counts[1]) + " x " + std::to_string(header.Counts[2]) +
@@ -491,7 +491,7 @@ void CheckSize(MRCHeader& header, const std::string& path, std::uint64_t content
   if (exact && expected < contentBytes)
   {
     header.Repairs.push_back(std::to_string(contentBytes - expected) +
-      " bytes follow the last voxel that the header describes: left out.");
+      " bytes follow the last voxel that the header describes: ignored.");
   }
 }
 

@@ -132,7 +132,7 @@ void MRCMap::SelectNodes(const MRCOptions& options, const VoxelLattice& whole)
     const std::string axis(1, "xyz"[a]);
     if (first < 0 || last < first || last > end)
     {
-      this->Refuse("CropExtent asks for nodes " + Range(first, last) + " along " + axis +
+      this->Refuse("CropExtent requests nodes " + Range(first, last) + " along " + axis +
         ", but the map has " + Range(0, end) + " there. Choose nodes among these.");
     }
     if (options.SampleRate[a] < 1)
@@ -233,7 +233,7 @@ bool MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& 
   if (found < expected)
   {
     throw ReaderError(ReaderFailure::Truncated,
-      this->Source->Path() + ": the file is truncated or its header lies: " +
+      this->Source->Path() + ": the file is truncated or its header is wrong: " +
         std::to_string(expected) + " bytes expected after decompression, found " +
         std::to_string(found) + ". Fetch the file again.");
   }

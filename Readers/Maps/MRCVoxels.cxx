@@ -217,7 +217,8 @@ public:
 
   std::vector<Brick> Bricks(const Index3& size) const;
 
-  /// Room that Fetch() and Finish() need for bricks of up to `size`; none when they go direct.
+  /// Memory that Fetch() and Finish() need for bricks of up to `size`; none if they read directly
+  /// into the output.
   std::size_t ScratchBytes(const Index3& size) const
   {
     return this->Direct
@@ -234,7 +235,7 @@ public:
   void Finish(const Brick& brick, unsigned char* scratch) const;
 
 private:
-  /// Bytes of file that one selected column stands for, at least 1.
+  /// Bytes of the file that one selected column represents, at least 1.
   std::int64_t ColumnBytes() const
   {
     return std::max<std::int64_t>(1, this->Stride[0] * this->Layout.Type.FileBits / 8);

@@ -16,7 +16,7 @@ namespace isthmus
 namespace
 {
 
-constexpr std::uintmax_t LargestHeader = std::uintmax_t{ 16 } << 20; // they have some 20 KiB
+constexpr std::uintmax_t LargestHeader = std::uintmax_t{ 16 } << 20; // they have about 20 KiB
 
 std::string WithoutComments(const std::string& xml)
 {

@@ -47,7 +47,7 @@ std::string Degrees(const std::array<double, 3>& angles)
   return isthmus::TextOf(angles[0], ", ", angles[1], ", ", angles[2]);
 }
 
-/// What a user should know about how this map was read, apart from repairs.
+/// Notes on how this map was read, apart from repairs.
 std::vector<std::string> MRCNotes(const MRCMap& map)
 {
   std::vector<std::string> notes;
@@ -154,7 +154,7 @@ isthmus::GridInformation InformationOf(const isthmus::VoxelLattice& grid)
   return information;
 }
 
-/// Opens the file and selects what the options ask for.
+/// Opens the file and selects the part requested by the options.
 MRCMap Open(const char* path, const isthmus::MRCOptions& options)
 {
   MRCMap map(path);
@@ -235,7 +235,7 @@ int vtkMRCMapReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  isthmus::Describe({}, info); // what stays when the file can't be read
+  isthmus::Describe({}, info); // remains if the file can't be read
   return this->Try(info,
     [&]()
     {

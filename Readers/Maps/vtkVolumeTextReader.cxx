@@ -23,8 +23,8 @@ vtkStandardNewMacro(vtkVolumeTextReader);
 namespace
 {
 
-/// The nodes along x, y, z. A value takes two bytes at least, so that damaged counts cost a
-/// sentence, not memory.
+/// The nodes along x, y, z. A value takes two bytes at least, so that damaged counts cause an error
+/// message instead of a huge allocation.
 std::array<int, 3> ReadCounts(isthmus::TextWords& words, std::uint64_t mostBytes)
 {
   std::array<int, 3> counts{};
@@ -126,7 +126,7 @@ int vtkVolumeTextReader::RequestData(
       if (!words.Word().empty())
       {
         words.Refuse("there are more values than the " + std::to_string(n[2] * layer) +
-          " that the first line asks for. The file is damaged: write it again.");
+          " that the first line states. The file is damaged: write it again.");
       }
       image->SetDimensions(n.data());
       image->GetPointData()->SetScalars(values);

@@ -48,7 +48,7 @@ bool LiesOnWholeNumbers(vtkImageData* image)
   return plain;
 }
 
-/// float keeps its own few digits, and integers of 64 bits all of theirs.
+/// floats are written with their own precision, and 64-bit integers exactly.
 void WriteNumber(isthmus::TextFileWriter& file, vtkDataArray* array, vtkIdType i)
 {
   switch (array->GetDataType())

@@ -62,7 +62,7 @@ struct CellMesh
   std::vector<std::int64_t> Offsets{ 0 }; ///< of each cell and the end, into Vertices
   std::vector<std::int64_t> Vertices;
   std::vector<MeshAttribute> Attributes;
-  std::vector<std::string> Warnings; ///< what of the file was dropped, one sentence each
+  std::vector<std::string> Warnings; ///< dropped parts of the file, one message each
 
   std::int64_t NumberOfPoints() const
   {

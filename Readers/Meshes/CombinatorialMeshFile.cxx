@@ -54,7 +54,7 @@ public:
     }
     if (first == this->At)
     {
-      this->Fail("the file ends where " + meaning + " should be. It is cut short.");
+      this->Fail("the file ends where " + meaning + " should be. It is truncated.");
     }
     return this->Contents.substr(first, this->At - first);
   }
@@ -81,7 +81,7 @@ public:
     return value;
   }
 
-  /// How many things may follow that take at least `bytes` bytes each: no count may claim more.
+  /// The maximum number of following items of at least `bytes` bytes each; no count may exceed it.
   std::int64_t AtMost(std::int64_t bytes) const
   {
     return static_cast<std::int64_t>(this->Contents.size() - this->At) / bytes;
@@ -154,7 +154,7 @@ private:
     const std::size_t bytes = values.size() * sizeof(T);
     if (bytes > this->Contents.size() - this->At)
     {
-      this->Fail("the file ends within the " + meaning + ". It is cut short.");
+      this->Fail("the file ends within the " + meaning + ". It is truncated.");
     }
     if (bytes > 0)
     {
@@ -292,7 +292,7 @@ CombinatorialMesh ParseCombinatorialMesh(std::string_view contents)
   if (scanner.Word("the file's name") != Magic)
   {
     scanner.Fail(
-      "this is no combinatorial mesh: it should begin with '" + std::string(Magic) + "'.");
+      "this is not a combinatorial mesh: it should begin with '" + std::string(Magic) + "'.");
   }
   scanner.Number("the version of the format", 1, 1);
   const std::string_view coding = scanner.Word("'text' or 'binary'");
@@ -384,7 +384,7 @@ private:
   const ProgressCallback& Progress;
 };
 
-/// A name that the reader gives back as it is.
+/// A name that the reader returns unchanged.
 const std::string& Checked(const std::string& name)
 {
   const bool trimmed = !name.empty() && (name.front() == ' ' || name.back() == '\r');

@@ -42,7 +42,7 @@ constexpr std::array<Kind, 6> quadraticKinds{ Kind{ "EdgesP2", CellShape::Quadra
   Kind{ "PrismsP2", CellShape::BiquadraticWedge },
   Kind{ "HexahedraQ2", CellShape::TriquadraticHexahedron } };
 
-/// Null: the section is no cells, or of a kind that is not read.
+/// Null: the section does not contain cells, or cells of an unsupported kind.
 const Kind* FindKind(std::string_view name)
 {
   const auto isIt = [name](const Kind& known) { return known.Name == name; };
@@ -51,7 +51,7 @@ const Kind* FindKind(std::string_view name)
   return linear != kinds.end() ? linear : quadratic != quadraticKinds.end() ? quadratic : nullptr;
 }
 
-/// Are these cells of a higher order ("TetrahedraP3", "PyramidsP2")?
+/// Whether these are cells of a higher order ("TetrahedraP3", "PyramidsP2")?
 bool IsOfHigherOrder(std::string_view name)
 {
   return std::any_of(kinds.begin(), kinds.end(),
@@ -181,7 +181,7 @@ private:
     if (IsOfHigherOrder(name) && word != "0")
     {
       this->Mesh.Warnings.push_back("The section " + name + " (" + Printable(word.substr(0, 20)) +
-        " cells) was dropped: VTK has no cell for it. Export the mesh with linear or quadratic "
+        " cells) was dropped: VTK has no such cell. Export the mesh with linear or quadratic "
         "cells.");
     }
     while (!word.empty() && !BeginsSection(word))
@@ -195,7 +195,7 @@ private:
   {
     if (!this->Mesh.Coordinates.empty())
     {
-      this->Words.Refuse("there are Vertices for the second time: this is more than one mesh.");
+      this->Words.Refuse("Vertices occurs twice: the file contains more than one mesh.");
     }
     this->HasVertices = true;
     const std::int64_t points = this->Words.Count("the number of vertices", 6);
@@ -215,7 +215,7 @@ private:
     const std::int64_t size = VerticesOfShape[static_cast<std::size_t>(kind.Shape)];
     const std::int64_t cells =
       this->Words.Count(kind.Name.data(), static_cast<std::uint64_t>(2 * size));
-    // Vertices may come later; then the largest number is looked at in the end.
+    // Vertices may come later; then the largest number is checked at the end.
     const std::int64_t points = this->Mesh.Coordinates.empty()
       ? std::numeric_limits<std::int64_t>::max() - 1
       : this->Mesh.NumberOfPoints();

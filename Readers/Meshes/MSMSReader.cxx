@@ -58,7 +58,7 @@ std::vector<double> NumbersOf(std::string_view line)
   return numbers;
 }
 
-/// Rows of numbers of one file, header and comments left out.
+/// Rows of numbers of one file, without header and comments.
 class Rows
 {
 public:
@@ -101,7 +101,7 @@ public:
     return false;
   }
 
-  /// Were there as many rows as the line of counts says, if there is one, and any without it?
+  /// Checks that there are as many rows as the line of counts states, or any rows without it.
   void CheckCount(const char* what) const
   {
     if (this->Promised < 0.0 && this->Count == 0)
@@ -113,7 +113,7 @@ public:
     if (this->Promised >= 0.0 && this->Promised != static_cast<double>(this->Count))
     {
       throw ReaderError(ReaderFailure::Truncated,
-        this->Path.string() + ": its first line promises " + FormatNumber(this->Promised) + " " +
+        this->Path.string() + ": its first line states " + FormatNumber(this->Promised) + " " +
           what + ", but there are " + std::to_string(this->Count) +
           ". The file is truncated or damaged: run MSMS again.");
     }
@@ -130,7 +130,7 @@ public:
   {
     if (!(std::abs(value) < 1e15) || value != std::floor(value))
     {
-      this->Fail("has " + FormatNumber(value) + " where a whole number belongs");
+      this->Fail("has " + FormatNumber(value) + " where an integer is expected");
     }
     return static_cast<std::int64_t>(value);
   }
@@ -154,7 +154,8 @@ private:
   bool First = true;
 };
 
-/// All of the file. Folders, pipes and what else is no regular file are refused, not waited for.
+/// Reads the whole file. Folders, pipes and other files that are not regular are refused without
+/// waiting.
 std::string ContentOf(const std::filesystem::path& path, const ProgressCallback& progress)
 {
   try

@@ -42,7 +42,7 @@ CellShape ShapeOf(int vtkType)
   if (found == vtkTypes.end())
   {
     throw std::invalid_argument("The mesh has cells of VTK's type " + std::to_string(vtkType) +
-      ", which mesh files of this kind do not hold: triangulate or tetrahedralize it first.");
+      ", which mesh files of this kind do not support: triangulate or tetrahedralize it first.");
   }
   return static_cast<CellShape>(found - vtkTypes.begin());
 }
@@ -127,7 +127,7 @@ bool IsExactly(From value, To& result)
   else if constexpr (std::is_integral_v<From> && std::is_floating_point_v<To>)
   {
     result = static_cast<To>(value);
-    // The largest integers round up to a number that is none of their type.
+    // The largest integers round up to a number outside the range of their type.
     constexpr To limit = To(std::numeric_limits<From>::max() / 2 + 1) * 2;
     return result < limit && static_cast<From>(result) == value;
   }
@@ -157,7 +157,7 @@ std::string Convert(From value, MeshArrayRule::Numbers kind, To& result)
   return {};
 }
 
-/// Is a tuple of a rule's array stored?
+/// Whether a tuple of a rule's array is stored.
 bool IsStored(const MeshArrayRule& rule, const CellMesh& mesh, std::size_t tuple)
 {
   return rule.Shapes.empty() ||
@@ -222,10 +222,10 @@ std::string FaultOf(vtkDataArray* array, const MeshArrayRule& rule, const CellMe
     }
   }
   const bool isHeld = rule.Shapes.empty() || mesh.Shapes.empty();
-  return isHeld ? "" : "the format does not hold it on cells of these shapes";
+  return isHeld ? "" : "the format does not store it on cells of these shapes";
 }
 
-/// What is dropped of the arrays of a mesh.
+/// The dropped arrays of a mesh.
 struct Dropped
 {
   std::string Names;     ///< of arrays that the format does not hold
@@ -256,7 +256,7 @@ void ReadArray(vtkAbstractArray* any, const MeshArrayRule& rule, CellMesh& mesh,
   if (lost)
   {
     dropped.Sentences +=
-      " Values of " + name + " are left out where the format does not hold it on the cell.";
+      " Values of " + name + " are dropped where the format does not store it on the cell.";
   }
   mesh.Attributes.push_back(
     { rule.On, rule.Name, array->GetNumberOfComponents(), std::move(list) });
@@ -426,7 +426,7 @@ CellMesh FromPointSet(
   ReadArrays(data->GetCellData(), MeshAttribute::Place::Cells, rules, mesh, dropped);
   remark = dropped.Names.empty()
     ? ""
-    : "Arrays that the format does not hold are left out:" + dropped.Names + ".";
+    : "Arrays that the format cannot store are dropped:" + dropped.Names + ".";
   remark += dropped.Sentences.substr(remark.empty() && !dropped.Sentences.empty() ? 1 : 0);
   return mesh;
 }

@@ -77,13 +77,13 @@ public:
   }
 
   /// Refuses anything but comments up to the end of the file, which has been read as far as its
-  /// counts say.
+  /// counts state.
   void EndFile(std::int64_t rows, const char* what)
   {
     const std::string word(this->Word());
     if (!word.empty())
     {
-      this->Refuse("the file should end behind its " + std::to_string(rows) + " " + what +
+      this->Refuse("the file should end after its " + std::to_string(rows) + " " + what +
         ", but '" + Printable(word.substr(0, 30)) +
         "' follows. Correct the number of rows in the file, or write it again.");
     }

@@ -170,7 +170,7 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
   {
     words.Refuse(first == "BINARY"
         ? std::string("binary OFF files are not read: write it as text.")
-        : "the number of points should be a whole number, but is '" + Printable(first) + "'.");
+        : "the number of points should be an integer, but is '" + Printable(first) + "'.");
   }
   if (points < 0 || static_cast<std::uint64_t>(points) > source->MostBytes() / 6)
   {

@@ -190,7 +190,7 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
       (behind != 0 && behind != 2 && behind != 3 && behind != 5))
     {
       words.Refuse("row " + std::to_string(i + 1) + ", above this line, has " +
-        std::to_string(numbers.size()) + " numbers behind its corners instead of " +
+        std::to_string(numbers.size()) + " numbers after its corners instead of " +
         std::to_string(numbers.size() == further ? markers : further) +
         ". The file is truncated or damaged.");
     }
@@ -365,7 +365,7 @@ void WriteTetGenFiles(
     throw std::invalid_argument("TetGen's files hold tetrahedra, all with 4 or all with 10 points, "
                                 "and triangles: remove other cells, or triangulate them.");
   }
-  // A file of this name that is there would seem to be what was written.
+  // An existing file of this name would look like the one just written.
   const std::string extension = std::filesystem::path(path).extension().string();
   if ((extension == ".ele" && linear.empty() && quadratic.empty()) ||
     (extension == ".face" && triangles.empty()))
@@ -375,7 +375,7 @@ void WriteTetGenFiles(
       "': name a file that ends in " + (extension == ".ele" ? ".face" : ".ele") +
       " for its other cells, or in .node for its points.");
   }
-  // No file gets its name before all are whole: points and cells belong together.
+  // All files are completed before any is renamed: points and cells belong together.
   std::vector<std::unique_ptr<TextFileWriter>> files;
   const auto file = [&](const char* extensionOfPart) -> TextFileWriter&
   {

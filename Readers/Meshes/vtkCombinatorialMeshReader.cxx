@@ -26,7 +26,7 @@ vtkStandardNewMacro(vtkCombinatorialMeshReader);
 namespace
 {
 
-/// How cells of one type of the file are handed to VTK.
+/// How cells of one type of the file are passed to VTK.
 struct Translation
 {
   int VTKType = VTK_POLYHEDRON;
@@ -148,8 +148,8 @@ std::string Contents(const std::string& path, const isthmus::ProgressCallback& p
     {
       throw;
     }
-    throw isthmus::ReaderError(error.Kind,
-      "The file '" + path + "' can't be opened: check its name and your right to read it.");
+    throw isthmus::ReaderError(
+      error.Kind, "The file '" + path + "' can't be opened: check its name and permissions.");
   }
 }
 

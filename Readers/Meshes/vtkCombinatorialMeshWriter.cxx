@@ -48,8 +48,8 @@ isthmus::NumberList Numbers(vtkDataArray* array, std::int64_t count, TupleOf&& t
   return isthmus::ToNumberList(plain);
 }
 
-/// Adds the arrays of `data`, which are on `all` points or cells; returns sentences about those
-/// that hold no numbers, or too few.
+/// Adds the arrays of `data`, which are on `all` points or cells; returns messages about those that
+/// are not numeric or too short.
 template <typename TupleOf>
 std::string AddAttributes(vtkDataSetAttributes* data, isthmus::MeshAttribute::Place place,
   vtkIdType all, std::int64_t count, TupleOf&& tupleOf, isthmus::CombinatorialMesh& mesh)
@@ -93,7 +93,7 @@ void CheckVertices(const isthmus::CombinatorialMesh& mesh)
   }
 }
 
-/// The mesh of `grid`; `remark` is what the user should know.
+/// The mesh of `grid`; `remark` is a note for the user.
 isthmus::CombinatorialMesh MeshOf(vtkUnstructuredGrid* grid, std::string& remark)
 {
   const isthmus::GridCells cells(grid, isthmus::GridCells::Orientation::AsGiven);

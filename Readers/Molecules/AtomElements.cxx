@@ -163,7 +163,7 @@ bool IsDummy(std::string_view letters)
   return names.count(letters) > 0;
 }
 
-/// Beads that residues of Martini have and such of atoms have not.
+/// Names of beads in Martini residues that atomistic residues do not have.
 bool IsBead(ResidueFamily family, std::string_view name, std::string_view residue)
 {
   static const Names lipid{ "NC3", "NH3", "PO4", "CNO", "GL0", "GL1", "GL2", "AM1", "AM2", "ROH",
@@ -269,7 +269,7 @@ void WarnOf(const char* what, std::size_t atoms, ReadingReport& report)
   }
 }
 
-/// Decides the atoms of residues one by one, with what the whole file says.
+/// Determines the elements residue by residue, using information from the whole file.
 class Decision
 {
 public:
@@ -360,7 +360,7 @@ private:
     }
   }
 
-  /// Counts an element that cannot be, and keeps the first one.
+  /// Counts impossible elements, and records the first one.
   void AddAbsurd(std::size_t atom)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -491,7 +491,7 @@ private:
 
   /// The metal that the name of an atom means which is as far from others of its residue as metals
   /// are from their ligands (CO of a cobalamin, IR of a hexammine), where names are not
-  /// right-justified. 0: it is none.
+  /// right-justified. 0: no metal.
   int CoordinatedMetal(std::size_t atom) const
   {
     constexpr double longestToLigand = 2.8;
@@ -562,7 +562,7 @@ private:
     WarnOf(Dummies, count(Way::Dummy), report);
     if (unknown)
     {
-      report.Warn("Atoms whose names mean no element (Element is 0): " +
+      report.Warn("Atoms whose names match no element (Element is 0): " +
         std::to_string(count(Way::None)) + " (first: " + Describe(*unknown) + ").");
     }
   }
@@ -673,7 +673,7 @@ void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report
   WarnOf(Dummies, dummies, report);
   if (first)
   {
-    report.Warn("Atoms whose types or symbols mean no element (Element is 0): " +
+    report.Warn("Atoms whose types or symbols match no element (Element is 0): " +
       std::to_string(unknown) + " (first: " + Describe(*first) + ").");
   }
 }

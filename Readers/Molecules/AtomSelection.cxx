@@ -57,7 +57,7 @@ void CheckChains(const Macromolecule& molecule, const std::set<std::string>& wan
   }
 }
 
-/// What is known of the alternate locations of one residue.
+/// The alternate locations of one residue.
 struct Locations
 {
   std::map<char, double> Occupancy; ///< sums, blank left out
@@ -183,7 +183,7 @@ void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options)
       for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
       {
         const Atom& atom = molecule.Atoms[i];
-        // Asked once for the atoms of a residue, which come together.
+        // Called once for the atoms of a residue, which are consecutive.
         isWater = i > static_cast<std::size_t>(first) &&
             atom.ResidueName == molecule.Atoms[i - 1].ResidueName
           ? isWater

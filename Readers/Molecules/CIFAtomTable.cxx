@@ -749,7 +749,7 @@ void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
     if (dropped > 0)
     {
       atoms.Report.Note(std::to_string(dropped) + (dropped == 1 ? " value" : " values") + " of " +
-        name + " that " + (dropped == 1 ? "is" : "are") + " no whole number: taken as unknown.");
+        name + " that " + (dropped == 1 ? "is" : "are") + " not an integer: taken as unknown.");
     }
   }
   KeepFirstLetter(table, "label_alt_id");

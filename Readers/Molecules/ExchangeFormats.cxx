@@ -29,7 +29,7 @@ double FiniteNumber(std::string_view word, const TextLines& lines, const char* w
   double value = 0.0;
   if (!IsNumber(word, value) || !std::isfinite(value))
   {
-    lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
+    lines.Fail(std::string(what) + " is expected where '" + std::string(word.substr(0, 30)) +
       "' is. The file may be truncated, or its name may not match its content.");
   }
   return value;
@@ -40,7 +40,7 @@ std::int64_t Count(std::string_view word, const TextLines& lines, const char* wh
   std::int64_t value = 0;
   if (!IsNumber(word, value) || value < 0)
   {
-    lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
+    lines.Fail(std::string(what) + " is expected where '" + std::string(word.substr(0, 30)) +
       "' is. The file may be truncated, or its name may not match its content.");
   }
   return value;
@@ -83,8 +83,8 @@ double NumberOrUnknown(
   return Atom::Unknown;
 }
 
-constexpr const char* OddResidueNumbers = "Residue numbers that are no whole numbers, taken as 0";
-constexpr const char* OddCharges = "Charges that are no numbers, dropped";
+constexpr const char* OddResidueNumbers = "Residue numbers that are not integers, taken as 0";
+constexpr const char* OddCharges = "Charges that are not numbers, dropped";
 
 /// A bond costs no atom. `a` and `b` are places of atoms, -1 for those that are not there.
 void AddBond(Macromolecule& molecule, std::optional<std::int64_t> a, std::optional<std::int64_t> b,
@@ -97,7 +97,7 @@ void AddBond(Macromolecule& molecule, std::optional<std::int64_t> a, std::option
   }
   else if (*a < 0 || *b < 0 || *a >= atoms || *b >= atoms || *a == *b)
   {
-    report.Count("Bonds that name atoms which are not there, dropped", lines.Line());
+    report.Count("Bonds with missing atoms, dropped", lines.Line());
   }
   else
   {
@@ -163,7 +163,7 @@ Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport&
   {
     atom.Position[axis] = FiniteNumber(Columns(line, 30 + 8 * axis, 8), lines, "a coordinate");
   }
-  constexpr const char* oddValues = "Occupancies and B factors that are no numbers, dropped";
+  constexpr const char* oddValues = "Occupancies and B factors that are not numbers, dropped";
   atom.Occupancy = NumberOrUnknown(Columns(line, 54, 6), oddValues, lines, report);
   atom.BFactor = NumberOrUnknown(Columns(line, 60, 6), oddValues, lines, report);
   atom.Charge = NumberOrUnknown(Columns(line, 66, 10), OddCharges, lines, report);
@@ -226,7 +226,7 @@ std::size_t CoordinateWidth(std::string_view line, const TextLines& lines)
   if (two == std::string_view::npos)
   {
     lines.Fail(
-      "this is no atom of a GRO file (residue, atom and their numbers in columns 1-20, then "
+      "this is not an atom of a GRO file (residue, atom and their numbers in columns 1-20, then "
       "x, y, z in nm). The file may be truncated.");
   }
   return two - one;
@@ -297,7 +297,7 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
     if (!lines.Next(line) || !IsNumber(NextWord(line), box))
     {
       lines.Fail(
-        "the box belongs behind the last atom: three numbers or nine. The file is truncated "
+        "the box should follow the last atom: three numbers or nine. The file is truncated "
         "or has another number of atoms than it says. Fetch or write it again.");
     }
     ++molecule.NumberOfModels;
@@ -545,7 +545,7 @@ void ReadCharges(
     }
     if (*atom < 1 || *atom > static_cast<std::int64_t>(molecule.Atoms.size()))
     {
-      report.Count("Charges that name atoms which are not there, dropped", lines.Line());
+      report.Count("Charges of missing atoms, dropped", lines.Line());
       continue;
     }
     molecule.Atoms[static_cast<std::size_t>(*atom - 1)].Charge = charge;

@@ -312,7 +312,7 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted, Re
   }
   if (missing > 0)
   {
-    report.Note("Bonds of struct_conn that name atoms which this model has not, dropped: " +
+    report.Note("Bonds of struct_conn with atoms that are not in this model, dropped: " +
       std::to_string(missing) + ".");
   }
   return molecule;
@@ -641,8 +641,8 @@ void AddNamedBonds(CIFAtoms& atoms, Macromolecule& molecule)
   }
   if (missing > 0)
   {
-    atoms.Report.Note("Bonds of chem_comp_bond that name atoms which are not there, dropped: " +
-      std::to_string(missing) + ".");
+    atoms.Report.Note(
+      "Bonds of chem_comp_bond with missing atoms, dropped: " + std::to_string(missing) + ".");
   }
 }
 

@@ -47,7 +47,7 @@ struct Bond
 {
   std::int64_t First;
   std::int64_t Second;
-  bool FromFile; ///< named by the file; else found by distance
+  bool FromFile; ///< given by the file; otherwise found by distance
 };
 
 /// One model of a file. Notes are for reference, warnings are shown to the user.

@@ -70,7 +70,7 @@ MoleculeFormat FormatOfName(const std::string& path)
   return MoleculeFormat::ByName;
 }
 
-/// What to do with a file in a format that is not read; empty: it is not known.
+/// Advice for a file in a format that is not supported; empty if the format is unknown.
 std::string OtherFormat(const std::string& path)
 {
   const std::string name = Uncompressed(path);
@@ -102,7 +102,7 @@ std::string OtherFormat(const std::string& path)
       "this is a trajectory. Open its structure first, then use the Trajectory Reader, or write "
       "frames as PDB (gmx trjconv, cpptraj, MDAnalysis)." },
     { ".smi .inchi ",
-      "this names a molecule without coordinates. Generate coordinates with 'obabel FILE -O "
+      "this describes a molecule without coordinates. Generate coordinates with 'obabel FILE -O "
       "FILE.sdf --gen3d'." },
     { ".mae .maegz .cdx .cml .pse .cxs .hin .dms .gsd .poscar .cssr .molden .car .xsf ",
       "this format is not read. Write the molecule as PDB, mmCIF, MOL2 or SDF with the program "
@@ -129,7 +129,7 @@ bool BeginsAs(std::string_view text, std::string_view with)
       [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-/// What is in a file instead of what its name says, and what to do; empty: nothing that is known.
+/// The actual content of a file if it does not match its name, with advice; empty if unknown.
 std::string OtherContent(std::string_view text, MoleculeFormat format)
 {
   const std::string_view begin = text.substr(0, 1000);
@@ -205,7 +205,7 @@ MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
   throw std::runtime_error(path +
     ": neither the name (.pdb .ent .cif .pqr .xyz .pdbqt .gro .mol2 .sdf .mol) nor the content "
     "says "
-    "which format this is. Name the format.");
+    "which format this is. Choose the format.");
 }
 
 Macromolecule Parse(std::string_view text, const std::string& path, MoleculeFormat format,
@@ -289,7 +289,7 @@ void AddSentence(std::vector<std::string>& to, const std::string& sentence)
   }
 }
 
-/// What some atoms have, or lack, that sentences tell of.
+/// Properties of some atoms that are reported in messages.
 struct Peculiarities
 {
   std::atomic<bool> NoRadius{ false }, ChargedPoint{ false }, NoCharge{ false }, Charge{ false };
@@ -562,7 +562,7 @@ bool LooksLikeMolecule(const std::string& path)
     const std::size_t size = OpenByteSource(path)->Read(0, begin.data(), begin.size());
     if (BeginsAsUTF16({ begin.data(), size }))
     {
-      return true; // reading it explains what to do
+      return true; // the reader's message explains what to do
     }
     return std::find(begin.begin(), begin.begin() + static_cast<std::ptrdiff_t>(size), '\0') ==
       begin.begin() + static_cast<std::ptrdiff_t>(size);

@@ -36,7 +36,7 @@ namespace isthmus
 namespace
 {
 
-/// An array that is made later, perhaps beside others. None where there is nothing to tell.
+/// An array that is created later, possibly in parallel with others. Null if there is no data.
 using MakeArray = std::function<vtkSmartPointer<vtkAbstractArray>()>;
 
 /// `value(atom)` of each atom.

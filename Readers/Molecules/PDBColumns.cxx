@@ -468,7 +468,7 @@ PDBResidueNames::PDBResidueNames(const std::vector<PDBRun>& runs, const PDBLines
   }
   const auto isKnownLong = [](const std::string& five)
   { return five[0] != ' ' && five[2] != ' ' && IsLongResidueName(five.substr(0, 4)); };
-  std::set<std::string> chains; // of two letters, of which there is a residue that all know
+  std::set<std::string> chains; // of two letters, that contains a standard residue
   bool anyLong = false;
   for (const std::string& five : fives)
   {

@@ -152,7 +152,7 @@ bool HasOldColumns(const PDBLines& lines, const PDBModel& model)
   return 2 * old > all;
 }
 
-/// "2+", "+2" or "2"; nothing where it is none of them.
+/// "2+", "+2" or "2"; nothing otherwise.
 std::optional<double> ChargeOf(std::string_view text)
 {
   if (text.empty())
@@ -173,7 +173,7 @@ std::optional<double> ChargeOf(std::string_view text)
   return charge == 0.0 ? Atom::Unknown : charge;
 }
 
-/// What is wrong with lines, by the first one of each kind.
+/// Faults of lines, with the first one of each kind.
 struct Faults
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
@@ -392,7 +392,7 @@ private:
       }
     };
     count(found.Lost, "Atoms with asterisks for coordinates, dropped", found.FirstLost);
-    count(found.BadValues, "Occupancies and B factors that are no numbers, dropped",
+    count(found.BadValues, "Occupancies and B factors that are not numbers, dropped",
       found.FirstBadValue);
     count(
       found.BadCharges, "Unreadable formal charges (columns 79-80), dropped", found.FirstBadCharge);
@@ -447,7 +447,7 @@ private:
     this->Result.Residues = std::move(starts);
   }
 
-  /// Serial numbers that only those before them explain.
+  /// Serial numbers that can only be decoded from those before them.
   void ReadSerials()
   {
     std::unordered_map<std::size_t, int> serials;
@@ -635,8 +635,7 @@ private:
     }
     if (missing > 0)
     {
-      this->Report.Note(
-        "Bonds of CONECT records that name atoms which this model has not, dropped: " +
+      this->Report.Note("Bonds of CONECT records with atoms that are not in this model, dropped: " +
         std::to_string(missing) + ".");
     }
   }
@@ -671,7 +670,7 @@ private:
       const Found second = find(fields[i], to);
       if (second == Found::Unreadable)
       {
-        this->Count("Fields of CONECT records that are no serial numbers, dropped", record);
+        this->Count("Fields of CONECT records that are not serial numbers, dropped", record);
       }
       else if (first == Found::Missing || second == Found::Missing)
       {
@@ -679,9 +678,7 @@ private:
       }
       else if (first == Found::Ambiguous || second == Found::Ambiguous)
       {
-        this->Count(
-          "Bonds of CONECT records that name serial numbers which come more than once, dropped",
-          record);
+        this->Count("Bonds of CONECT records with ambiguous serial numbers, dropped", record);
       }
       else if (from != to)
       {
@@ -843,8 +840,8 @@ private:
     }
     if (missing > 0)
     {
-      this->Report.Note("SSBOND and LINK records that are unreadable or name atoms which this "
-                        "model has not, dropped: " +
+      this->Report.Note("SSBOND and LINK records that are unreadable or have atoms that are "
+                        "not in this model, dropped: " +
         std::to_string(missing) + ".");
     }
   }

@@ -67,7 +67,7 @@ bool ReadNumbers(const std::string_view* words, Atom& atom)
     IsNumber(words[4], atom.Radius);
 }
 
-/// Line behind its first word, as words.
+/// The line after its first word, as words.
 bool ReadWords(std::string_view rest, Atom& atom)
 {
   Words words;
@@ -122,7 +122,7 @@ bool ReadColumns(std::string_view line, Atom& atom)
   return !atom.Name.empty();
 }
 
-/// Atoms of amino acids, nucleotides and so on are none, whatever their names.
+/// Atoms of amino acids, nucleotides etc. are not dummies, whatever their names.
 bool IsDummy(const Atom& atom)
 {
   const ResidueFamily family = FamilyOfResidue(atom.ResidueName);
@@ -178,7 +178,7 @@ std::string ReadAtom(std::string_view line, Atom& atom, bool& isDummy)
 {
   if (!ReadLine(line, atom))
   {
-    return "this is no atom of a PQR file (serial, name, residue, number, x, y, z, charge, "
+    return "this is not an atom of a PQR file (serial, name, residue, number, x, y, z, charge, "
            "radius, as words or in columns). The file may be truncated, or not PQR.";
   }
   isDummy = atom.Element == 0 && IsDummy(atom);
@@ -190,7 +190,7 @@ std::string ReadAtom(std::string_view line, Atom& atom, bool& isDummy)
 }
 
 /// The atoms of lines of `text`, and the number of dummies among them.
-/// @throws std::runtime_error with the number of the first line that is none.
+/// @throws std::runtime_error with the number of the first line that is not an atom.
 std::vector<Atom> ReadAtoms(std::string_view text, const std::string& path,
   const std::vector<std::string_view>& lines, std::size_t& dummies,
   const ProgressCallback& progress)

@@ -16,7 +16,7 @@ namespace isthmus
 namespace
 {
 
-/// The most columns of an extended XYZ file; more are not looked at.
+/// The most columns of an extended XYZ file; more are ignored.
 constexpr std::size_t MostColumns = 64;
 
 /// Columns of a frame, from 0. -1: there is none.
@@ -122,7 +122,7 @@ double NumberAt(const std::vector<std::string_view>& words, int column, const Te
     !IsNumber(words[static_cast<std::size_t>(column)], value) || !std::isfinite(value))
   {
     lines.Fail(
-      "this is no atom of an XYZ file (symbol, x, y, z, finite numbers, or the columns that "
+      "this is not an atom of an XYZ file (symbol, x, y, z, finite numbers, or the columns that "
       "Properties= names). The file may be truncated.");
   }
   return value;
@@ -226,8 +226,8 @@ Atom ReadTinkerRow(std::string_view line, std::vector<std::int64_t>& bonded, con
   if (!IsTinkerRow(line))
   {
     lines.Fail(
-      "this is no atom of a TINKER file (number, name, x, y, z, type, bonded atoms). Is the "
-      "file whole?");
+      "this is not an atom of a TINKER file (number, name, x, y, z, type, bonded atoms). Is the "
+      "file complete?");
   }
   IsNumber(NextWord(line), atom.Serial);
   atom.Name = NextWord(line);
@@ -353,7 +353,7 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
       constexpr std::size_t usual = 4;
       if (isWanted && i == 0 && !columns.IsExtended && words.size() > usual)
       {
-        report.Note("Columns behind symbol, x, y and z that were not read: " +
+        report.Note("Columns after symbol, x, y and z that were not read: " +
           std::to_string(words.size() - usual) + ".");
       }
     }

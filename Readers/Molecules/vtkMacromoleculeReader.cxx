@@ -126,7 +126,7 @@ std::int64_t vtkMacromoleculeReader::CountModels()
     .Number;
 }
 
-/// The model of the time that is asked for, where models are time steps; else ModelIndex.
+/// The model of the requested time if models are time steps, otherwise ModelIndex.
 std::int64_t vtkMacromoleculeReader::ModelOf(vtkInformation* request)
 {
   if (!request->Has(Pipeline::UPDATE_TIME_STEP()) || !request->Has(Pipeline::TIME_STEPS()))

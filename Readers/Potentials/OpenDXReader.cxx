@@ -86,7 +86,7 @@ VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
   word = text.Word();
   if (word != "counts")
   {
-    text.Refuse("the grid should have its counts, not '" + word + "'.");
+    text.Refuse("the grid should state its counts, not '" + word + "'.");
   }
   for (std::int64_t& count : grid.Dimensions)
   {
@@ -104,7 +104,7 @@ VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
     std::array<double, 3> delta{};
     if (!ReadRow(text, word, "delta", delta))
     {
-      text.Refuse("three rows of delta should follow, but '" + word + "' stands where one should.");
+      text.Refuse("three rows of delta should follow, but '" + word + "' was found instead.");
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -116,8 +116,8 @@ VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
 }
 
 /**
- * What an object of class `array` says before its values, up to the word `follows`, which is left
- * in `word`. Whether it fits the grid is not looked at.
+ * The description of an object of class `array` before its values, up to the word `follows`, which
+ * is left in `word`. Whether it fits the grid is not checked.
  * @throws ReaderError, with the line, for types and forms that are not read.
  */
 OpenDXArray ReadOpenDXArray(TextWords& text, std::string& word)
@@ -202,7 +202,7 @@ OpenDXReader::OpenDXReader(const std::string& path, int index, const ProgressCal
   if (this->Word != "object")
   {
     throw ReaderError(ReaderFailure::ForeignFormat,
-      path + ": this is no OpenDX file: it begins with '" + this->Word.substr(0, 40) +
+      path + ": this is not an OpenDX file: it begins with '" + this->Word.substr(0, 40) +
         "', not with the word object.");
   }
   for (int array = 0; this->NextArray(); ++array)
@@ -263,7 +263,7 @@ void OpenDXReader::ReadObject()
   if (this->Word != "class")
   {
     this->Text.Refuse("an object should have a name or number and a class, but '" + this->Word +
-      "' stands where class should.");
+      "' was found instead of class.");
   }
   this->Word = this->Text.Word();
 }
@@ -310,7 +310,7 @@ void OpenDXReader::CheckPromisedSize(const ProgressCallback& progress)
   if (least > most + 1) // the last number of a text may end the file
   {
     throw ReaderError(ReaderFailure::Truncated,
-      this->Source->Path() + ": the file is truncated or its counts lie: " +
+      this->Source->Path() + ": the file is truncated or its counts are wrong: " +
         std::to_string(numbers) + " values need " + std::to_string(least) +
         " bytes, and it has at most " + std::to_string(most) + ". Fetch the file again.");
   }
@@ -402,7 +402,7 @@ void OpenDXReader::ReadRest()
   if (FromText(std::string_view(this->Word), value))
   {
     this->Text.Refuse("there are more values than the " + std::to_string(this->Values.Items) +
-      " items that the array promises.");
+      " items that the array declares.");
   }
   for (; !this->Word.empty(); this->Word = this->Text.Word())
   {
@@ -444,7 +444,8 @@ void OpenDXReader::CheckField()
   {
     this->Text.Refuse("the field says that array " + data + " lies on the grid " + positions +
       ", but the grid before the array is " + this->GridName +
-      ": files whose grids and arrays do not take turns are not read. Write one field a file.");
+      ": files whose grids and arrays do not alternate are not supported. Write one field per "
+      "file.");
   }
   this->Word = "field"; // what follows belongs to other fields
 }

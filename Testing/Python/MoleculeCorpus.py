@@ -68,6 +68,6 @@ for path in paths:
     elif isinstance(ours, dict):
         table.add(path, "only Isthmus")
     else:
-        is_named = " Name the format" not in ours
+        is_named = " Choose the format" not in ours
         table.add(path, "message" if is_named else "refused", "" if is_named else f"refused: {ours}")
 table.finish()

@@ -470,7 +470,7 @@ TEST_F(MorseFunctions, BadOnesEndInASentence)
   vtkNew<vtkUnstructuredGrid> moved;
   moved->DeepCopy(this->Grid);
   moved->GetPoints()->SetPoint(0, 0.123, 0.2, 0.3);
-  EXPECT_NE(message("depth", moved).find("no point of the tetrahedral mesh"), std::string::npos);
+  EXPECT_NE(message("depth", moved).find("not a point of the tetrahedral mesh"), std::string::npos);
   const std::array<vtkIdType, 8> cube{ 0, 1, 2, 3, 4, 5, 6, 7 };
   moved->InsertNextCell(VTK_HEXAHEDRON, 8, cube.data());
   EXPECT_NE(message("depth", moved).find("is not a tetrahedron"), std::string::npos);

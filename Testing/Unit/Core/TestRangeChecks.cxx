@@ -132,8 +132,9 @@ TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
   vtkNew<vtkPolyData> atoms;
   EXPECT_NO_THROW(RequireUsualCoordinates(atoms, "input 0"));
   atoms->SetPoints(points);
-  const std::string far = "Point 1 of input 0 has the coordinate -1e+300: at most 1e+100 can be "
-                          "worked with. Remove the point, or choose another unit of length.";
+  const std::string far =
+    "Point 1 of input 0 has the coordinate -1e+300: at most 1e+100 is supported. "
+    "Remove the point, or choose another unit of length.";
   EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(atoms, "input 0"); }), far);
   // Points that no cell uses are of no account where there are cells.
   vtkNew<vtkCellArray> vertices;

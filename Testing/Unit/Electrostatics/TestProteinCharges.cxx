@@ -162,7 +162,7 @@ TEST(ProteinCharges, WhateverTheProgramDoesIsASentence)
   ExpectSentence("exit 1", "gave no reason");
   ExpectSentence("kill -9 $$", "could not find them");
   ExpectSentence("while :; do :; done", "seconds", 0.3);
-  ExpectSentence("exit 0", "knows none of the residues");
+  ExpectSentence("exit 0", "recognised none of the residues");
   ExpectSentence(Answering("ATOM 1 N GLY A one 1 2 3 4 5\\n"), "can't be read");
   ExpectSentence(Answering("ATOM 1 N GLY A 7 1 2 3 4 5\\n"), "can't be read"); // nobody's residue
   std::vector<NamedAtom> far = Molecule();

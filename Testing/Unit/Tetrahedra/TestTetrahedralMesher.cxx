@@ -244,7 +244,7 @@ TEST(TetrahedralMesher, SizesThatTakeHopelesslyManyPointsAreRefusedAtOnce)
     auto parameters = With(TetrahedralLibrary::CGAL, MeshedSide::Inside);
     parameters.CGAL.MaximumPoints = 500;
     parameters.CGAL.*size = 1e-6;
-    EXPECT_NE(WhyRefused(cube, parameters).find("take at least"), std::string::npos)
+    EXPECT_NE(WhyRefused(cube, parameters).find("need at least"), std::string::npos)
       << WhyRefused(cube, parameters);
   }
 }

@@ -121,7 +121,7 @@ TEST_P(MRCRepair, IsToldAndStrictRefuses)
 
 INSTANTIATE_TEST_SUITE_P(Fields, MRCRepair,
   ::testing::Values(Repair{ "NoStamp", [](MRCTestFile& m) { m.SetText(212, std::string(4, '\0')); },
-                      "The machine stamp (word 54) is 00 00 00 00, which is none" },
+                      "The machine stamp (word 54) is 00 00 00 00, which is not valid" },
     Repair{ "HalfStamp", [](MRCTestFile& m) { m.SetText(212, std::string("D\0\0\0", 4)); },
       "The machine stamp (word 54) is 44 00 00 00" },
     Repair{ "BlankStamp", [](MRCTestFile& m) { m.SetText(212, "D   "); },

@@ -250,7 +250,7 @@ TEST(CombinatorialMeshReader, RefusesBadFilesWithTheLine)
   ExpectRefusal(Replaced("block 0 2", "block 0 3"), "'block' among the vertices of cells");
   ExpectRefusal(Replaced("uint8 1", "uint8 7"), "values of an attribute");
   ExpectRefusal(Replaced("\n3\nend", "\n300\nend"), "'300' among the values of an attribute");
-  ExpectRefusal(Replaced("end\n", ""), "ends where 'end' should be. It is cut short.");
+  ExpectRefusal(Replaced("end\n", ""), "ends where 'end' should be. It is truncated.");
   std::ostringstream binary;
   WriteCombinatorialMesh(ParseCombinatorialMesh(Sample), true, binary);
   for (std::size_t size = 0; size + 1 < binary.str().size(); ++size)

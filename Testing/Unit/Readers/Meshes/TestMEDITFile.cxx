@@ -114,7 +114,7 @@ TEST(MEDITFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_SAYS(
     why(points + "Triangles 2000000\n1 2 3 0\n"), "line 7: Triangles is given as 2000000");
   EXPECT_SAYS(why(points + "Triangles 1\n1 2"), "line 8");
-  EXPECT_SAYS(why(points + points), "for the second time");
+  EXPECT_SAYS(why(points + points), "Vertices occurs twice");
   EXPECT_SAYS(why("Vertices 1\n0 0 oops 0\n"), "line 4: a coordinate should be a number");
   EXPECT_SAYS(why("MFEM mesh v1.0\n", false), "line 1: a MEDIT mesh begins with");
   EXPECT_SAYS(why("MeshVersionFormatted 1\nDimension 4\n", false), "line 2: the dimension is 4");

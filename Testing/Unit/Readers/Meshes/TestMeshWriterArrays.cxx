@@ -221,10 +221,10 @@ TEST(MeshWriterArrays, WhatCannotBeWrittenIsNamedWithItsReason)
     [](vtkUnstructuredGrid* mesh, vtkDataArray* array, bool onCells, const char* file)
   { return Written<vtkTetGenMeshWriter, vtkTetGenMeshReader>(mesh, array, onCells, file); };
   ExpectDropped(tetgen(Mesh(), Array(VTK_INT, "BoundaryMarker", { 1, 2 }), true, "x.ele"),
-    "BoundaryMarker", "does not hold it on cells of these shapes");
+    "BoundaryMarker", "does not store it on cells of these shapes");
   ExpectDropped(
     tetgen(Mesh(VTK_TRIANGLE, 3), Array(VTK_DOUBLE, "Attribute", { 1, 2 }), true, "x.face"),
-    "Attribute", "does not hold it on cells of these shapes");
+    "Attribute", "does not store it on cells of these shapes");
   const auto both = Mesh();
   const vtkIdType corners[] = { 0, 1, 2 };
   both->InsertNextCell(VTK_TRIANGLE, 3, corners);

@@ -109,7 +109,7 @@ TEST(OFFFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_SAYS(why("OFF\n900000000000 1 0\n0 0 0\n"), "line 2: the file is too short");
   EXPECT_SAYS(why("OFF\n-3 1 0\n0 0 0\n"), "line 2: the file is too short");
   const std::string two = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n";
-  EXPECT_SAYS(why("OFF\n3 1 0\n" + two), "line 7: the file should end behind its 1 faces, but '3'");
+  EXPECT_SAYS(why("OFF\n3 1 0\n" + two), "line 7: the file should end after its 1 faces, but '3'");
   EXPECT_SAYS(why("OFF\n2 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"), "line");
   EXPECT_EQ(why("OFF\n3 2 0\n" + two + "\n # a comment\n\t\n"), "");
   EXPECT_SAYS(why("OFF BINARY\n0123"), "binary OFF files are not read");

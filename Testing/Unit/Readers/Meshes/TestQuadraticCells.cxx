@@ -221,7 +221,7 @@ TEST(QuadraticCells, EachLayoutOfAFaceFileIsRecognised)
   };
   EXPECT_SAYS(why("1 1\n0 0 1 2 3 4 9 7\n"), "names vertex 9");
   EXPECT_SAYS(why("2 1\n0 0 1 2 3 4 5 7\n1 0 1 2 7\n"), "row 2, above this line, has 1 numbers");
-  EXPECT_SAYS(why("1 1\n0 0 1 2\n"), "0 numbers behind its corners instead of 1");
+  EXPECT_SAYS(why("1 1\n0 0 1 2\n"), "0 numbers after its corners instead of 1");
   EXPECT_SAYS(why("1 1\n0 0 1 2 red\n"), "'red'");
 }
 

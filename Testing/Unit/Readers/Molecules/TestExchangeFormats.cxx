@@ -220,8 +220,7 @@ TEST(ExchangeFormats, MOL2)
     MoleculeFormat::MOL2, 0);
   EXPECT_EQ(odd.Atoms.size() + odd.Bonds.size(), 1u);
   ASSERT_EQ(odd.Warnings.size(), 1u);
-  EXPECT_PART(
-    odd.Warnings[0], "Bonds that name atoms which are not there, dropped: 1 (first: line 9)");
+  EXPECT_PART(odd.Warnings[0], "Bonds with missing atoms, dropped: 1 (first: line 9)");
 }
 
 TEST(ExchangeFormats, NamesOfResiduesInMOL2)

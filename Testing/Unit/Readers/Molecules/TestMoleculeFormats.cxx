@@ -224,13 +224,13 @@ TEST(MacromoleculeReader, BadFilesEndInASentence)
     { MoleculeFormat::PQR, "ATOM 1 CA SER 1 0 0 0 nan 1.8\n", "not finite" },
     { MoleculeFormat::PQR, "ATOM 1 CA SER 1 0 0 0 1.8 -0.4\n", "negative" },
     { MoleculeFormat::PQR, "ATOM      1  CA  SER A  10       0.000   0.000   0.000  1.00\n",
-      "no atom of a PQR" },
+      "not an atom of a PQR" },
     { MoleculeFormat::XYZ, "C 0 0 0\n", "number of atoms" },
     { MoleculeFormat::XYZ, "2\n\nC 0 0 0\n", "ends after 1 of 2" },
     { MoleculeFormat::XYZ, "1\n\nC 0 zero 0\n", "line 3" },
     { MoleculeFormat::XYZ, "1\n\nC 0 0 inf\n", "line 3" },
     { MoleculeFormat::XYZ, "1\n\n200 0 0 0\n", "no element 200" },
-    { MoleculeFormat::ByName, "hello", "Name the format" },
+    { MoleculeFormat::ByName, "hello", "Choose the format" },
   };
   for (const auto& c : cases)
   {

@@ -199,7 +199,8 @@ TEST(PDBRecords, SerialsThatComeMoreThanOnceBondNothing)
   const Macromolecule molecule = FromPDB(text + "CONECT    1    2    3\nCONECT    2    3\n");
   ASSERT_EQ(molecule.Bonds.size(), 1u);
   EXPECT_EQ(Everything(molecule.Bonds[0]), std::tuple(std::int64_t{ 0 }, std::int64_t{ 2 }, true));
-  EXPECT_TRUE(Mention(molecule.Warnings, "serial numbers which come more than once, dropped: 2"));
+  EXPECT_TRUE(
+    Mention(molecule.Warnings, "serial numbers with ambiguous serial numbers, dropped: 2"));
 }
 
 /// As in gemmi: the first atom of a residue says whether it is a HETATM.
@@ -413,7 +414,7 @@ TEST(PDBColumns, SerialsInConect)
     AtomLine("186ff", " C2", "LIG A   1 ", 10) + AtomLine("18700", " C3", "LIG A   1 ", 20) +
     AtomLine("18701", " C4", "LIG A   1 ", 30) + "CONECT186ff18701\nCONECT18700186ff\n");
   EXPECT_EQ(both.Bonds.size(), 1u);
-  EXPECT_TRUE(Mention(both.Notes, "which come more than once"));
+  EXPECT_TRUE(Mention(both.Notes, "with ambiguous serial numbers"));
 }
 
 TEST(PDBColumns, CoordinatesWiderThanTheirColumns)
@@ -518,15 +519,15 @@ TEST(PDBRecords, WhatIsDroppedIsCounted)
   EXPECT_EQ(molecule.Bonds.size(), 1u);
   ASSERT_EQ(molecule.Warnings.size(), 1u) << "one warning for all";
   for (const char* words : { "Unreadable CONECT records, dropped: 2 (first: line 6)",
-         "Fields of CONECT records that are no serial numbers, dropped: 1",
-         "Occupancies and B factors that are no numbers, dropped: 1 (first: line 3)",
+         "Fields of CONECT records that are not serial numbers, dropped: 1",
+         "Occupancies and B factors that are not numbers, dropped: 1 (first: line 3)",
          "Unreadable formal charges (columns 79-80), dropped: 1 (first: line 4)" })
   {
     EXPECT_TRUE(Mention(molecule.Warnings, words)) << words << "\n" << molecule.Warnings[0];
     EXPECT_TRUE(Mention(molecule.Notes, words)) << words;
   }
-  EXPECT_TRUE(Mention(molecule.Notes,
-    "Bonds of CONECT records that name atoms which this model has not, dropped: 1."));
+  EXPECT_TRUE(Mention(
+    molecule.Notes, "Bonds of CONECT records with atoms that are not in this model, dropped: 1."));
   EXPECT_TRUE(std::isnan(molecule.Atoms[2].Occupancy));
   EXPECT_EQ(molecule.Atoms[3].Element, 8);
 }

@@ -68,10 +68,10 @@ TEST(ReadingReport, PDBQT)
   EXPECT_EQ(ElementsOf(molecule), "C C X X X ");
   EXPECT_EQ(Charges(molecule), "0 ? 0 0 0 ");
   ExpectCounts(molecule,
-    { "Residue numbers that are no whole numbers, taken as 0: 1 (first: line 2).",
-      "Occupancies and B factors that are no numbers, dropped: 2 (first: line 2).",
-      "Charges that are no numbers, dropped: 1 (first: line 2).",
-      "Atoms whose types or symbols mean no element (Element is 0): 2 (first: G1 of LIG 2 A).",
+    { "Residue numbers that are not integers, taken as 0: 1 (first: line 2).",
+      "Occupancies and B factors that are not numbers, dropped: 2 (first: line 2).",
+      "Charges that are not numbers, dropped: 1 (first: line 2).",
+      "Atoms whose types or symbols match no element (Element is 0): 2 (first: G1 of LIG 2 A).",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1." });
   EXPECT_TRUE(Read(good, MoleculeFormat::PDBQT).Warnings.empty());
   // Faults of other models are not those of this one.
@@ -97,9 +97,9 @@ TEST(ReadingReport, GRO)
       MoleculeFormat::GRO);
   EXPECT_EQ(ElementsOf(molecule), "C N O X Ca X X ");
   ExpectCounts(molecule,
-    { "Residue numbers that are no whole numbers, taken as 0: 1 (first: line 5).",
+    { "Residue numbers that are not integers, taken as 0: 1 (first: line 5).",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1.",
-      "Atoms whose names mean no element (Element is 0): 2 (first: ?? of LIG 4)." });
+      "Atoms whose names match no element (Element is 0): 2 (first: ?? of LIG 4)." });
   EXPECT_TRUE(Mention(molecule.Notes, "decided 4 by residue and atom name.")) << molecule.Notes[1];
   // No GRO file has elements: a note, no warning.
   EXPECT_TRUE(
@@ -125,12 +125,12 @@ TEST(ReadingReport, MOL2)
   EXPECT_EQ(Charges(molecule), "-1 ? 0 0 ");
   EXPECT_EQ(molecule.Bonds.size(), 1u);
   ExpectCounts(molecule,
-    { "Bonds that name atoms which are not there, dropped: 2 (first: line 13).",
+    { "Bonds with missing atoms, dropped: 2 (first: line 13).",
       "Unreadable bonds, dropped: 1 (first: line 14).",
-      "Residue numbers that are no whole numbers, taken as 0: 1 (first: line 8).",
-      "Charges that are no numbers, dropped: 1 (first: line 8).",
+      "Residue numbers that are not integers, taken as 0: 1 (first: line 8).",
+      "Charges that are not numbers, dropped: 1 (first: line 8).",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1.",
-      "Atoms whose types or symbols mean no element (Element is 0): 1 (first: R1 of LIG 1)." });
+      "Atoms whose types or symbols match no element (Element is 0): 1 (first: R1 of LIG 1)." });
   EXPECT_TRUE(
     Mention(molecule.Notes, "Sections of the MOL2 file that were not read: CRYSIN, SET."));
   EXPECT_FALSE(Mention(molecule.Warnings, "Sections"));
@@ -178,17 +178,17 @@ TEST(ReadingReport, SDF)
   EXPECT_EQ(Charges(codes), "1 -1 ? 3 ? "); // codes 3, 5 and 1 of the format
   EXPECT_EQ(codes.Bonds.size(), 1u);
   ExpectCounts(codes,
-    { "Bonds that name atoms which are not there, dropped: 1 (first: line 11).",
+    { "Bonds with missing atoms, dropped: 1 (first: line 11).",
       "Unreadable bonds, dropped: 1 (first: line 12).",
       "Codes of charges (columns 37-39) that are not 0 to 7, dropped: 1 (first: line 9).",
-      "Atoms whose types or symbols mean no element (Element is 0): 1 (first: R#)." });
+      "Atoms whose types or symbols match no element (Element is 0): 1 (first: R#)." });
   EXPECT_TRUE(Mention(codes.Notes, "Data fields of the SDF file that were not read: 2."));
   // M  CHG replaces all codes.
   const Macromolecule lines =
     Read(atoms + "M  CHG  2   4   2   9   1\nM  CHG  x\nM  END\n$$$$\n", MoleculeFormat::SDF);
   EXPECT_EQ(Charges(lines), "? ? ? 2 ? ");
   ExpectCounts(lines,
-    { "Charges that name atoms which are not there, dropped: 1 (first: line 13).",
+    { "Charges of missing atoms, dropped: 1 (first: line 13).",
       "Unreadable charges (M  CHG), dropped: 1 (first: line 14)." });
 }
 
@@ -201,11 +201,11 @@ TEST(ReadingReport, XYZAndTinker)
   EXPECT_EQ(ElementsOf(ghosts), "X X X X X X B X ");
   ExpectCounts(ghosts,
     { "Ghost or dummy atoms and virtual sites, without element (0) and radius: 6.",
-      "Atoms whose types or symbols mean no element (Element is 0): 1 (first: Qq)." });
+      "Atoms whose types or symbols match no element (Element is 0): 1 (first: Qq)." });
   EXPECT_TRUE(Mention(Read("1\n\nC 0 0 0 0.1 0.2 0.3\n", MoleculeFormat::XYZ).Notes,
-    "Columns behind symbol, x, y and z that were not read: 3."));
+    "Columns after symbol, x, y and z that were not read: 3."));
   const Macromolecule tinker = Read("2 t\n1 O 0 0 0 1\n2 ** 5 0 0 2\n", MoleculeFormat::XYZ);
-  ExpectCounts(tinker, { "mean no element (Element is 0): 1 (first: **)." });
+  ExpectCounts(tinker, { "match no element (Element is 0): 1 (first: **)." });
 }
 
 TEST(ReadingReport, PQR)
@@ -274,7 +274,7 @@ TEST(ReadingReport, MMCIF)
     MoleculeFormat::MMCIF);
   EXPECT_TRUE(bonds.Bonds.empty());
   EXPECT_TRUE(Mention(
-    bonds.Notes, "Bonds of struct_conn that name atoms which this model has not, dropped: 1."));
+    bonds.Notes, "Bonds of struct_conn with atoms that are not in this model, dropped: 1."));
 }
 
 TEST(ReadingReport, IsOneWarningOfTheReaderAndFieldData)
@@ -301,8 +301,8 @@ TEST(ReadingReport, IsOneWarningOfTheReaderAndFieldData)
   {
     all += notes->GetValue(i) + "\n";
   }
-  for (const char* words : { "Charges that are no numbers, dropped: 1",
-         "Bonds that name atoms which are not there, dropped: 1", "mean no element" })
+  for (const char* words : { "Charges that are not numbers, dropped: 1",
+         "Bonds with missing atoms, dropped: 1", "match no element" })
   {
     EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
   }

@@ -42,11 +42,11 @@ TEST(OpenDXReader, BadFilesEndInASentence)
 {
   using Code = vtkErrorCode::ErrorIds;
   const std::string values = "object 3 class array type double rank 0 items 12 data follows\n";
-  ExpectFailure("hello world\n", "no OpenDX file", Code::UnrecognizedFileTypeError);
+  ExpectFailure("hello world\n", "not an OpenDX file", Code::UnrecognizedFileTypeError);
   ExpectFailure(head + values + "0 1 2 3 4 5\n6 7 8 9 10", "line 8", Code::PrematureEndOfFileError);
   ExpectFailure("object 1 class gridpositions counts 1000 1000 1000\ndelta 1 0 0\ndelta 0 1 0\n"
                 "delta 0 0 1\nobject 3 class array type float items 1000000000 data follows\n0\n",
-    "counts lie", Code::PrematureEndOfFileError);
+    "counts are wrong", Code::PrematureEndOfFileError);
   ExpectFailure(head + values + "0 1 2 3 4 5 6 7 8 9 ten 11\n", "'ten'", Code::FileFormatError);
   ExpectFailure(
     head + values + "0 1 2 3 4 5 6 7 8 9 1e999 11\n", "too large", Code::FileFormatError);
