@@ -36,7 +36,7 @@ def version_of_project():
 
 
 def run(*command):
-    """Runs a program, shows what it says, and returns whether it succeeded."""
+    """Runs a program, shows its output, and returns whether it succeeded."""
     done = subprocess.run([str(part) for part in command], text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, check=False)
     if done.stdout.strip():

@@ -45,7 +45,7 @@ def build_meshes(path, level):
 
 
 def unmet_bounds(tetrahedra):
-    """What the filter says of tetrahedra that exceed its bounds; "" if there are none."""
+    """The filter's message about tetrahedra that exceed its bounds; "" if there are none."""
     array = servermanager.Fetch(tetrahedra).GetFieldData().GetAbstractArray("UnmetBounds")
     return array.GetValue(0) if array else ""
 

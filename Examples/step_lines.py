@@ -12,7 +12,7 @@ def plain(text):
 
 
 class Step:
-    """What the line of a step says, and the warnings and errors of its filters, which VTK would print as lines of its log.
+    """The text of a step's line, and the warnings and errors of its filters, which VTK would print as lines of its log.
     """
 
     def __init__(self, name):
@@ -31,15 +31,15 @@ class Step:
         return collect
 
     def take_warnings(self, proxy, text=None):
-        """The warnings of `proxy`, or those with that text. They are then not printed: for a step whose facts say the same.
-        """
+        """The warnings of `proxy`, or those with that text. They are then not printed: for a step
+        whose line contains the same information."""
         taken = [message for message in self._messages
                  if message[:2] == (proxy, "Warning") and text in (None, message[2])]
         self._messages = [message for message in self._messages if message not in taken]
         return [text for _, _, text in taken]
 
     def end(self, seconds=None):
-        """Prints the line unless the step has failed, and below it each message that is left, as a sentence."""
+        """Prints the line unless the step has failed, and below it each remaining message."""
         for subject, tag in self._watched:
             subject.RemoveObserver(tag)
         lines = [] if seconds is None else [", ".join([f"{self.name}: {seconds:.1f} s", *self.facts])]

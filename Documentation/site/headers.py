@@ -51,7 +51,7 @@ def class_comment(path, root):
         elif where == "also":
             also += re.findall(r"vtk\w+", line)
         else:
-            # A line of a formula is left as it is, all else is text.
+            # Lines of formulas are left unchanged, everything else is text.
             text.append(line if line.startswith("    ") else escaped(line))
     sentence = " ".join(brief)
     return ClassComment(

@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: the data, and the file of a figure."""
+"""Shared code of the scripts of this folder: the data, and the file of a figure."""
 
 import os
 import subprocess
@@ -15,7 +15,7 @@ from output_folder import output_folder  # noqa: E402
 
 
 def data(relative):
-    """Opens a file of the shared data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone."""
+    """Opens a file of the shared data: $ISTHMUS_DATA_DIR, otherwise ../shared/data beside the clone."""
     for folder in filter(None, (os.environ.get("ISTHMUS_DATA_DIR"), HERE.parents[2] / "shared" / "data")):
         if (Path(folder) / relative).exists():
             return simple.OpenDataFile(str(Path(folder) / relative))
@@ -40,7 +40,7 @@ def look_from(view, direction, zoom=1.0):
 
 
 def write(view, name, **options):
-    """Writes the figure, 85 mm wide at 300 dpi, into the folder that the command line names, else a temporary one."""
+    """Writes the figure, 85 mm wide at 300 dpi, into the folder named on the command line, otherwise a temporary one."""
     folder = output_folder(sys.argv[1] if len(sys.argv) > 1 else None)
     png, _ = pipelines.figure(view, 85, 300, str(folder / f"{name}.png"), **options)
     # 128 colours keep a picture small; without ImageMagick it is larger.

@@ -165,7 +165,7 @@ def distance(places, centre):
 
 
 def three_counts(centres, ligand, copies):
-    """For each way of counting, whether each rank succeeds."""
+    """For each counting rule, whether each rank succeeds."""
     targets = copies.images(ligand)
     miss = [distance(ligand, c) <= SUCCESS for c in centres]
     hit = [min(distance(target, c) for target in targets) <= SUCCESS for c in centres]

@@ -39,7 +39,7 @@ import isthmus  # noqa: E402
 import thesis_entries  # noqa: E402
 
 TABLES = {}
-# Tables of the thesis that hold definitions, or that need what is not here.
+# Tables of the thesis that contain definitions, or that need data that is not available.
 NOT_HERE = {
     "3.1": "a definition (faces of a tetrahedron and a prism); read and compared by "
            "`CompactCombinatorialMap.TypesOfTables31To34`.",
@@ -604,7 +604,7 @@ def gramicidin():
 
 
 def analysed(surface, inside=True, samples=0):
-    """vtkChokingLoops of a surface, without a threshold inside; with about so many samples, 0: as it chooses."""
+    """vtkChokingLoops of a surface, without a threshold inside; with about this many samples; 0: chosen automatically."""
     loops = isthmus.vtkChokingLoops()
     loops.SetInputData(surface)
     if samples:
@@ -821,7 +821,7 @@ def fullerene_energies():
 
 # ------------------------------------------------------------------------------------------ figures
 
-# Figures with results, where each is drawn, and what stands in for the thesis' data.
+# Figures with results, where each is drawn, and the substitute for the data of the thesis.
 FIGURES = (
     ("1.4, 6.1, 6.6", "`choking_loops.py SURFACE`", "the buckyball soccerball.obj, Kitten.off and others"),
     ("3.2, 4.13, 4.22", "`mesh_figures.py`", "EMD-1832 for EMD-1590, 1HEW"),

@@ -92,7 +92,7 @@ def download(entry, folder, base):
 
 
 def check(entry, path, sums):
-    """(whether it is as it was, what to say of it)"""
+    """(whether it is unchanged, message)"""
     found = checksum(path)
     known = sums.setdefault(path.name, found)
     if found != known:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the Python functions are made from: a description of each filter, reader and writer.
+"""The input of the Python functions: a description of each filter, reader and writer.
 
     describe.py SOURCE PACKAGE VERSION
 
@@ -40,7 +40,7 @@ def snake_case(name):
 
 
 def keyword_of_choice(text):
-    """Largest gap -> largest_gap; what is in parentheses explains."""
+    """Largest gap -> largest_gap; text in parentheses is explanation."""
     return re.sub(r"\W+", "_", re.sub(r"\([^)]*\)", "", text).strip().lower()).strip("_")
 
 
@@ -128,7 +128,7 @@ def describe_property(element):
 
 
 def describe_proxy(proxy, group, proxies):
-    """Inputs, outputs and properties of a proxy and of what it is derived from."""
+    """Inputs, outputs and properties of a proxy and of its base proxies."""
     base = proxies.get(proxy.get("base_proxyname"))
     inherited = describe_proxy(base, group, proxies) if base is not None else None
     inputs = {found["xml"]: found for found in (inherited or {}).get("inputs", [])}

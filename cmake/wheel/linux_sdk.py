@@ -48,7 +48,7 @@ def vtk_of_this_python():
         version = importlib.metadata.version("vtk")
     except importlib.metadata.PackageNotFoundError:
         sys.exit(f"linux_sdk.py: {sys.executable} has no vtk: install the version that pyproject.toml pins.")
-    # Found, not imported: an import loads what a build does not need.
+    # Located, not imported: an import would load modules that a build does not need.
     modules = importlib.util.find_spec("vtkmodules")
     return version, pathlib.Path(modules.origin).parent
 
@@ -103,7 +103,7 @@ def redirect_libraries(cmake, libraries):
 
 
 def match_binary(cmake, headers, libraries):
-    """Compiled code must agree with the libraries in what headers do not say, or say for macOS."""
+    """Compiled code must agree with the libraries in details that the headers do not define, or define for macOS."""
     core = (libraries / "libvtkCommonCore.so").read_bytes()
     # manylinux2014 is compiled with the C++ library's strings of before 2011.
     new_strings = b"__cxx11" in core
@@ -136,7 +136,7 @@ def download_tools(work, folder):
     suite = f"{archive}/dists/{TOOLS_SUITE}"
     release, signature = work / "Release", work / "Release.gpg"
     urllib.request.urlretrieve(f"{suite}/Release", release)
-    # Each file is checked by the one that lists it, and the first by its signature, else by TLS.
+    # Each file is checked against the one that lists it, and the first by its signature, otherwise by TLS.
     if shutil.which("gpgv") and KEYRING.exists():
         urllib.request.urlretrieve(f"{suite}/Release.gpg", signature)
         run("gpgv", "--quiet", "--keyring", str(KEYRING), str(signature), str(release))
@@ -187,7 +187,7 @@ def install_tools(work, folder, headers):
     start = "#!/usr/bin/env bash\nset -e\n"
     if place == folder / "tools":
         start += f"export LD_LIBRARY_PATH={place}${{LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}}\n"
-    # Without -MF, which older tools do not know: CMake gets an empty list of dependencies.
+    # Without -MF, which older tools do not support: CMake gets an empty list of dependencies.
     wrap = textwrap.dedent("""\
         arguments=()
         while [ $# -gt 0 ]; do
@@ -207,10 +207,10 @@ def install_tools(work, folder, headers):
         body = initialise if name == "vtkWrapPythonInit" else wrap
         program.write_text(start + body.format(tool=f"{place}/{name}{suffix}"))
         program.chmod(0o755)
-    # Attributes that they do not know.
+    # Attributes that they do not support.
     edit(headers / "vtkWrappingHints.h",
          (r"^#define (VTK_UNBLOCKTHREADS|VTK_MARSHAL\w+(?:\(\w+\))?) \[\[.*$", r"#define \1"))
-    # Names of Python 2 in what they write, which later headers of VTK no longer define.
+    # Python 2 names in their output, which later headers of VTK no longer define.
     with (headers / "vtkPythonCompatibility.h").open("a") as header:
         header.write("\n#ifndef PyInt_Type\n#define PyInt_Type PyLong_Type\n#define PyIntObject PyLongObject\n#endif\n")
 

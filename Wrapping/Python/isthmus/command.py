@@ -118,7 +118,7 @@ VERMILION, BLUE, ORANGE, GREY = (0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.902
 
 
 def _rendering():
-    """VTK's classes of rendering, with OpenGL behind them; ValueError without its libraries."""
+    """VTK's rendering classes with OpenGL; ValueError without its libraries."""
     try:
         import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, before any object of rendering is made
         from vtkmodules import vtkRenderingCore
@@ -363,7 +363,7 @@ def parser():
 
 
 def report(parsed, made):
-    """Writes and prints what the command line asks for."""
+    """Writes and prints the output requested on the command line."""
     if parsed.output:
         write_data(made.shape, parsed.output)
     if parsed.table:

@@ -251,7 +251,7 @@ def _loops(pipeline, surface):
     try:
         return _step(pipeline, "loops", surface)
     except ValueError:
-        # Closes holes and orients all triangles consistently; a warning says what was done.
+        # Closes holes and orients all triangles consistently; a warning reports the changes.
         return _step(pipeline, "loops", surface, cap_holes=True)
 
 

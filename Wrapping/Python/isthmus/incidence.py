@@ -37,7 +37,7 @@ class CombinatorialMap:
         return self._map.GetNumber(_number(kind))
 
     def incident(self, kind, number, other):
-        """The elements of kind `other` that meet one element: an array of numbers. Costs what it finds."""
+        """The elements of kind `other` incident to one element: an array of numbers. The cost is proportional to their number."""
         from vtkmodules.vtkCommonCore import vtkIdList
         if not 0 <= number < self.count(kind):
             raise IndexError(f"there is no {kind} {number}: the mesh has {self.count(kind)}, from 0")

@@ -45,7 +45,7 @@ TITLES = {"ChainIndex": "Chain", "SecondaryStructure": "Secondary structure", "B
 def show(cartoon, view=None, colour_by=None, sticks=True):
     """Shows the cartoon, and the balls and sticks; returns the display of the cartoon.
 
-    colour_by: SecondaryStructure, ChainIndex, BFactor or pLDDT; None: as the window chooses.
+    colour_by: SecondaryStructure, ChainIndex, BFactor or pLDDT; None: chosen as in the window.
     sticks: show what is not in the cartoon."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
     display = simple.Show(simple.OutputPort(cartoon, CARTOON), view)
@@ -77,7 +77,7 @@ def _count(cartoon, port):
 
 
 def look(display, view, port):
-    """The array that the window colours by first: confidence of a prediction, else chains, else secondary structure."""
+    """The array that the window colours by first: confidence of a prediction, otherwise chains, otherwise secondary structure."""
     cartoon = servermanager._getPyProxy(display.Input.SMProxy)
     follow(cartoon)
     if port == STICKS:

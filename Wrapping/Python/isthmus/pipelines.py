@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow
 try:
     from paraview import servermanager, simple
 except ImportError:
-    # Pip's vtk alone: the module can be imported, its functions say what they need (end of this file).
+    # With the vtk package alone, the module can be imported; its functions report what they need (end of this file).
     servermanager = simple = None
 
 from . import diagram_views, figures, look, loop_views, messages, steps, track_views
@@ -32,7 +32,7 @@ DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 # Filters that pass on the atoms of a molecule, as the buttons put them in.
 PARTS = ("AtomSelection", "ForceFieldCharges")
 DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps", "PDETransform")
-# What buttons ask of the functions: of many loops the significant ones.
+# Arguments that buttons pass to the functions: of many loops only the significant ones.
 BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"significant": True}}
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
@@ -66,7 +66,7 @@ def _require_surface(source):
 
 
 def _require_one(source, what):
-    """Groups go through most filters block by block, but not as the second input that some ask for."""
+    """Most filters process groups block by block, but not as the second input of a filter."""
     if look.data_of(source).GetCompositeDataSetType() != -1:
         raise ValueError(f"This works on one {what}, and a group is selected: take it out by Extract Block.")
 
@@ -83,7 +83,7 @@ def _require_atoms(source):
 
 
 def _point_array(source):
-    """Name of the scalars of a volume: the active ones, else the first of one component."""
+    """Name of the scalars of a volume: the active ones, otherwise the first with one component."""
     data = source.PointData
     active = look.data_of(source).GetPointDataInformation().GetAttributeInformation(0)
     if active and active.GetNumberOfComponents() == 1:
@@ -107,7 +107,7 @@ def _require_triangles(surface):
 # ---------------------------------------------------------------------------- the pipelines
 
 def _make(pipeline, name, source=None, **more):
-    """The filter of a step of steps.PIPELINES, with a name that says what it is."""
+    """The filter of a step of steps.PIPELINES, with a descriptive name."""
     step = steps.PIPELINES[pipeline][name]
     given = [] if source is None else [source]
     label = pockets_and_pores.name_of(more.get("Input") if source is None else source, step.label)
@@ -115,8 +115,7 @@ def _make(pipeline, name, source=None, **more):
     return getattr(simple, step.proxy)(*given, registrationName=label, **{**step.properties, **more})
 
 
-# Filters are given their input first, without its name: with the name they choose arrays by what the
-# active source has. (Curvature On Surface would take it for its volume, and is told its array.)
+# Filters are given their input first, without its name: with the name they choose arrays of the active source. (Curvature On Surface would take it for its volume, so its array is set explicitly.)
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or an automatic level where none is
@@ -213,7 +212,7 @@ def surface_to_loops(source, significant=False):
     loops = _make("surface_to_loops", "loops", source, **(steps.SIGNIFICANT if significant else {}))
     loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
-        # Closes holes and orients all triangles consistently; the warning says what was done.
+        # Closes holes and orients all triangles consistently; the warning reports the changes.
         loops.CapHoles = 1
         loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
@@ -564,8 +563,7 @@ def forget():
 
 @messages.reports_faults("The button")
 def run(function):
-    """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
-    in the active view, with all else hidden."""
+    """A button of the toolbar: the pipeline on the active source, or on the source from which it was made; shown in the active view, with everything else hidden."""
     selected = simple.GetActiveSource()
     if selected is None or not loop_views.registered_name(selected):  # after Reset Session, it is still that of before
         messages.show_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")

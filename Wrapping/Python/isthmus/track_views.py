@@ -53,7 +53,7 @@ def _root(source):
 
 
 def report_frames(tracks, count):
-    """Reports each frame to the window while `tracks` goes through them."""
+    """Reports each frame to the window while `tracks` processes them."""
     try:
         # A class that Python meets as an object first, it could not make objects of later.
         importlib.import_module("isthmus.vtkIsthmusFiltersPockets")
