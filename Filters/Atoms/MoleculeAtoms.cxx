@@ -266,7 +266,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   const std::vector<int> elements = AtomElements(input);
   atoms.HasNames = TextsOf(input, "ResidueName") != nullptr;
   atoms.HasElements = !elements.empty();
-  // A mesh may have points at one place, and no radii: it is told from atoms by its polygons.
+  // A mesh may have points at one place, and no radii: its polygons distinguish it from atoms.
   atoms.IsSurface = options.SurfacePoints && !atoms.HasElements && HasPolygons(input);
   AtomRadii radii = ReadRadii(AtomData(input), atoms.NumberOfAtoms, elements, options.RadiusArray,
     atoms.IsSurface ? RadiusFallback::Zero : options.Fallback);

@@ -164,7 +164,7 @@ Kind KindOf(const Residue& residue, bool anyPolymer)
   {
     return Kind::Water;
   }
-  // Without a known residue (no names, or others), nothing can be told from a chain.
+  // Without a known residue (no names, or others), a chain says nothing about the polymer.
   if (residue.IsPolymer || !anyPolymer)
   {
     return Kind::Polymer;
