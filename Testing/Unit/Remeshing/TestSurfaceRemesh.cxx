@@ -253,25 +253,6 @@ TEST(SurfaceRemesh, SimplifiesAnOpenSurfaceToACount)
   EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 800.0, 60.0);
 }
 
-TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
-{
-  TriangleMesh broken = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
-  std::swap(broken.Triangles[4][0], broken.Triangles[4][1]);
-  broken.Triangles.pop_back();
-  broken.Points.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
-  broken.Triangles.push_back({ 0, 1, 8 });
-  const RepairedSurface repaired = RepairSurface(broken);
-  EXPECT_NO_THROW(RequireCleanSurface(repaired.Mesh));
-  EXPECT_NEAR(std::abs(SignedVolume(repaired.Mesh)), 1.0, 1e-12);
-  EXPECT_NE(repaired.Changes.find("filled 1 hole"), std::string::npos) << repaired.Changes;
-  for (std::size_t i = 0; i < repaired.Mesh.Points.size(); ++i)
-  {
-    ASSERT_GE(repaired.OriginalPoints[i], 0);
-    EXPECT_EQ(
-      repaired.Mesh.Points[i], broken.Points[static_cast<std::size_t>(repaired.OriginalPoints[i])]);
-  }
-}
-
 TEST(SurfaceRepair, ATriangleThatIsThereTwiceLeavesTheRestAsItIs)
 {
   TriangleMesh cube = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);

@@ -2,6 +2,7 @@
 #include "Surfaces/SurfaceTopology.h"
 
 #include "Core/PolyDataTriangles.h"
+#include "Remeshing/SurfaceRepair.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "SurfaceTable.h"
@@ -99,6 +100,25 @@ TEST(SurfaceDefects, CubesThatShareAPointOrCrossAreRefused)
   isthmus::testing::Append(crossing, Cube({ 0.5, 0.4, 0.3 }, 1.0));
   ExpectMentions(WhyRefused(crossing), "intersects itself in");
   ExpectMentions(WhyRefused(crossing), "cross at (");
+}
+
+TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
+{
+  TriangleMesh broken = Cube({ 0, 0, 0 }, 1.0);
+  std::swap(broken.Triangles[4][0], broken.Triangles[4][1]);
+  broken.Triangles.pop_back();
+  broken.Points.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
+  broken.Triangles.push_back({ 0, 1, 8 });
+  const RepairedSurface repaired = RepairSurface(broken);
+  EXPECT_EQ(WhyRefused(repaired.Mesh), "");
+  EXPECT_NEAR(std::abs(SignedVolume(repaired.Mesh)), 1.0, 1e-12);
+  ExpectMentions(repaired.Changes, "filled 1 hole");
+  for (std::size_t i = 0; i < repaired.Mesh.Points.size(); ++i)
+  {
+    ASSERT_GE(repaired.OriginalPoints[i], 0);
+    EXPECT_EQ(
+      repaired.Mesh.Points[i], broken.Points[static_cast<std::size_t>(repaired.OriginalPoints[i])]);
+  }
 }
 
 TEST(SurfaceDefects, EverySharedSurfaceIsWhatItIsKnownToBe)
