@@ -12,7 +12,8 @@ import tempfile
 from pathlib import Path
 
 import numpy
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import molecule_views as molecules
@@ -88,6 +89,29 @@ def scalar_regions(view):
     simple.ColorBy(display, ("POINTS", "ToonColor"))
     display.MapScalars = 0
     return 0.0, -1.0, 0.4
+
+
+def high_order_diffusion(view):
+    """Three slices side by side: a map with noise of its own strength, and two diffusions of it."""
+    image = servermanager.Fetch(data("maps/emd_5043.map"))
+    values = vtk_to_numpy(image.GetPointData().GetArray("Density"))
+    noise = numpy.random.default_rng(1).normal(0.0, 1.5 * values.std(), values.size)
+    noisy = numpy_to_vtk((values + noise).astype(numpy.float32), deep=True)
+    noisy.SetName("Density")
+    image.GetPointData().SetScalars(noisy)
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(image)
+    edges = simple.HighOrderDiffusion(Input=source, Order=0, PreSmoothing=1.5, Time=3)
+    linear = simple.HighOrderDiffusion(Input=source, Order=2, EdgeStopping="None", Time=6)
+    width = image.GetDimensions()[2] * image.GetSpacing()[2]
+    for column, volume in enumerate((source, edges, linear)):
+        moved = simple.Transform(Input=slice_of(volume), Transform="Transform")
+        moved.Transform.Translate = [0, 0, -1.05 * width * column]
+        display = coloured(moved, view, "POINTS", "Density", "density", preset="Grayscale")
+        display.SetScalarBarVisibility(view, False)
+    low, high = values.mean() - 2 * values.std(), values.mean() + 4 * values.std()
+    simple.GetColorTransferFunction("Density").RescaleTransferFunction(low, high)
+    return 1.0, 0.0, 0.0
 
 
 def diffusion_high_pass(view):
@@ -228,7 +252,8 @@ def molecule_cartoon(view):
 SCENES = {
     "AtomSelection": atom_selection, "MoleculeCartoon": molecule_cartoon, "ForceFieldCharges": force_field_charges,
     "SurfaceCurvature": surface_curvature, "ScalarRegions": scalar_regions,
-    "DiffusionHighPass": diffusion_high_pass, "PDETransform": pde_transform, "DualContouring": dual_contouring,
+    "HighOrderDiffusion": high_order_diffusion, "DiffusionHighPass": diffusion_high_pass,
+    "PDETransform": pde_transform, "DualContouring": dual_contouring,
     "SurfaceMeasures": surface_measures, "SurfaceToGrid": surface_to_grid, "CellIncidence": cell_incidence,
     "HandleFilling": handle_filling, "OffsetSurface": offset_surface, "NonpolarSolvation": nonpolar_solvation,
     "FeatureTracks": feature_tracks}

@@ -35,8 +35,7 @@ INK = [0.1, 0.1, 0.1]
 
 
 def denoise(volume, **options):
-    return simple.HighOrderDiffusion(
-        Input=volume, Scalars=["POINTS", "Density"], MaskInvalid=1, **options)
+    return simple.DenoiseMap(Input=volume, Scalars=["POINTS", "Density"], MaskInvalid=1, **options)
 
 
 def open_denoised(path):
@@ -65,7 +64,7 @@ def run_denoising(reader, denoised):
     """The denoised map, as a step; returns the noise levels of both maps."""
     with step("Denoising", reader, denoised) as this:
         denoised.UpdatePipeline()
-        noise = {"map": noise_level(reader), "map, denoised": noise_level(denoised)}
+        noise = dict(zip(("map", "map, denoised"), noise_levels(denoised)))
         this.facts.append("noise {:.2g} to {:.2g}".format(*noise.values()))
         # Why nothing was removed, in the first words of the filter's warning.
         this.facts += [re.split("[.:,] ", text)[0].lower() for text in this.take_warnings(denoised)]
@@ -190,13 +189,11 @@ def six_views(curvature, data):
     return layout
 
 
-def noise_level(volume):
-    """Standard deviation of the noise in a volume, as the denoising filter sees it."""
-    probe = denoise(volume, Automatic=0, Time=0)
-    probe.UpdatePipeline()
-    level = servermanager.Fetch(probe).GetFieldData().GetArray("NoiseLevel").GetValue(0)
-    simple.Delete(probe)
-    return level
+def noise_levels(denoised):
+    """Standard deviation of the noise that Denoise Map found in its input, and of what is left of it: an error by
+    estimate, from the gain in dB."""
+    level, gain = (denoised.FieldData[name].GetRange(0)[0] for name in ("NoiseLevel", "EstimatedGain"))
+    return level, level * 10 ** (-gain / 20)
 
 
 def with_added_noise(image, deviation):
@@ -232,9 +229,10 @@ def before_and_after(reader, denoised, image, level, data, noise):
         image.GetPointData().GetArray("Density")))))
     points = points_of(data)
     camera = look_along(points, *symmetry_axis(points), colour_bar=False)
-    volumes = {"map": reader, "map, denoised": denoised, "noise added": noisy,
-               "noise added, denoised": denoise(noisy)}
-    noise = {name: noise[name] if name in noise else noise_level(volume) for name, volume in volumes.items()}
+    cleared = denoise(noisy)
+    cleared.UpdatePipeline()
+    volumes = {"map": reader, "map, denoised": denoised, "noise added": noisy, "noise added, denoised": cleared}
+    noise = {**noise, **dict(zip(("noise added", "noise added, denoised"), noise_levels(cleared)))}
     layout = simple.CreateLayout("Denoising")
     layout.SplitVertical(0, 0.5)
     layout.SplitHorizontal(1, 0.5)

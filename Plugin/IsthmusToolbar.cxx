@@ -104,8 +104,9 @@ const QList<Task>& Tasks()
 {
   static const QList<Task> tasks{
     { "Density maps", { "map_to_surface", "map_with_model" },
-      { "MapSurface", "HighOrderDiffusion", "DenoiseFromHalfMaps", "DiffusionHighPass",
-        "PDETransform", "DualContouring", "DelaunayIsosurface", "SurfaceToGrid" } },
+      { "MapSurface", "DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion",
+        "DiffusionHighPass", "PDETransform", "DualContouring", "DelaunayIsosurface",
+        "SurfaceToGrid" } },
     { "Curvature", { "map_to_curvature" },
       { "CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature", "ScalarRegions" } },
     { "Loops, handles and persistence",

@@ -53,7 +53,7 @@ void TransformAxis(std::vector<double>& values, const Index3& size, std::size_t 
 
 }
 
-std::vector<double> ModesOfAxis(std::int64_t n, double spacing, double bound)
+std::vector<double> AxisModes(std::int64_t n, double spacing, double bound)
 {
   std::vector<double> modes(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < modes.size(); ++k)
@@ -64,7 +64,7 @@ std::vector<double> ModesOfAxis(std::int64_t n, double spacing, double bound)
   return modes;
 }
 
-double BoundOf(const std::array<double, 3>& spacing)
+double SpectralBound(const std::array<double, 3>& spacing)
 {
   double bound = 0.0;
   for (const double h : spacing)
@@ -74,7 +74,7 @@ double BoundOf(const std::array<double, 3>& spacing)
   return bound;
 }
 
-std::size_t BinOf(double s)
+std::size_t FrequencyBin(double s)
 {
   return std::min(waveBins - 1, static_cast<std::size_t>(std::sqrt(s) * double(waveBins)));
 }
@@ -84,18 +84,18 @@ BlockWaves TransformBlocks(const NoiseBlocks& blocks, const std::array<double, 3
   BlockWaves waves;
   waves.Size = blocks.Size;
   const Index3 size = blocks.Size;
-  const double bound = BoundOf(spacing);
+  const double bound = SpectralBound(spacing);
   std::array<std::vector<double>, 3> modes;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    modes[a] = ModesOfAxis(size[a], spacing[a], bound);
+    modes[a] = AxisModes(size[a], spacing[a], bound);
   }
   const std::int64_t nodes = size[0] * size[1] * size[2];
   waves.Bin.resize(static_cast<std::size_t>(nodes), -1);
   for (std::int64_t n = 1; n < nodes; ++n)
   {
     waves.Bin[static_cast<std::size_t>(n)] =
-      static_cast<int>(BinOf(modes[0][static_cast<std::size_t>(n % size[0])] +
+      static_cast<int>(FrequencyBin(modes[0][static_cast<std::size_t>(n % size[0])] +
         modes[1][static_cast<std::size_t>(n / size[0] % size[1])] +
         modes[2][static_cast<std::size_t>(n / (size[0] * size[1]))]));
   }
@@ -126,7 +126,7 @@ double SpreadAtQuantile(double degrees, double z)
   return std::pow(std::max(0.05, 1.0 - a + z * std::sqrt(a)), 3);
 }
 
-double QuantileOf(std::vector<double> values, double share)
+double Quantile(std::vector<double> values, double share)
 {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());

@@ -34,20 +34,20 @@ struct BlockWaves
 BlockWaves TransformBlocks(const NoiseBlocks& blocks, const std::array<double, 3>& spacing);
 
 /// s of the cosine waves of an axis of n nodes, bound the bound of all three axes.
-std::vector<double> ModesOfAxis(std::int64_t n, double spacing, double bound);
+std::vector<double> AxisModes(std::int64_t n, double spacing, double bound);
 
 /// The bound of -L: the sum of 4 / spacing^2.
-double BoundOf(const std::array<double, 3>& spacing);
+double SpectralBound(const std::array<double, 3>& spacing);
 
 /// The bin of a wave of this s.
-std::size_t BinOf(double s);
+std::size_t FrequencyBin(double s);
 
 /// The quantile of chi squared over its degrees of freedom (Wilson and Hilferty, Proc. Natl. Acad.
 /// Sci. 17 (1931) 684) where the normal distribution has z.
 double SpreadAtQuantile(double degrees, double z);
 
 /// The value below which this share of the values lies.
-double QuantileOf(std::vector<double> values, double share);
+double Quantile(std::vector<double> values, double share);
 
 }
 

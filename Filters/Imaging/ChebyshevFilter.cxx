@@ -84,7 +84,7 @@ template <typename T>
 RowUpdate<T> FirstTerm(double bound)
 {
   RowUpdate<T> update;
-  update.OfRate = static_cast<T>(2.0 / bound);
+  update.RateFactor = static_cast<T>(2.0 / bound);
   return update;
 }
 
@@ -93,9 +93,9 @@ template <typename T>
 RowUpdate<T> NextTerm(double bound)
 {
   RowUpdate<T> update;
-  update.OfCurrent = 2;
-  update.OfPrevious = -1;
-  update.OfRate = static_cast<T>(4.0 / bound);
+  update.CurrentFactor = 2;
+  update.PreviousFactor = -1;
+  update.RateFactor = static_cast<T>(4.0 / bound);
   return update;
 }
 

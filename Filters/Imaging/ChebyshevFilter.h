@@ -6,9 +6,9 @@
  *
  *     f(-L/b) u = u + sum_n a_n (T_n u - u),   T_(n+1) u = 2 T_n u - T_(n-1) u + 4/b L T_n u,
  *
- * for f with f(0) = 1 (H. Tal-Ezer, SIAM J. Numer. Anal. 26 (1989) 1). No step in time is made, so
- * there is no error of one: the part dropped is below 1e-7 (float) or 1e-13 (double) of the input
- * in the root mean square, since |T_n| <= 1 on the spectrum.
+ * for f with f(0) = 1 (H. Tal-Ezer, SIAM J. Numer. Anal. 26 (1989) 1). The part dropped is below
+ * 1e-7 (float) or 1e-13 (double) of the input in the root mean square, since |T_n| <= 1 on the
+ * spectrum.
  */
 #ifndef isthmus_ChebyshevFilter_h
 #define isthmus_ChebyshevFilter_h
@@ -47,11 +47,9 @@ constexpr double SeriesTolerance<double>()
 /**
  * Coefficients a_n with f(s) = sum a_n T_n(1 - 2s) on [0, 1], as many as `tolerance` requires.
  *
- * Interpolates at cosines, twice as many until the second half of the coefficients is rounding, by
- * a fast Fourier transform; then leaves out the last ones while the sum of their moduli, which
- * bounds the error, stays below the tolerance.
- * @pre f is smooth, |f| <= 1 (steep near 0 it may be: s is exact there), and tolerance is 1e-14 or
- * more.
+ * The last coefficients are dropped while the sum of their moduli, which bounds the error, stays
+ * below the tolerance.
+ * @pre f is smooth, |f| <= 1 (it may be steep near 0, where s is exact), tolerance >= 1e-14.
  * @throws std::invalid_argument for a series longer than MaximumEvaluations.
  */
 std::vector<double> ChebyshevSeries(const std::function<double(double)>& f, double tolerance);

@@ -21,7 +21,7 @@ constexpr double probeStep = 0.1; ///< in standard deviations of the noise
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-DiffusionGrid<float> GridOf(const TrialBlock& trial, const std::array<double, 3>& spacing)
+DiffusionGrid<float> TrialGrid(const TrialBlock& trial, const std::array<double, 3>& spacing)
 {
   DiffusionGrid<float> grid;
   grid.Dimensions = trial.Box.Size();
@@ -66,7 +66,7 @@ public:
     std::vector<float*> pointers;
     std::transform(this->Volumes.begin(), this->Volumes.end(), std::back_inserter(pointers),
       [](std::vector<float>& volume) { return volume.data(); });
-    FillChebyshevBasis(GridOf(trial, spacing), pointers);
+    FillChebyshevBasis(TrialGrid(trial, spacing), pointers);
   }
 
   /// The combination with these coefficients.
@@ -128,7 +128,7 @@ private:
 };
 
 /// The weight of each node: none for constant background, which is left as it is.
-std::vector<double> WeightsOf(const TrialBlock& trial, const std::vector<std::int64_t>& nodes)
+std::vector<double> NodeWeights(const TrialBlock& trial, const std::vector<std::int64_t>& nodes)
 {
   std::vector<double> weights;
   weights.reserve(nodes.size());
@@ -152,7 +152,7 @@ public:
     {
       const std::vector<std::int64_t> nodes = InnerNodes(trial);
       const Basis basis(trial, trial.Values, spacing, basisSize);
-      const std::vector<double> weights = WeightsOf(trial, nodes);
+      const std::vector<double> weights = NodeWeights(trial, nodes);
       this->Gram += basis.Gram(nodes, weights);
       for (const double weight : weights)
       {
@@ -174,7 +174,7 @@ public:
     double Risk() const { return this->Residual - this->NoisePower + 2.0 * this->Covariance; }
   };
 
-  Terms Of(const std::vector<double>& coefficients) const
+  Terms Evaluate(const std::vector<double>& coefficients) const
   {
     Vector filter = Vector::Zero(basisSize), identity = Vector::Zero(basisSize);
     for (std::size_t n = 0; n < coefficients.size(); ++n)
@@ -231,7 +231,7 @@ private:
   void FindTraces(
     const VolumeSample& sample, const NoiseSpectrum& noise, const std::array<double, 3>& spacing)
   {
-    const auto modes = ModesOf(sample.Whole, spacing);
+    const auto modes = LaplacianModes(sample.Whole, spacing);
     const Vector sum =
       ParallelReduce(static_cast<std::int64_t>(modes[2].size()), 1, Vector(Vector::Zero(basisSize)),
         [&](Vector& part, std::int64_t first, std::int64_t last)
@@ -282,7 +282,7 @@ private:
 };
 
 /// A linear diffusion as a polynomial; empty if the degree does not suffice.
-std::vector<double> PolynomialOf(int order, double time, double bound)
+std::vector<double> LinearPolynomial(int order, double time, double bound)
 {
   std::vector<double> series = ChebyshevInterpolation(
     [=](double s) { return std::exp(-time * std::pow(s * bound, order + 1)); }, seriesDegree);
@@ -313,12 +313,12 @@ LinearBest SearchLinear(const LinearRisks& risks, double voxel)
     for (double length = 0.15; length < 10.0; length *= std::exp2(1.0 / 16.0))
     {
       const double time = std::pow(length * voxel, 2 * order + 2);
-      const std::vector<double> series = PolynomialOf(order, time, risks.GetBound());
+      const std::vector<double> series = LinearPolynomial(order, time, risks.GetBound());
       if (series.empty())
       {
         break;
       }
-      const double value = risks.Of(series).Risk();
+      const double value = risks.Evaluate(series).Risk();
       best.Times[q].push_back(time);
       best.Values[q].push_back(value);
       if (value < least)
@@ -472,7 +472,7 @@ public:
     : Sample(sample)
     , Noise(noise)
     , Spacing(spacing)
-    , Pilot(PolynomialOf(values.Order, values.Time, risks.GetBound()))
+    , Pilot(LinearPolynomial(values.Order, values.Time, risks.GetBound()))
   {
     constexpr double oneDecibel = 1.26;
     const double voxel = *std::min_element(spacing.begin(), spacing.end());
@@ -481,8 +481,8 @@ public:
       for (double length = 0.2; length < 8.0; length *= std::exp2(0.125))
       {
         const double time = std::pow(length * voxel, 2 * order + 2);
-        std::vector<double> series = PolynomialOf(order, time, risks.GetBound());
-        if (!series.empty() && risks.Of(series).Risk() <= oneDecibel * values.Value)
+        std::vector<double> series = LinearPolynomial(order, time, risks.GetBound());
+        if (!series.empty() && risks.Evaluate(series).Risk() <= oneDecibel * values.Value)
         {
           this->Candidates.push_back({ order, length, time, std::move(series), 0.0 });
         }
@@ -714,7 +714,7 @@ private:
       steps.Values.push_back(std::move(inner));
     };
     Diffuse<float>(
-      GridOf(trial, this->Spacing), parameters, values.data(), nullptr, nullptr, {}, observe);
+      TrialGrid(trial, this->Spacing), parameters, values.data(), nullptr, nullptr, {}, observe);
     return steps;
   }
 
@@ -843,7 +843,7 @@ private:
     return this->Best.Run.Parameters.Sigma * this->Voxel / this->Deviation;
   }
 
-  DiffusionParameters ParametersOf(const Candidate& candidate) const
+  DiffusionParameters ToParameters(const Candidate& candidate) const
   {
     DiffusionParameters parameters;
     parameters.Order = candidate.Order;
@@ -867,7 +867,7 @@ private:
   {
     std::vector<DiffusionParameters> all;
     std::transform(candidates.begin(), candidates.end(), std::back_inserter(all),
-      [&](const Candidate& candidate) { return this->ParametersOf(candidate); });
+      [&](const Candidate& candidate) { return this->ToParameters(candidate); });
     this->Best.Consider(this->Trials.Run(all));
   }
 
@@ -879,7 +879,7 @@ private:
   EdgeBest Best;
 };
 
-double NoisePowerOf(const VolumeSample& sample, const NoiseSpectrum& noise)
+double MeanNoisePower(const VolumeSample& sample, const NoiseSpectrum& noise)
 {
   double power = 0.0;
   for (const TrialBlock& trial : sample.Trials)
@@ -912,8 +912,8 @@ DenoisingChoice EvaluateDenoising(const VolumeSample& sample, const NoiseSpectru
   {
     const LinearRisks risks(sample, noise, spacing);
     const std::vector<double> series =
-      PolynomialOf(parameters.Order, parameters.Time, risks.GetBound());
-    const auto terms = risks.Of(series);
+      LinearPolynomial(parameters.Order, parameters.Time, risks.GetBound());
+    const auto terms = risks.Evaluate(series);
     choice.Residual = terms.Residual;
     choice.NoisePower = terms.NoisePower;
     choice.Covariance = terms.Covariance;
@@ -923,7 +923,7 @@ DenoisingChoice EvaluateDenoising(const VolumeSample& sample, const NoiseSpectru
   const EdgeRun run = EdgeTrials(sample, noise, spacing).Run({ parameters }).front();
   choice.Residual = run.Residual.back();
   choice.Covariance = run.Covariance.back();
-  choice.NoisePower = NoisePowerOf(sample, noise);
+  choice.NoisePower = MeanNoisePower(sample, noise);
   choice.Spread = 1.0;
   return choice;
 }
@@ -948,12 +948,12 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
     stronger(choice.Parameters);
     std::vector<double> series;
     while (
-      (series = PolynomialOf(choice.Parameters.Order, choice.Parameters.Time, risks.GetBound()))
+      (series = LinearPolynomial(choice.Parameters.Order, choice.Parameters.Time, risks.GetBound()))
         .empty())
     {
       choice.Parameters.Time /= 1.2;
     }
-    const auto terms = risks.Of(series);
+    const auto terms = risks.Evaluate(series);
     choice.Residual = terms.Residual;
     choice.NoisePower = terms.NoisePower;
     choice.Covariance = terms.Covariance;
@@ -963,6 +963,9 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
   };
   if (search.Goal == DenoisingGoal::Surfaces)
   {
+    // Curvature alone would want more smoothing than one decibel allows, which moves surfaces;
+    // Hessian Curvature adds it by its own scale. Edge stopping keeps noise where the gradient is
+    // largest, on surfaces, so it is not a candidate.
     LinearBest ofCurvature;
     const bool found = CurvatureSearch(sample, noise, spacing, risks, best).Search(ofCurvature);
     take(found ? ofCurvature : best);

@@ -24,9 +24,7 @@
  * The goal **volumes** is the least mean squared error of the values. The goal **surfaces** is the
  * least error of the mean curvature of level sets, estimated in the same way from second
  * differences where the gradient is large, which is where surfaces lie, among the linear diffusions
- * whose error of the values is within 1 dB of the least one. (Curvature alone would want more
- * smoothing, which moves surfaces; Hessian Curvature adds it by its own scale.) Edge stopping keeps
- * noise where the gradient is largest, so it is not a candidate for this goal.
+ * whose error of the values is within 1 dB of the least one.
  */
 #ifndef isthmus_DenoisingRisk_h
 #define isthmus_DenoisingRisk_h
@@ -68,8 +66,8 @@ struct DenoisingChoice
   double Covariance = 0.0; ///< mean of n f(y) over all nodes
   double Spread = 0.0;     ///< root mean square of 1 - 2 (factor of a wave), for standard errors
   std::vector<double> RiskTime;
-  std::vector<double>
-    RiskValue; ///< what is minimised: risk of the values, or of the curvature less a constant
+  /// What is minimised: risk of the values, or of the curvature less a constant.
+  std::vector<double> RiskValue;
 
   double Risk() const { return this->Residual - this->NoisePower + 2.0 * this->Covariance; }
   bool IsLinear() const

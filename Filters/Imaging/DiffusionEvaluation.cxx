@@ -24,12 +24,12 @@ public:
   PlaneRing(std::int64_t rowLength, std::int64_t tileRows, int depth)
     : RowCount(tileRows)
     , Depth(depth)
-    , Stride(StrideOf(rowLength))
+    , Stride(PaddedStride(rowLength))
     , Values(static_cast<std::size_t>(depth * tileRows * this->Stride))
   {
   }
 
-  static std::int64_t StrideOf(std::int64_t rowLength)
+  static std::int64_t PaddedStride(std::int64_t rowLength)
   {
     return PaddedLength(rowLength) + 2 * RowMargin;
   }
@@ -55,9 +55,9 @@ public:
   RowStencil<T> Stencil(std::int64_t row, std::int64_t plane)
   {
     const std::int64_t lastRow = this->GridRows - 1, lastPlane = this->GridPlanes - 1;
-    const T* centre = this->Row(row, plane);
-    return { centre, row > 0 ? centre - this->Stride : centre,
-      row < lastRow ? centre + this->Stride : centre,
+    const T* center = this->Row(row, plane);
+    return { center, row > 0 ? center - this->Stride : center,
+      row < lastRow ? center + this->Stride : center,
       this->Row(row, std::max<std::int64_t>(plane - 1, 0)),
       this->Row(row, std::min(plane + 1, lastPlane)) };
   }
@@ -112,7 +112,7 @@ private:
   void FillRates(std::size_t stage, std::int64_t row, std::int64_t plane);
   void WriteRow(std::size_t stage, std::int64_t row, std::int64_t plane);
   void AddReactions(const T* current, std::int64_t offset);
-  PlaneRing<T>& CoefficientOf(std::size_t stage);
+  PlaneRing<T>& CoefficientRing(std::size_t stage);
 
   const DiffusionOperator<T>& Diffusion;
   DiffusionLags Lags;
@@ -185,8 +185,8 @@ std::int64_t DiffusionPipeline<T>::TileRowsThatFit(
   }
   // First values and rates are read where they lie, once by each stage.
   planes += stages > 1 ? 2 * (stages * lags.Out - lags.Out + 1) : 0;
-  const auto rowBytes =
-    PlaneRing<T>::StrideOf(diffusion.Dimensions[0]) * static_cast<std::int64_t>(sizeof(T)) * planes;
+  const auto rowBytes = PlaneRing<T>::PaddedStride(diffusion.Dimensions[0]) *
+    static_cast<std::int64_t>(sizeof(T)) * planes;
   return std::max(fewestRows, cacheBytes / rowBytes - stages * lags.Out - lags.Out);
 }
 
@@ -196,7 +196,7 @@ DiffusionPipeline<T>::DiffusionPipeline(
   : Diffusion(diffusion)
   , Lags(diffusion)
   , Length(diffusion.Dimensions[0])
-  , RateScratch(static_cast<std::size_t>(PlaneRing<T>::StrideOf(this->Length)))
+  , RateScratch(static_cast<std::size_t>(PlaneRing<T>::PaddedStride(this->Length)))
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -304,7 +304,7 @@ std::int64_t DiffusionPipeline<T>::Offset(std::int64_t row, std::int64_t plane) 
 }
 
 template <typename T>
-PlaneRing<T>& DiffusionPipeline<T>::CoefficientOf(std::size_t stage)
+PlaneRing<T>& DiffusionPipeline<T>::CoefficientRing(std::size_t stage)
 {
   return this->Diffusion.StoredCoefficient ? this->StoredC : this->Stages[stage].C;
 }
@@ -366,17 +366,17 @@ void DiffusionPipeline<T>::FillRates(std::size_t number, std::int64_t row, std::
   const RowStencil<T> w = stage.Levels.back().Stencil(row, plane);
   if (this->Diffusion.Coefficient == DiffusionCoefficient::Constant)
   {
-    LaplacianRow(w, w.Centre, T(0), this->SecondWeights, this->Length, rate);
+    LaplacianRow(w, w.Center, T(0), this->SecondWeights, this->Length, rate);
   }
   else if (this->Diffusion.Coefficient == DiffusionCoefficient::Gram)
   {
-    GramDivergenceRow(
-      w, this->CoefficientOf(number).Stencil(row, plane), this->SecondWeights, this->Length, rate);
+    GramDivergenceRow(w, this->CoefficientRing(number).Stencil(row, plane), this->SecondWeights,
+      this->Length, rate);
   }
   else
   {
-    DivergenceRow(
-      w, this->CoefficientOf(number).Stencil(row, plane), this->SecondWeights, this->Length, rate);
+    DivergenceRow(w, this->CoefficientRing(number).Stencil(row, plane), this->SecondWeights,
+      this->Length, rate);
   }
   const std::int64_t offset = this->Offset(row, plane);
   this->AddReactions(stage.Levels.front().Row(row, plane), offset);
@@ -416,11 +416,11 @@ void DiffusionPipeline<T>::WriteRow(std::size_t number, std::int64_t row, std::i
   }
   for (const StageSum<T>& sum : pass.Sums)
   {
-    if (number >= sum.OfStage.size())
+    if (number >= sum.StageFactors.size())
     {
       continue;
     }
-    AddChangeRow(sum.OfStage[number], out, at(pass.First), this->Length, at(sum.Volume));
+    AddChangeRow(sum.StageFactors[number], out, at(pass.First), this->Length, at(sum.Volume));
   }
 }
 

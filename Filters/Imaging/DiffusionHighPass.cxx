@@ -47,7 +47,7 @@ int AutomaticSteps(const HighPassParameters& parameters)
 }
 
 /// At least so many of both diffusions, by the bound of the plain Laplacian in three dimensions.
-double EvaluationsOf(
+double MinimumEvaluations(
   const std::array<double, 3>& spacing, const HighPassParameters& parameters, int steps)
 {
   double perTime = 0.0;
@@ -86,7 +86,7 @@ void EvolveHighPass(const DiffusionGrid<T>& grid, const HighPassParameters& para
 {
   Check(parameters);
   const int steps = parameters.Steps > 0 ? parameters.Steps : AutomaticSteps(parameters);
-  RequireEvaluations(EvaluationsOf(grid.Spacing, parameters, steps));
+  RequireEvaluations(MinimumEvaluations(grid.Spacing, parameters, steps));
   const double length = parameters.Time / steps;
   DiffusionParameters diffusion;
   diffusion.Order = 0;
@@ -103,7 +103,7 @@ void EvolveHighPass(const DiffusionGrid<T>& grid, const HighPassParameters& para
     {
       diffusion.Diffusivity[0] = diffusivities[field];
       const double begin = (step + 0.5 * static_cast<double>(field)) / steps;
-      if (diffusion.Diffusivity[0] > 0.0)
+      if (diffusion.Diffusivity[0] > 0.0 && length > 0.0)
       {
         Diffuse<T>(grid, diffusion, fields[field], nullptr, nullptr,
           Between(progress, begin, begin + 0.5 / steps));

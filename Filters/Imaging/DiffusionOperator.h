@@ -76,8 +76,8 @@ template <typename T>
 struct StageSum
 {
   T* Volume = nullptr;
-  std::vector<T>
-    OfStage; ///< volume += OfStage[s] (stage s - first); stages without one add nothing
+  /// volume += StageFactors[s] (stage s - first); stages without a factor add nothing.
+  std::vector<T> StageFactors;
 };
 
 /**
@@ -85,8 +85,8 @@ struct StageSum
  *
  *     out = update of (current, previous, first, rate of current, first rate),
  *
- * where `current` and `previous` of a stage are what the two before it made. With more than one
- * stage, no volume that is written is read.
+ * where `current` and `previous` of a stage are the results of the two before it. With more than
+ * one stage, no volume that is written is read.
  */
 template <typename T>
 struct DiffusionPass
@@ -95,7 +95,7 @@ struct DiffusionPass
   const T* Current = nullptr;        ///< of the first stage
   const T* Previous = nullptr;       ///< of the first stage; of one alone it may be Out
   const T* First = nullptr;      ///< If null, stages are explicit steps (current and rate only).
-  const T* FirstRate = nullptr;  ///< If null, OfFirstRate must be 0.
+  const T* FirstRate = nullptr;  ///< If null, FirstRateFactor must be 0.
   T* Out = nullptr;              ///< of the last stage; never the same volume as Current
   T* OutBefore = nullptr;        ///< Receives the second-last stage, if not null.
   T* StoreRate = nullptr;        ///< Receives the first stage's rate, if not null.

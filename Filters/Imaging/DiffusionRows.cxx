@@ -28,7 +28,7 @@ template <typename T>
 ISTHMUS_INLINE void Laplacian(const RowStencil<T>& in, const T* __restrict own, T source,
   const std::array<T, 3>& weights, std::int64_t n, T* __restrict out)
 {
-  const T *c = in.Centre, *f = in.Front, *b = in.Back, *d = in.Below, *u = in.Above;
+  const T *c = in.Center, *f = in.Front, *b = in.Back, *d = in.Below, *u = in.Above;
   const T x = weights[0], y = weights[1], z = weights[2];
   for (std::int64_t i = 0; i < PaddedLength(n); ++i)
   {
@@ -42,7 +42,7 @@ template <typename T>
 ISTHMUS_INLINE void GradientSquared(
   const RowStencil<T>& in, const std::array<T, 3>& weights, std::int64_t n, T* __restrict out)
 {
-  const T *c = in.Centre, *f = in.Front, *b = in.Back, *d = in.Below, *u = in.Above;
+  const T *c = in.Center, *f = in.Front, *b = in.Back, *d = in.Below, *u = in.Above;
   // A repeated neighbour halves the distance too.
   const T x = weights[0], y = f == c || b == c ? 2 * weights[1] : weights[1],
           z = d == c || u == c ? 2 * weights[2] : weights[2];
@@ -107,8 +107,8 @@ template <typename T>
 ISTHMUS_INLINE void Divergence(const RowStencil<T>& w, const RowStencil<T>& c,
   const std::array<T, 3>& weights, std::int64_t n, T* __restrict out)
 {
-  const T *w0 = w.Centre, *wf = w.Front, *wb = w.Back, *wd = w.Below, *wu = w.Above;
-  const T *c0 = c.Centre, *cf = c.Front, *cb = c.Back, *cd = c.Below, *cu = c.Above;
+  const T *w0 = w.Center, *wf = w.Front, *wb = w.Back, *wd = w.Below, *wu = w.Above;
+  const T *c0 = c.Center, *cf = c.Front, *cb = c.Back, *cd = c.Below, *cu = c.Above;
   const T x = weights[0] / 2, y = weights[1] / 2, z = weights[2] / 2; // the mean's half
   for (std::int64_t i = 0; i < PaddedLength(n); ++i)
   {
@@ -124,8 +124,8 @@ template <typename T>
 ISTHMUS_INLINE void GramDivergence(const RowStencil<T>& w, const RowStencil<T>& slope,
   const std::array<T, 3>& weights, std::int64_t n, T* __restrict out)
 {
-  const T *w0 = w.Centre, *wf = w.Front, *wb = w.Back, *wd = w.Below, *wu = w.Above;
-  const T *s0 = slope.Centre, *sf = slope.Front, *sb = slope.Back, *sd = slope.Below,
+  const T *w0 = w.Center, *wf = w.Front, *wb = w.Back, *wd = w.Below, *wu = w.Above;
+  const T *s0 = slope.Center, *sf = slope.Front, *sb = slope.Back, *sd = slope.Below,
           *su = slope.Above;
   const T x = weights[0], y = weights[1], z = weights[2];
   for (std::int64_t i = 0; i < PaddedLength(n); ++i)
@@ -144,8 +144,8 @@ template <typename T>
 ISTHMUS_INLINE void Update(const RowUpdate<T>& update, const T* current, const T* previous,
   const T* first, const T* __restrict rate, const T* firstRate, std::int64_t n, T* out)
 {
-  const T ofCurrent = update.OfCurrent, ofPrevious = update.OfPrevious;
-  const T ofRate = update.OfRate, ofFirstRate = update.OfFirstRate;
+  const T ofCurrent = update.CurrentFactor, ofPrevious = update.PreviousFactor;
+  const T ofRate = update.RateFactor, ofFirstRate = update.FirstRateFactor;
   if (!previous)
   {
     for (std::int64_t i = 0; i < n; ++i)

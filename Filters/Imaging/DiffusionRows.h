@@ -30,7 +30,7 @@ constexpr std::int64_t PaddedLength(std::int64_t n)
 template <typename T>
 struct RowStencil
 {
-  const T* Centre;
+  const T* Center;
   const T* Front;
   const T* Back;
   const T* Below;
@@ -45,7 +45,7 @@ void LaplacianRow(const RowStencil<double>& in, const double* own, double source
 
 /// out = |gradient|^2 by central differences, with weights 1/(2h) (or that over a gradient's scale:
 /// scaled before it is squared, so that tiny and huge values neither vanish nor overflow). At the
-/// grid's ends, where a stencil repeats its centre, differences are one-sided: the gradient of a
+/// grid's ends, where a stencil repeats its center, differences are one-sided: the gradient of a
 /// linear field is the same everywhere.
 void GradientSquaredRow(
   const RowStencil<float>& in, const std::array<float, 3>& weights, std::int64_t n, float* out);
@@ -72,8 +72,8 @@ void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& sl
 /**
  * What one stage of a time step computes from a row:
  *
- *     first + OfCurrent (current - first) + OfPrevious (previous - first)
- *           + OfRate rate + OfFirstRate firstRate.
+ *     first + CurrentFactor (current - first) + PreviousFactor (previous - first)
+ *           + RateFactor rate + FirstRateFactor firstRate.
  *
  * Values are represented by differences from the first values of the step, so that a constant stays
  * exactly constant and only the changes are rounded.
@@ -81,10 +81,10 @@ void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& sl
 template <typename T>
 struct RowUpdate
 {
-  T OfCurrent = 1; ///< `current` is what the rate was evaluated for.
-  T OfPrevious = 0;
-  T OfRate = 0;
-  T OfFirstRate = 0;
+  T CurrentFactor = 1; ///< `current` is what the rate was evaluated for.
+  T PreviousFactor = 0;
+  T RateFactor = 0;
+  T FirstRateFactor = 0;
 };
 
 /// Writes an update; `previous` and `out` may be one row. If `previous` is null, this is an

@@ -174,13 +174,13 @@ void FillFromLocalVariance(const DiffusionGrid<T>& grid,
   if (parameters.Order == 0)
   {
     // Squares of values far from zero would cancel.
-    const T centre = static_cast<T>(Mean(grid, values));
+    const T center = static_cast<T>(Mean(grid, values));
     ParallelFor(0, grid.Size(), 1 << 16,
       [=](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          c[n] = values[n] - centre;
+          c[n] = values[n] - center;
           variance[n] = c[n] * c[n];
         }
       });
@@ -216,7 +216,7 @@ int Smooth(
   const double time = deviation * deviation / 2.0;
   const auto steps = EulerSteps(time, 2.0 / heat.SpectralBound(), 0);
   RowUpdate<T> update;
-  update.OfRate = static_cast<T>(steps.front().Length);
+  update.RateFactor = static_cast<T>(steps.front().Length);
   const auto most = static_cast<std::size_t>(StagesPerPass(grid, heat));
   const std::size_t passes = (steps.size() + most - 1) / most;
   DiffusionPass<T> pass;

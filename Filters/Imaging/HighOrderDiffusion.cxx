@@ -1,5 +1,6 @@
 #include "Imaging/HighOrderDiffusion.h"
 
+#include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Imaging/DiffusionEvaluation.h"
 #include "Imaging/EdgeCoefficient.h"
@@ -50,7 +51,8 @@ DiffusionOperator<T> MakeOperator(const Parameters& parameters)
   else if (parameters.EdgeStopping != Parameters::EdgeStoppingType::None)
   {
     diffusion.Coefficient = DiffusionCoefficient::Gaussian;
-    diffusion.GradientScale = parameters.Sigma * std::sqrt(2.0);
+    // Of LocalVariance the coefficient is stored, and this scale is not used.
+    diffusion.GradientScale = parameters.UsesSigma() ? parameters.Sigma * std::sqrt(2.0) : 1.0;
   }
   return diffusion;
 }
@@ -85,9 +87,10 @@ public:
 private:
   T* NewVolume();
   Volume EulerStep(const TimeStep& step, const ProgressCallback& progress);
-  using StageOf = RowUpdate<T> (*)(int j, int stages, double length);
+  using StageFunction = RowUpdate<T> (*)(int j, int stages, double length);
   void FirstStage(const RowUpdate<T>& update, const ProgressCallback& progress);
-  Volume SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress);
+  Volume SuperStep(
+    const TimeStep& step, StageFunction stageFactors, const ProgressCallback& progress);
   int ToMidpoint(double length, const ProgressCallback& progress);
   int FillCoefficient(Volume values, Volume scratch, Volume moreScratch);
   void Record(const TimeStep& step, const T* after, DiffusionReport& report) const;
@@ -169,19 +172,21 @@ template <typename T>
 Volume Solver<T>::EulerStep(const TimeStep& step, const ProgressCallback& progress)
 {
   RowUpdate<T> update;
-  update.OfRate = static_cast<T>(step.Length);
+  update.RateFactor = static_cast<T>(step.Length);
   this->FirstStage(update, progress);
   return Stage;
 }
 
 template <typename T>
-Volume Solver<T>::SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress)
+Volume Solver<T>::SuperStep(
+  const TimeStep& step, StageFunction stageFactors, const ProgressCallback& progress)
 {
-  this->FirstStage(stageOf(1, step.Stages, step.Length), Between(progress, 0.0, 1.0 / step.Stages));
+  this->FirstStage(
+    stageFactors(1, step.Stages, step.Length), Between(progress, 0.0, 1.0 / step.Stages));
   StageSequence<T> sequence;
   for (int j = 2; j <= step.Stages; ++j)
   {
-    sequence.Updates.push_back(stageOf(j, step.Stages, step.Length));
+    sequence.Updates.push_back(stageFactors(j, step.Stages, step.Length));
   }
   if (sequence.Updates.empty())
   {
@@ -190,7 +195,8 @@ Volume Solver<T>::SuperStep(const TimeStep& step, StageOf stageOf, const Progres
   sequence.Before = this->Volumes[Now];
   sequence.Current = this->Volumes[Stage];
   sequence.First = this->Volumes[Now];
-  sequence.FirstRate = sequence.Updates[0].OfFirstRate != T(0) ? this->Volumes[FirstRate] : nullptr;
+  sequence.FirstRate =
+    sequence.Updates[0].FirstRateFactor != T(0) ? this->Volumes[FirstRate] : nullptr;
   std::copy_n(this->Volumes.begin() + Stage, sequence.Volumes.size(), sequence.Volumes.begin());
   const T* result = EvaluateStages(
     this->Grid, this->Diffusion, sequence, Between(progress, 1.0 / step.Stages, 1.0));
@@ -311,7 +317,8 @@ void Check(const Parameters& parameters)
     "EdgeStopping", parameters.EdgeStopping, Parameters::EdgeStoppingType::LocalVariance);
   RequireChoice("Integrator", parameters.Integrator, Parameters::IntegratorType::SuperTimeStepping);
   RequireRange("Order", parameters.Order, 0, 3);
-  RequireRange("Time", parameters.Time, 0.0, Unlimited);
+  RequireAbove("Time", parameters.Time, 0.0, Unlimited,
+    "The equation needs an end time. Denoise Map chooses the equation and its time automatically.");
   RequireRange("Steps", parameters.Steps, 0, Unlimited, "0 stands for automatic steps.");
   RequireRange("Fidelity", parameters.Fidelity, 0.0, Unlimited);
   RequireRange("PreSmoothing", parameters.PreSmoothing, 0.0, Unlimited);
@@ -351,16 +358,11 @@ DiffusionReport Diffuse(const DiffusionGrid<T>& grid, const Parameters& paramete
   const DiffusionObserver<T>& observer)
 {
   Check(parameters);
-  if (parameters.Flow == Parameters::FlowType::GeometricFlow ||
-    parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
+  if (parameters.UsesSigma())
   {
     RequireAbove("Sigma", parameters.Sigma, 0.0, Unlimited);
   }
   DiffusionReport report;
-  if (parameters.Time == 0.0)
-  {
-    return report;
-  }
   const double limit = ExplicitStepLimit(parameters, grid.Spacing);
   const auto steps = parameters.Integrator == Parameters::IntegratorType::ForwardEuler
     ? EulerSteps(parameters.Time, limit, parameters.Steps)
@@ -396,5 +398,34 @@ template DiffusionReport Diffuse(const DiffusionGrid<float>&, const Parameters&,
   const float*, const float*, const ProgressCallback&, const DiffusionObserver<float>&);
 template DiffusionReport Diffuse(const DiffusionGrid<double>&, const Parameters&, double*,
   const double*, const double*, const ProgressCallback&, const DiffusionObserver<double>&);
+
+template <typename T>
+void AddSmoothedResidual(const DiffusionGrid<T>& grid, double deviation, T* residual, T* values,
+  const ProgressCallback& progress)
+{
+  const auto combine = [size = grid.Size()](T* a, const T* b, auto&& body)
+  {
+    ParallelFor(0, size, 1 << 16,
+      [=](std::int64_t first, std::int64_t last)
+      { std::transform(a + first, a + last, b + first, a + first, body); });
+  };
+  combine(residual, values, [](T input, T value) { return input - value; });
+  DiffusionParameters heat;
+  heat.Order = 0;
+  heat.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
+  heat.Time = deviation * deviation / 2.0;
+  // Explicit steps of 0.6 of the limit leave next to nothing of the shortest waves, which are
+  // noise; super steps would halve them at best.
+  heat.Integrator = DiffusionParameters::IntegratorType::ForwardEuler;
+  heat.Steps =
+    static_cast<int>(std::ceil(heat.Time / (0.6 * ExplicitStepLimit(heat, grid.Spacing))));
+  Diffuse<T>(grid, heat, residual, nullptr, nullptr, progress);
+  combine(values, residual, [](T value, T back) { return value + back; });
+}
+
+template void AddSmoothedResidual(
+  const DiffusionGrid<float>&, double, float*, float*, const ProgressCallback&);
+template void AddSmoothedResidual(
+  const DiffusionGrid<double>&, double, double*, double*, const ProgressCallback&);
 
 }

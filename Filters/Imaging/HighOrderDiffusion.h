@@ -60,18 +60,25 @@ struct DiffusionParameters
   int Order = 0;            ///< q, 0 to 3: the equation's order is 2q + 2.
   bool LowerOrders = false; ///< Use hyperdiffusion of all orders from 0 to q.
   std::array<double, 4> Diffusivity{ 1.0, 1.0, 1.0, 1.0 }; ///< d_p, length^(2p + 2) / time
-  /// Scale of gradients: data unit / length. Diffuse needs a value unless EdgeStopping is None; 0
-  /// stands for one that the caller derives from the noise level (NoiseGradient).
+  /// Gradient that counts as an edge, data unit / length; above 0 where UsesSigma(). 0 stands for
+  /// one that the caller derives from the noise level (NoiseGradient).
   double Sigma = 0.0;
-  int Window = 5;            ///< Width of the window of LocalVariance in nodes: odd, 3 or more.
-  double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian that is applied before
-                             ///< the gradient.
+  int Window = 5; ///< Width of the window of LocalVariance in nodes: odd, 3 or more.
+  /// Standard deviation (length) of the Gaussian that is applied before the gradient.
+  double PreSmoothing = 0.0;
   /// Standard deviation (length) of the Gaussian of AddSmoothedResidual; 0: nothing is added.
   /// Diffuse does not use it; the caller passes it to AddSmoothedResidual afterwards.
   double ResidualSmoothing = 0.0;
   double Fidelity = 0.0; ///< 1 / time
-  double Time = 1.0;     ///< End time.
-  int Steps = 0;         ///< Number of equal steps; 0 chooses the steps automatically (see README).
+  double Time = 0.0;     ///< End time, above 0: it must be given, since it depends on the data.
+  int Steps = 0; ///< Number of equal steps; 0 chooses them automatically (SuperTimeStepping.h).
+
+  /// False where no gradient stops the flow, or where it is compared with those around it.
+  bool UsesSigma() const
+  {
+    return this->Flow == FlowType::GeometricFlow ||
+      this->EdgeStopping == EdgeStoppingType::Gaussian;
+  }
 };
 
 /// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
@@ -117,6 +124,20 @@ template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,
   const DiffusionParameters& parameters, T* values, const T* input, const T* source,
   const ProgressCallback& progress = {}, const DiffusionObserver<T>& observer = {});
+
+/**
+ * Adds the smoothed residual G (input - values) to `values`, G a Gaussian by heat flow with Neumann
+ * boundaries: waves much longer than G are those of the input again, waves much shorter remain
+ * those of `values` (twicing: J. W. Tukey, Exploratory Data Analysis, 1977; for diffusions S. Osher
+ * et al., Multiscale Model. Simul. 4 (2005) 460).
+ *
+ * `deviation` (a length above 0) is the standard deviation of G; `residual` holds the input and is
+ * overwritten. Memory: one volume. Cost: about 5 (deviation / spacing)^2 evaluations of the heat
+ * equation. Throws as Diffuse does.
+ */
+template <typename T>
+VTKISTHMUSFILTERSIMAGING_EXPORT void AddSmoothedResidual(const DiffusionGrid<T>& grid,
+  double deviation, T* residual, T* values, const ProgressCallback& progress = {});
 
 }
 

@@ -67,7 +67,7 @@ public:
     const std::vector<Complex> b = this->Transform(window, other);
     for (std::size_t n = 1; n < a.size(); ++n)
     {
-      const std::size_t shell = this->ShellOf[n];
+      const std::size_t shell = this->ShellNumbers[n];
       if (shell < this->Shells)
       {
         cross[shell] += static_cast<double>((a[n] * std::conj(b[n])).real());
@@ -91,8 +91,8 @@ public:
     return 0.5 / this->Finest;
   }
 
-  /// Position of a node among the windows' centres along an axis: a place on the lattice.
-  double PlaceOf(std::int64_t node, std::size_t axis) const
+  /// Position of a node among the windows' centers along an axis: a place on the lattice.
+  double LatticePosition(std::int64_t node, std::size_t axis) const
   {
     if (this->Count[axis] == 1)
     {
@@ -123,7 +123,7 @@ private:
         const double f = double(wave) / (this->Spacing[a] * double(this->Side[a]));
         square += f * f;
       }
-      this->ShellOf.push_back(
+      this->ShellNumbers.push_back(
         static_cast<std::size_t>(std::lround(std::sqrt(square) * this->Length)));
     }
   }
@@ -149,7 +149,7 @@ private:
     const NodeIndex at{ window % this->Count[0], window / this->Count[0] % this->Count[1],
       window / (this->Count[0] * this->Count[1]) };
     std::vector<Complex> block;
-    block.reserve(this->ShellOf.size());
+    block.reserve(this->ShellNumbers.size());
     double mean = 0.0;
     for (int pass = 0; pass < 2; ++pass)
     {
@@ -176,7 +176,7 @@ private:
           }
         }
       }
-      mean = sum / static_cast<double>(this->ShellOf.size());
+      mean = sum / static_cast<double>(this->ShellNumbers.size());
     }
     ScaleToOne(block);
     const NodeIndex step{ 1, this->Side[0], this->Side[0] * this->Side[1] };
@@ -214,7 +214,7 @@ private:
   double Length = 0.0, Finest = 1e300;
   std::array<std::vector<std::int64_t>, 3> Begin;
   std::array<std::vector<float>, 3> Taper;
-  std::vector<std::size_t> ShellOf;
+  std::vector<std::size_t> ShellNumbers;
   std::size_t Shells = 0;
 };
 
@@ -252,7 +252,7 @@ void FindLocalResolution(const NodeIndex& dimensions, const std::array<double, 3
           std::int64_t index = 0, stride = 1;
           for (std::size_t a = 0; a < 3; ++a)
           {
-            const double place = windows.PlaceOf(at[a], a);
+            const double place = windows.LatticePosition(at[a], a);
             const auto low =
               std::min(static_cast<std::int64_t>(place), std::max<std::int64_t>(0, lattice[a] - 2));
             const double part = place - double(low);

@@ -141,4 +141,9 @@ NoiseEstimate EstimateNoise(const DiffusionGrid<T>& grid, const T* values)
 template NoiseEstimate EstimateNoise(const DiffusionGrid<float>&, const float*);
 template NoiseEstimate EstimateNoise(const DiffusionGrid<double>&, const double*);
 
+double NoiseGradient(const NoiseEstimate& noise, double voxel)
+{
+  return noise.Noise > 0.0 ? 1.5 * noise.Noise / voxel : 1.0;
+}
+
 }

@@ -42,6 +42,10 @@ template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT NoiseEstimate EstimateNoise(
   const DiffusionGrid<T>& grid, const T* values);
 
+/// A gradient, in data units per length, that noise alone rarely reaches; 1 for an image without
+/// noise. `voxel` is the grid spacing.
+VTKISTHMUSFILTERSIMAGING_EXPORT double NoiseGradient(const NoiseEstimate& noise, double voxel);
+
 }
 
 #endif

@@ -56,7 +56,7 @@ public:
   }
 
   /// Mean power of these waves, for each block.
-  std::vector<double> PowerOf(double low, double high) const
+  std::vector<double> BandPower(double low, double high) const
   {
     std::vector<double> powers;
     for (const BlockPower& power : this->Powers)
@@ -77,7 +77,7 @@ public:
       return -1.0;
     }
     constexpr double lowerQuartile = -0.6745;
-    return QuantileOf(this->PowerOf(low, high), 0.25) / SpreadAtQuantile(waves, lowerQuartile);
+    return Quantile(this->BandPower(low, high), 0.25) / SpreadAtQuantile(waves, lowerQuartile);
   }
 
   double Bin(std::size_t bin, const std::vector<std::size_t>& blocks) const
@@ -101,7 +101,7 @@ public:
         [&](const BlockPower& power)
         { return power.Square[bin] / std::max(1.0, this->Count[bin]); });
       quantiles[bin] =
-        QuantileOf(powers, 0.25) / SpreadAtQuantile(std::max(1.0, this->Count[bin]), -0.6745);
+        Quantile(powers, 0.25) / SpreadAtQuantile(std::max(1.0, this->Count[bin]), -0.6745);
     }
     return quantiles;
   }
@@ -111,7 +111,7 @@ public:
   std::vector<double> RelativePower(
     const std::vector<double>& reference, double low, double high) const
   {
-    const double waves = std::max(1.0, this->WavesOf(reference, low, high));
+    const double waves = std::max(1.0, this->CountWaves(reference, low, high));
     std::vector<double> powers;
     for (const BlockPower& power : this->Powers)
     {
@@ -125,7 +125,7 @@ public:
   }
 
   /// How many these are.
-  double WavesOf(const std::vector<double>& reference, double low, double high) const
+  double CountWaves(const std::vector<double>& reference, double low, double high) const
   {
     double waves = 0.0;
     this->ForBins(
@@ -166,8 +166,8 @@ private:
   {
     for (std::size_t bin = 0; bin < waveBins; ++bin)
     {
-      const double centre = (static_cast<double>(bin) + 0.5) / static_cast<double>(waveBins);
-      if (centre >= low && centre < high)
+      const double center = (static_cast<double>(bin) + 0.5) / static_cast<double>(waveBins);
+      if (center >= low && center < high)
       {
         body(bin);
       }
@@ -199,11 +199,11 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
   std::vector<double> reference = withoutWeak(spectra.LowQuantiles());
   for (int round = 0; round < 2; ++round)
   {
-    const double degrees = std::max(1.0, spectra.WavesOf(reference, low, high));
+    const double degrees = std::max(1.0, spectra.CountWaves(reference, low, high));
     const std::vector<double> power = spectra.RelativePower(reference, low, high);
-    const double level = QuantileOf(power, 0.1) / SpreadAtQuantile(degrees, lowestDecile);
+    const double level = Quantile(power, 0.1) / SpreadAtQuantile(degrees, lowestDecile);
     const double limit = level * (1.0 + 2.0 * std::sqrt(2.0 / degrees));
-    if (QuantileOf(power, 0.25) > 1.3 * limit)
+    if (Quantile(power, 0.25) > 1.3 * limit)
     {
       return {};
     }
@@ -229,7 +229,7 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
 }
 
 /// Of the volume; of one with a constant background, in the blocks without it.
-double VarianceOf(const VolumeSample& sample)
+double SampleVariance(const VolumeSample& sample)
 {
   if (!sample.HasFill)
   {
@@ -272,13 +272,13 @@ NoiseSpectrum WhiteNoise(double deviation)
   return noise;
 }
 
-std::array<std::vector<double>, 3> ModesOf(
+std::array<std::vector<double>, 3> LaplacianModes(
   const Index3& whole, const std::array<double, 3>& spacing)
 {
   std::array<std::vector<double>, 3> modes;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    modes[a] = ModesOfAxis(std::min<std::int64_t>(64, whole[a]), spacing[a], BoundOf(spacing));
+    modes[a] = AxisModes(std::min<std::int64_t>(64, whole[a]), spacing[a], SpectralBound(spacing));
   }
   return modes;
 }
@@ -290,7 +290,7 @@ namespace
 void SetLevel(const Index3& whole, const std::array<double, 3>& spacing, NoiseSpectrum& noise)
 {
   double sum = 0.0, squares = 0.0, count = 0.0;
-  const auto modes = ModesOf(whole, spacing);
+  const auto modes = LaplacianModes(whole, spacing);
   for (const double z : modes[2])
   {
     for (const double y : modes[1])
@@ -310,7 +310,7 @@ void SetLevel(const Index3& whole, const std::array<double, 3>& spacing, NoiseSp
 
 /// Noise of a Gaussian correlation. Its density is scaled to its variance, since the sum over the
 /// waves of a finite grid has the longest ones in full.
-NoiseSpectrum SpectrumOf(
+NoiseSpectrum SmoothedSpectrum(
   const SmoothedNoise& found, const Index3& whole, const std::array<double, 3>& spacing)
 {
   NoiseSpectrum noise;
@@ -354,7 +354,7 @@ NoiseSpectrum BackgroundSpectrum(
   // More than this of the variance is rather a texture that fills the volume.
   // A masked map has no background left, so less is believed there.
   const double mostNoise = sample.HasFill ? 0.45 : 0.62;
-  noise.Found = noise.Deviation * noise.Deviation <= mostNoise * VarianceOf(sample);
+  noise.Found = noise.Deviation * noise.Deviation <= mostNoise * SampleVariance(sample);
   return noise;
 }
 
@@ -398,12 +398,12 @@ NoiseSpectrum EstimateNoiseSpectrum(
   const BlockWaves ofLarge = TransformBlocks(sample.Large, spacing);
   const bool large = sample.Large.Values.size() >= 2 * fewest;
   const SmoothedNoise correlated =
-    FindSmoothedNoise(large ? ofLarge : ofSmall, spacing, VarianceOf(sample));
+    FindSmoothedNoise(large ? ofLarge : ofSmall, spacing, SampleVariance(sample));
   // A fit to the tail of a spectrum says little of the rest if noise is of another shape.
   constexpr double tail = 0.15;
   if (correlated.Found && correlated.Share >= tail)
   {
-    return SpectrumOf(correlated, sample.Whole, spacing);
+    return SmoothedSpectrum(correlated, sample.Whole, spacing);
   }
   const bool largeOnes = sample.Large.Values.size() >= 3 * fewest;
   NoiseSpectrum background = BackgroundSpectrum(largeOnes ? ofLarge : ofSmall, sample, spacing);
@@ -413,7 +413,7 @@ NoiseSpectrum EstimateNoiseSpectrum(
   }
   if (correlated.Found)
   {
-    return SpectrumOf(correlated, sample.Whole, spacing);
+    return SmoothedSpectrum(correlated, sample.Whole, spacing);
   }
   white.Background = false;
   return white;

@@ -18,10 +18,9 @@
  *
  *     f_k(L) u = u + sum_n a_(k,n) (T_n u - u),   T_(n+1) u = 2 T_n u - T_(n-1) u + 4/b L T_n u,
  *
- * b the bound of -L. No step in time is made, so there is no error of one: what is left out is
- * below 1e-7 (float) or 1e-13 (double) of the input in the root mean square, since |T_n| <= 1 on
- * the spectrum and coefficients are dropped only while their sum is below that; rounding comes to
- * it.
+ * b the bound of -L. There are no time steps: terms are dropped while the sum of their coefficients
+ * is below 1e-7 (float) or 1e-13 (double), which bounds the error relative to the input in the root
+ * mean square, apart from rounding.
  */
 #ifndef isthmus_PDETransform_h
 #define isthmus_PDETransform_h

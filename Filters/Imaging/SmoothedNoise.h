@@ -6,23 +6,9 @@
  * a low-pass filter or by a detector, has the spectral density A exp(-sigma^2 |omega|^2). Signal
  * lies above it in some blocks and at some frequencies, mostly in long waves; noise is the same in
  * all blocks. So sigma and A are those that explain the most bins of frequency, over a quarter of
- * the blocks at least, and are exceeded, but not undercut, in the others. What lies in long waves
- * under the signal follows from the shape.
- *
- * 1. **Whitening.** For each sigma, the squares of a block's waves are divided by their expectation
- *    for A = 1. It is exact for a block: the covariance along each axis, transformed by the cosine
- *    transform, since a block's ends change its waves by 5 to 20 %.
- * 2. **Floors.** The lower quartile over the blocks of the mean of each bin, corrected for the
- * spread of chi squared. Bins in which the lowest tenth of the blocks has clearly less are not the
- * same everywhere and do not count.
- * 3. **Fit.** Floors that agree within 12 % are explained. The largest number of them wins, among
- *    equals the least variance.
- * 4. **Doubt.** The fit is refused if the explained bins are few or have gaps, if their waves are
- * not normally distributed (a texture, kurtosis above 3.6), or if the noise had nearly all of the
- *    variance of the volume: then a map that is full of detail looks the same.
- *
- * Taking the noise floor from low quantiles over time is known from speech (R. Martin, IEEE Trans.
- * Speech Audio Process. 9 (2001) 504).
+ * the blocks at least, and are exceeded, but not undercut, in the others: the minimum statistics of
+ * R. Martin, IEEE Trans. Speech Audio Process. 9 (2001) 504, over blocks instead of times. The
+ * power of long waves under the signal follows from the shape.
  */
 #ifndef isthmus_SmoothedNoise_h
 #define isthmus_SmoothedNoise_h

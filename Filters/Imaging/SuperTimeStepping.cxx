@@ -98,6 +98,8 @@ std::vector<TimeStep> SuperSteps(double time, double limit, int count)
   }
   else
   {
+    // A super step only halves modes that decay much faster than its length, so fast modes need
+    // short steps at the beginning. So do the edges, which appear while the noise decays.
     constexpr double growth = 2.0;
     const double parts = std::max(12.0, 0.19 * std::sqrt(time / limit));
     const double last = std::min(longest, std::max(limit * Reach(5), time / parts));
@@ -128,15 +130,15 @@ RowUpdate<T> LegendreStage(int j, int stages, double length)
   RowUpdate<T> update;
   if (j == 1)
   {
-    update.OfRate = static_cast<T>(B(1) * w * length);
+    update.RateFactor = static_cast<T>(B(1) * w * length);
     return update;
   }
   const double mu = (2.0 * j - 1.0) / j * B(j) / B(j - 1);
   const double nu = -(j - 1.0) / j * B(j) / B(j - 2);
-  update.OfCurrent = static_cast<T>(mu);
-  update.OfPrevious = static_cast<T>(nu);
-  update.OfRate = static_cast<T>(mu * w * length);
-  update.OfFirstRate = static_cast<T>(-(1.0 - B(j - 1)) * mu * w * length);
+  update.CurrentFactor = static_cast<T>(mu);
+  update.PreviousFactor = static_cast<T>(nu);
+  update.RateFactor = static_cast<T>(mu * w * length);
+  update.FirstRateFactor = static_cast<T>(-(1.0 - B(j - 1)) * mu * w * length);
   return update;
 }
 
@@ -145,9 +147,9 @@ RowUpdate<T> FirstOrderLegendreStage(int j, int stages, double length)
 {
   const double w = 1.0 / FirstOrderReach(stages), mu = (2.0 * j - 1.0) / j;
   RowUpdate<T> update;
-  update.OfCurrent = static_cast<T>(mu);
-  update.OfPrevious = static_cast<T>(1.0 - mu);
-  update.OfRate = static_cast<T>(mu * w * length);
+  update.CurrentFactor = static_cast<T>(mu);
+  update.PreviousFactor = static_cast<T>(1.0 - mu);
+  update.RateFactor = static_cast<T>(mu * w * length);
   return update;
 }
 
@@ -169,16 +171,16 @@ T* Free(const std::array<T*, 4>& volumes, std::initializer_list<const T*> taken)
 
 /// What a pass of `stages` stages adds to the sums that still have terms.
 template <typename T>
-std::vector<StageSum<T>> PartOf(
+std::vector<StageSum<T>> PassSums(
   const std::vector<StageSum<T>>& sums, std::size_t done, std::size_t stages)
 {
   std::vector<StageSum<T>> parts;
   for (const StageSum<T>& sum : sums)
   {
-    if (sum.OfStage.size() > done)
+    if (sum.StageFactors.size() > done)
     {
-      const auto first = sum.OfStage.begin() + static_cast<std::ptrdiff_t>(done);
-      const std::size_t terms = std::min(stages, sum.OfStage.size() - done);
+      const auto first = sum.StageFactors.begin() + static_cast<std::ptrdiff_t>(done);
+      const std::size_t terms = std::min(stages, sum.StageFactors.size() - done);
       parts.push_back({ sum.Volume, { first, first + static_cast<std::ptrdiff_t>(terms) } });
     }
   }
@@ -210,7 +212,7 @@ T* EvaluateStages(const DiffusionGrid<T>& grid, const DiffusionOperator<T>& diff
     const std::size_t stages = std::min(most, count - done);
     const auto first = sequence.Updates.begin() + static_cast<std::ptrdiff_t>(done);
     pass.Updates.assign(first, first + static_cast<std::ptrdiff_t>(stages));
-    pass.Sums = PartOf(sequence.Sums, done, stages);
+    pass.Sums = PassSums(sequence.Sums, done, stages);
     // One stage alone may write where the values before the last lie: it reads them at their place.
     const auto before = std::find(volumes.begin(), volumes.end(), pass.Previous);
     const bool inPlace = stages == 1 && pass.Previous && before != volumes.end();

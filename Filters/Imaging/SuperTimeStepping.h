@@ -27,11 +27,11 @@ struct TimeStep
   int Stages;
 };
 
-/// Maximum number of stages of one super step; round-off grows with its square (see README).
+/// Maximum number of stages of one super step; round-off grows with its square.
 constexpr int MaximumStages = 199;
 
 /// Maximum number of evaluations of the right-hand side in one evolution. Steps that need more are
-/// refused, with their number, before they are made. This is a hundred times the number that
+/// refused, with their number, before they start. This is a hundred times the number that
 /// denoising needs at most.
 constexpr double MaximumEvaluations = 1e6;
 
@@ -47,10 +47,8 @@ std::vector<TimeStep> EulerSteps(double time, double limit, int count);
  * Super steps that lead to `time` if one explicit step may be at most `limit`.
  *
  * By default each step is twice as long as the one before, from the length of one explicit step up
- * to time / max(12, 0.19 sqrt(time / limit)), or the length of seven explicit steps. A super step
- * only halves modes that decay much faster than its length, so fast modes need short steps at the
- * beginning. So do the edges, which appear while the noise decays, and early changes affect all
- * later steps (README has the measurements). With `count`, this many equal steps.
+ * to time / max(12, 0.19 sqrt(time / limit)), or the length of seven explicit steps. With `count`,
+ * this many equal steps.
  * @throws std::invalid_argument, naming the limit, if a step would need more than MaximumStages.
  */
 std::vector<TimeStep> SuperSteps(double time, double limit, int count);

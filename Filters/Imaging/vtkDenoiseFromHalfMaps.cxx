@@ -8,7 +8,7 @@
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
 #include "Imaging/LocalResolution.h"
-#include "vtkHighOrderDiffusion.h"
+#include "vtkDenoiseMap.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkDenoiseFromHalfMaps);
 namespace
 {
 
-vtkDataArray* ScalarsOf(vtkImageData* half, const char* which)
+vtkDataArray* CheckedScalars(vtkImageData* half, const char* which)
 {
   vtkDataArray* scalars = half->GetPointData()->GetScalars();
   if (!scalars || scalars->GetNumberOfComponents() != 1)
@@ -72,7 +72,7 @@ void Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean, vtkData
 
 /// The finite values minus their mean, scaled to at most about 1 by a power of two, so that single
 /// precision does not round them to nothing; 0 for all others.
-std::vector<float> CentredValues(vtkDataArray* array)
+std::vector<float> CenteredValues(vtkDataArray* array)
 {
   const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
   const auto valueAt = [array](std::size_t i)
@@ -133,8 +133,8 @@ int vtkDenoiseFromHalfMaps::RequestUpdateExtent(
 
 void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtkImageData* output)
 {
-  vtkDataArray* scalars = ScalarsOf(one, "first");
-  vtkDataArray* others = ScalarsOf(other, "second");
+  vtkDataArray* scalars = CheckedScalars(one, "first");
+  vtkDataArray* others = CheckedScalars(other, "second");
   isthmus::RequireSameNodes(one, other);
   isthmus::Check(this->Parameters);
   constexpr char differenceName[] = "IsthmusHalfDifference";
@@ -149,27 +149,27 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   volume->GetFieldData()->PassData(one->GetFieldData());
   volume->GetPointData()->SetScalars(mean);
   volume->GetPointData()->AddArray(difference);
-  vtkNew<vtkHighOrderDiffusion> diffusion;
-  diffusion->SetInputData(volume);
-  diffusion->SetInputArrayToProcess(
-    2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, differenceName);
-  diffusion->SetStrength(this->GetStrength());
-  diffusion->SetGoal(this->GetGoal());
-  diffusion->SetMaskInvalid(true);
-  diffusion->SetController(nullptr);      // every rank has all of the volume
-  diffusion->SetContainerAlgorithm(this); // stops with this one
-  isthmus::UpdateInner(diffusion, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7),
+  vtkNew<vtkDenoiseMap> denoising;
+  denoising->SetInputData(volume);
+  denoising->SetInputArrayToProcess(
+    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, differenceName);
+  denoising->SetStrength(this->GetStrength());
+  denoising->SetGoal(this->GetGoal());
+  denoising->SetMaskInvalid(true);
+  denoising->SetController(nullptr);      // every rank has all of the volume
+  denoising->SetContainerAlgorithm(this); // stops with this one
+  isthmus::UpdateInner(denoising, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   isthmus::Report(isthmus::ProgressOf(this), 0.7); // leaves where it was stopped
   const auto resolution = isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", size);
   const int* n = one->GetDimensions();
   const double* spacing = one->GetSpacing();
   isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
-    CentredValues(scalars), CentredValues(others),
+    CenteredValues(scalars), CenteredValues(others),
     vtkFloatArray::SafeDownCast(resolution)->GetPointer(0),
     isthmus::Between(isthmus::ProgressOf(this), 0.7, 1.0));
   isthmus::Report(isthmus::ProgressOf(this), 1.0);
-  output->ShallowCopy(diffusion->GetOutput());
+  output->ShallowCopy(denoising->GetOutput());
   output->GetPointData()->RemoveArray(differenceName);
   output->GetPointData()->AddArray(resolution);
 }

@@ -4,21 +4,21 @@
  *
  * Let a and b be two maps of the same object from independent halves of the data. The noise of
  * their mean (a + b) / 2 is like (a - b) / 2, which contains no signal: it has the same level,
- * spectrum and distribution in space. The mean is passed to vtkHighOrderDiffusion, which chooses a
- * diffusion by its risk, with this difference instead of an estimate of the noise. This is
- * cross-validation: each half validates what is computed from the other.
+ * spectrum and distribution in space. The mean is passed to vtkDenoiseMap with this difference
+ * instead of an estimate of the noise. This is cross-validation: each half validates what is
+ * computed from the other.
  *
  * Input 0 and 1: vtkImageData of the same nodes (dimensions, spacing, origin, direction to 1e-4 of
  * a spacing), one-component point scalars each. Nodes at which the halves are equal, e.g. outside a
  * mask, are ignored when the noise is measured.
  *
- * Output: the denoised mean, with the arrays and field data of vtkHighOrderDiffusion and the name
+ * Output: the denoised mean, with the arrays and field data of vtkDenoiseMap and the name
  * of the first half's array, and `LocalResolution` (angstrom, if that is the spacing's unit): the
  * wavelength at which the halves' correlation in a window of 24 nodes falls below 0.5
  * (LocalResolution.h); it does not depend on the unit of the density. Equal half maps are refused
  * with an error, since they have no noise. Both are needed whole.
  *
- * @sa vtkHighOrderDiffusion
+ * @sa vtkDenoiseMap
  */
 #ifndef vtkDenoiseFromHalfMaps_h
 #define vtkDenoiseFromHalfMaps_h
@@ -47,8 +47,7 @@ public:
   ///@}
 
   ///@{
-  /// Purpose of the denoised volume: 0 surfaces and curvature, 1 volumes; see
-  /// vtkHighOrderDiffusion.
+  /// Purpose of the denoised volume: vtkDenoiseMap::Surfaces or vtkDenoiseMap::Volumes.
   ISTHMUS_PARAMETER(Goal, int);
   ///@}
 

@@ -183,7 +183,6 @@ void vtkDiffusionAlgorithm::Compute(
 void vtkDiffusionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "VoxelUnits: " << this->VoxelUnits << '\n';
   os << indent << "MaskInvalid: " << this->MaskInvalid << '\n';
   os << indent << "Controller: " << this->Controller << '\n';
 }

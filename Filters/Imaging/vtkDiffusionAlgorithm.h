@@ -42,14 +42,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Lengths in units of the smallest spacing (on) or in the data's unit, angstrom
-  /// for maps (off). Times, diffusivities and gradients follow.
-  vtkSetMacro(VoxelUnits, bool);
-  vtkGetMacro(VoxelUnits, bool);
-  vtkBooleanMacro(VoxelUnits, bool);
-  ///@}
-
-  ///@{
   /// Return values that are not finite unchanged instead of refusing them.
   vtkSetMacro(MaskInvalid, bool);
   vtkGetMacro(MaskInvalid, bool);
@@ -82,6 +74,10 @@ protected:
   /// The input array (Core/ImageScalars.h); null on a rank without nodes.
   vtkDataArray* ChosenScalars(vtkImageData* image);
 
+  /// Lengths in units of the smallest spacing (on) or in the data's unit (off). A property of those
+  /// filters that are given lengths.
+  bool VoxelUnits = true;
+
 private:
   bool IsParallel() const;
 
@@ -100,7 +96,6 @@ private:
   void operator=(const vtkDiffusionAlgorithm&) = delete;
 
   vtkMultiProcessController* Controller = nullptr;
-  bool VoxelUnits = true;
   bool MaskInvalid = false;
 };
 

@@ -74,6 +74,7 @@ void vtkDiffusionHighPass::Process(isthmus::DiffusionImage<double>& image)
 void vtkDiffusionHighPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "VoxelUnits: " << this->VoxelUnits << '\n';
   os << indent << "DiffusivityU: " << this->Parameters.DiffusivityU << '\n';
   os << indent << "DiffusivityV: " << this->Parameters.DiffusivityV << '\n';
   os << indent << "CouplingU: " << this->Parameters.CouplingU << '\n';

@@ -68,6 +68,14 @@ public:
   ISTHMUS_PARAMETER(Steps, int);
   ///@}
 
+  ///@{
+  /// Lengths in units of the smallest spacing (on) or in the data's unit, angstrom
+  /// for maps (off). Times, diffusivities and gradients follow.
+  vtkSetMacro(VoxelUnits, bool);
+  vtkGetMacro(VoxelUnits, bool);
+  vtkBooleanMacro(VoxelUnits, bool);
+  ///@}
+
   /// The arrays that the filter adds to its outputs, and which of them are optional.
   static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 

@@ -1,6 +1,6 @@
 /**
  * @class vtkHighOrderDiffusion
- * @brief Denoises a volume by nonlinear diffusion of order 2 to 8.
+ * @brief Nonlinear diffusion of a volume, of order 2 to 8, with all parameters as set.
  *
  * Two flows of X. Feng's thesis (equations 4.32 to 4.36), q = Order, L the Laplacian:
  *
@@ -11,40 +11,25 @@
  *
  * with Neumann boundaries: no flux, so that Hyperdiffusion keeps the mean. The sign of the odd
  * orders is chosen so that they diffuse. Finally, with ResidualSmoothing, long waves that the
- * diffusion removed are restored.
- *
- * Automatic chooses Order, edge stopping or none, Sigma, PreSmoothing and Time so
- * that the estimated error for the Goal is least (DenoisingRisk.h), for noise whose level and
- * spectrum are estimated from the image (NoiseSpectrum.h) unless KnownNoise is set. EdgeStopping
- * None restricts the choice to linear diffusions, which are computed as functions of the Laplacian,
- * without steps in time. Constant background, e.g. outside a mask, is not changed. Geometric flow,
- * LowerOrders, LocalVariance, Fidelity, UseSource and diffusivities other than 1 are not covered by
- * the search: with them a rule sets Sigma, PreSmoothing, Time and ResidualSmoothing from the noise
- * level and Strength. Without Automatic all parameters are used as set, except that a Sigma of 0 is
- * replaced by the noise level.
+ * diffusion removed are restored. Time must be set; vtkDenoiseMap chooses equation and time
+ * automatically.
  *
  * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
- * of what a step changed) and `StepResidual` (rms of the rate at its start; for a linear choice
- * both describe the whole change), and NoiseLevel, `UsedOrder`, `UsedEdgeStopping`, `UsedSigma`,
- * `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`. The search adds `EstimatedGain` (dB in
- * mean squared error) with its standard error `EstimatedGainError`, the curve RiskValue over
- * RiskTime of the chosen order and Sigma (estimated mean squared error; for surfaces that of the
- * Laplacian, unless that of the values decided) and Choice, a sentence. Where Automatic finds no
- * noise, or so little that nothing changes, a warning says why and what to do.
+ * of what a step changed) and `StepResidual` (rms of the rate at its start); where Sigma is derived
+ * from the noise, `UsedSigma` and `NoiseLevel` (EstimateNoise of NoiseEstimate.h).
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
  * ForwardEuler. Memory in addition to input and output, in volumes of the output's type: 4 with
- * SuperTimeStepping (two stages, the first rate, the coefficient) and two more for Order 0 on one
- * rank; 1 to 3 with ForwardEuler. Automatic needs one more, and a sample of the volume of up to 100
- * MiB. Fidelity (the input) and UseSource (P) each need one more volume.
+ * SuperTimeStepping and two more for Order 0 on one rank; 1 to 3 with ForwardEuler. Fidelity (the
+ * input) and UseSource (P) each need one more volume.
  *
- * @sa vtkDiffusionHighPass vtkPDETransform
+ * @sa vtkDenoiseMap vtkDiffusionHighPass vtkPDETransform
  */
 #ifndef vtkHighOrderDiffusion_h
 #define vtkHighOrderDiffusion_h
 
 #include "Core/FilterProperties.h"
-#include "Imaging/AutomaticDenoising.h"
+#include "Imaging/HighOrderDiffusion.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
 
@@ -72,47 +57,13 @@ public:
     SuperTimeStepping = 1
   };
 
-  enum GoalType
-  {
-    Surfaces = 0,
-    Volumes = 1
-  };
-
-  ///@{
-  /// Choose Order, edge stopping, Sigma, PreSmoothing and Time automatically by the estimated
-  /// error.
-  vtkSetMacro(Automatic, bool);
-  vtkGetMacro(Automatic, bool);
-  vtkBooleanMacro(Automatic, bool);
-  ///@}
-
-  ///@{
-  /// Purpose of the denoised volume: Surfaces, for which linear diffusions are chosen
-  /// that improve second derivatives, and thus normals and curvature of level sets; or Volumes, for
-  /// the least mean squared error of the values. Used if Automatic is on.
-  ISTHMUS_PARAMETER_OF(Denoising, Goal, int);
-  ///@}
-
-  ///@{
-  /// How much to denoise, from 0 (light) to 1 (strong): the smoothing length is 2^(Strength - 1/2)
-  /// times the best one. Used if Automatic is on.
-  ISTHMUS_PARAMETER_OF(Denoising, Strength, double);
-  ///@}
-
-  ///@{
-  /// Standard deviation of the noise if it is known to be white; 0: level and spectrum
-  /// are estimated where the volume is not constant. Used if Automatic is on.
-  ISTHMUS_PARAMETER_OF(Denoising, KnownNoise, double);
-  ///@}
-
   ///@{
   /// Hyperdiffusion or GeometricFlow.
   ISTHMUS_PARAMETER(Flow, int);
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Chosen automatically if Automatic is
-  /// on.
+  /// q, 0 to 3: the equation is of order 2q + 2.
   ISTHMUS_PARAMETER(Order, int);
   ///@}
 
@@ -129,14 +80,13 @@ public:
   ///@{
   /// Coefficient of Hyperdiffusion: None (constant), Gaussian (stops at gradients above
   /// Sigma), LocalVariance (Sigma is the standard deviation in a Window, equation 4.35: of the
-  /// values for Order 0, of their gradient for Order 1 to 3). With Automatic, None admits linear
-  /// choices only.
+  /// values for Order 0, of their gradient for Order 1 to 3).
   ISTHMUS_PARAMETER(EdgeStopping, int);
   ///@}
 
   ///@{
-  /// Gradient that counts as an edge, in data units per length; 0: derived from the noise
-  /// level.
+  /// Gradient that counts as an edge, in data units per length; 0: 1.5 times the noise level
+  /// divided by the smallest spacing.
   ISTHMUS_PARAMETER(Sigma, double);
   ///@}
 
@@ -154,8 +104,7 @@ public:
 
   ///@{
   /// Standard deviation (length) of a Gaussian that smooths input - result; the smoothed difference
-  /// is added to the result, which thus keeps the long waves of the input (AutomaticDenoising.h);
-  /// 0: nothing is added.
+  /// is added to the result, which thus keeps the long waves of the input; 0: nothing is added.
   ISTHMUS_PARAMETER(ResidualSmoothing, double);
   ///@}
 
@@ -173,7 +122,8 @@ public:
   ///@}
 
   ///@{
-  /// End time, in the unit given by those of lengths and diffusivities.
+  /// End time, in the unit given by those of lengths and diffusivities. Must be set: 0, the
+  /// default, is an error.
   ISTHMUS_PARAMETER(Time, double);
   ///@}
 
@@ -189,6 +139,14 @@ public:
   ISTHMUS_PARAMETER(Steps, int);
   ///@}
 
+  ///@{
+  /// Lengths in units of the smallest spacing (on) or in the data's unit, angstrom
+  /// for maps (off). Times, diffusivities and gradients follow.
+  vtkSetMacro(VoxelUnits, bool);
+  vtkGetMacro(VoxelUnits, bool);
+  vtkBooleanMacro(VoxelUnits, bool);
+  ///@}
+
 protected:
   vtkHighOrderDiffusion();
   ~vtkHighOrderDiffusion() override = default;
@@ -198,20 +156,13 @@ protected:
   void Process(isthmus::DiffusionImage<double>& image) override;
 
 private:
-  void CheckParameters() const;
-  bool ChoosesByRisk() const;
   template <typename T>
-  void Denoise(isthmus::DiffusionImage<T>& image);
-  template <typename T>
-  void DenoiseByRisk(isthmus::DiffusionImage<T>& image);
-  void Explain(const isthmus::NoiseEstimate& noise, double change, bool background);
+  void Diffuse(isthmus::DiffusionImage<T>& image);
 
   vtkHighOrderDiffusion(const vtkHighOrderDiffusion&) = delete;
   void operator=(const vtkHighOrderDiffusion&) = delete;
 
   isthmus::DiffusionParameters Parameters;
-  isthmus::AutomaticParameters Denoising;
-  bool Automatic = true;
   bool UseSource = false;
 };
 

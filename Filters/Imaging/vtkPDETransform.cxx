@@ -54,6 +54,7 @@ void vtkPDETransform::Process(isthmus::DiffusionImage<double>& image)
 void vtkPDETransform::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "VoxelUnits: " << this->VoxelUnits << '\n';
   os << indent << "NumberOfModes: " << this->Parameters.NumberOfModes << '\n';
   os << indent << "FirstOrder: " << this->Parameters.FirstOrder << '\n';
   os << indent << "LastOrder: " << this->Parameters.LastOrder << '\n';

@@ -56,6 +56,14 @@ public:
   ISTHMUS_PARAMETER(WavelengthRatio, double);
   ///@}
 
+  ///@{
+  /// Lengths in units of the smallest spacing (on) or in the data's unit, angstrom
+  /// for maps (off).
+  vtkSetMacro(VoxelUnits, bool);
+  vtkGetMacro(VoxelUnits, bool);
+  vtkBooleanMacro(VoxelUnits, bool);
+  ///@}
+
 protected:
   vtkPDETransform();
   ~vtkPDETransform() override = default;

@@ -82,7 +82,7 @@ def hessian_eigenvalues(feature, values):
 
 def filter_trials(noisy, smooth):
     return {
-        "denoise": ours("vtkHighOrderDiffusion", noisy),
+        "denoise": ours("vtkDenoiseMap", noisy),
         "total variation": Peer("skimage.restoration", "python3-skimage",
                                 lambda m: m.denoise_tv_chambolle(noisy)),
         "median": Peer("scipy.ndimage", "python3-scipy", lambda m: m.median_filter(noisy, 3)),

@@ -25,7 +25,7 @@ TURNS = 3
 HALO = 2  # nodes, of order 0
 EXCHANGES = 20
 NOISE = 0.3  # beside waves of height 1: without noise the default denoising does next to nothing
-FILTERS = {"denoise": "vtkHighOrderDiffusion", "high-pass": "vtkDiffusionHighPass",
+FILTERS = {"denoise": "vtkDenoiseMap", "high-pass": "vtkDiffusionHighPass",
            "curvature": "vtkHessianCurvature"}
 
 

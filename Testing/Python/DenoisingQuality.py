@@ -1,4 +1,4 @@
-"""How well vtkHighOrderDiffusion denoises, beside the best that other filters can do.
+"""How well vtkDenoiseMap denoises, beside the best that other filters can do.
 
 The parameters are chosen by the estimated risk, without the truth. Their rivals are tuned on each phantom
 itself, with the truth at hand.
@@ -17,7 +17,7 @@ from volume_quality import (
 
 
 def denoise(volume, goal=0):
-    algorithm = isthmus.vtkHighOrderDiffusion()
+    algorithm = isthmus.vtkDenoiseMap()
     algorithm.SetGoal(goal)
     return filtered(algorithm, volume)
 

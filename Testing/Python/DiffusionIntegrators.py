@@ -34,7 +34,6 @@ def volumes(nodes):
 def evolve(volume, integrator, sigma, end):
     """Result and seconds."""
     algorithm = isthmus.vtkHighOrderDiffusion()
-    algorithm.AutomaticOff()
     algorithm.SetOrder(1)
     algorithm.SetPreSmoothing(1.0)
     algorithm.SetSigma(sigma)

@@ -112,7 +112,7 @@ def check_first_values():
     assert other.Level == before  # no density map
     # A map that a menu denoises is seen as a surface with a level, not as a box.
     view = simple.GetActiveViewOrCreate("RenderView")
-    denoised = simple.HighOrderDiffusion(Input=density)
+    denoised = simple.DenoiseMap(Input=density)
     look.first_values(denoised.GetGlobalID())
     look.first_look(simple.Show(denoised, view).GetGlobalID())
     assert visible(view) == ["MapSurface"], visible(view)

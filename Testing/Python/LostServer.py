@@ -21,7 +21,7 @@ wavelet.UpdatePipeline()
 os.write(1, b"CONNECTED\\n")  # at once: flush=True does nothing in pvpython 5.13
 if {waits}:
     sys.stdin.readline()
-denoised = simple.HighOrderDiffusion(Input=wavelet, Automatic=0, Time=5.0, Steps={steps})
+denoised = simple.HighOrderDiffusion(Input=wavelet, Time=5.0, Steps={steps})
 os.write(1, b"FILTER\\n")
 denoised.UpdatePipeline()
 print("POINTS", denoised.GetDataInformation().GetNumberOfPoints(), flush=True)

@@ -39,7 +39,7 @@ def with_values(image, values):
 def denoised(image):
     """Values, and the noise that was found."""
     said = []
-    diffusion = isthmus.vtkHighOrderDiffusion()
+    diffusion = isthmus.vtkDenoiseMap()
     diffusion.AddObserver("WarningEvent", lambda *_: said.append(True))
     diffusion.SetInputData(image)
     diffusion.SetStrength(0.5)

@@ -284,8 +284,8 @@ def high_order_diffusion(draw):
     time = draw.between(0.1, 2.0) / max(rate * eigenvalue**(order + 1), 0.1 * rate)
     diffusivity = [1.0] * 4
     diffusivity[order] = rate
-    filter_ = settle(isthmus.vtkHighOrderDiffusion(), [volume.data], Automatic=False, Order=order, EdgeStopping=0,
-                     Time=time, Diffusivity=tuple(diffusivity))
+    filter_ = settle(isthmus.vtkHighOrderDiffusion(), [volume.data], Order=order, EdgeStopping=0, Time=time,
+                     Diffusivity=tuple(diffusivity))
     found = array(filter_.GetOutput().GetPointData(), "Field")
     rate *= eigenvalue**(order + 1)
     bound = diffusivity[order] * (4 / h**2).sum()**(order + 1)

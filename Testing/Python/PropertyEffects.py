@@ -23,9 +23,7 @@ from lively_data import inputs
 SECONDS = 30.0
 # Properties that have to be set before this one can show itself: {(proxy, property): {name: value}}.
 NEEDS = {
-    ("HighOrderDiffusion", "LowerOrders"): {"Order": 1, "Automatic": 0, "Time": 1},
-    **{("HighOrderDiffusion", name): {"Automatic": 0, "Time": 1}
-       for name in ("EdgeStopping", "Integrator", "Order", "Steps")},
+    ("HighOrderDiffusion", "LowerOrders"): {"Order": 1},
     **{(name, swept): {"SweepOf": kind} for name in ("IonTransport", "IonTransportOnSurface")
        for swept, kind in (("SweepPoints", 1), ("SweepVoltages", 1), ("SweepFactors", 2))},
     **{("IonTransportOnSurface", name): {"MovingSurface": 1} for name in (
@@ -97,7 +95,8 @@ SILENT = {
     ("ForceFieldCharges", "ForceField"): "the atoms have charges: TestProteinCharges has some without",
     ("FeatureTracks", "MaximumDistance"): "needs steps of time: FeatureTracks.py",
     ("FeatureTracks", "MaximumGap"): "the same",
-    ("HighOrderDiffusion", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
+    **{(name, "MaskInvalid"): "all values are finite: MaskedMaps.py has others"
+       for name in ("DenoiseMap", "HighOrderDiffusion")},
     ("IsosurfaceStuffing", "MemoryLimit"): LIMIT,
     **{(name, silent): why for name in ("IonTransport", "IonTransportOnSurface") for silent, why in (
         ("IncludeWaters", "the tube has no residues: MolecularFlowSurface.py has"),

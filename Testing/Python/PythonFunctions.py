@@ -138,7 +138,7 @@ def check_numpy():
     values = numpy.random.default_rng(1).normal(size=(6, 7, 8))
     values[2, 3, 4] = 9.0
     before = values.copy()
-    smooth = isthmus.high_order_diffusion(values)
+    smooth = isthmus.denoise_map(values)
     assert smooth.shape == values.shape and smooth.std() < values.std()
     assert numpy.unravel_index(smooth.argmax(), smooth.shape) == (2, 3, 4), "axes are in another order"
     assert (values == before).all(), "the input was changed"

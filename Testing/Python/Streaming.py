@@ -33,8 +33,8 @@ def filters():
         yield (f"curvature {accuracy}", made("vtkHessianCurvature", Accuracy=accuracy, AutomaticScale=False),
                ["MeanCurvature", "GaussianCurvature", "CurvatureValid"], reach)
     yield "curvature, automatic scale", made("vtkHessianCurvature"), ["MeanCurvature", "CurvatureError"], None
-    yield "denoise", made("vtkHighOrderDiffusion"), ["RTData"], None
-    yield "denoise, order 1", made("vtkHighOrderDiffusion", Automatic=False, Order=1, Time=1.0), ["RTData"], None
+    yield "denoise", made("vtkDenoiseMap"), ["RTData"], None
+    yield "diffusion, order 1", made("vtkHighOrderDiffusion", Order=1, Time=1.0), ["RTData"], None
     yield "high-pass", made("vtkDiffusionHighPass"), ["HighPass"], None
     halves = made("vtkDenoiseFromHalfMaps")
     other = source()
@@ -143,8 +143,7 @@ STEPS = 4
 noise = numpy.random.default_rng(5).normal(0, 1, (60, 20, 24)).astype("f4")
 for order, length in ((0, 0.1), (1, 0.01)):
     def explicit(order=order, length=length):
-        return made("vtkHighOrderDiffusion", Automatic=False, Order=order, Integrator=0, Steps=STEPS,
-                    Time=STEPS * length, Sigma=1.0)
+        return made("vtkHighOrderDiffusion", Order=order, Integrator=0, Steps=STEPS, Time=STEPS * length, Sigma=1.0)
 
     block = (0, 23, 0, 19, 28, 31)
     halo = STEPS * max(order + 1, 2)

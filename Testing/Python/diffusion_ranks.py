@@ -12,15 +12,14 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 def filters():
     """Name, filter and its result arrays, for everything that exchanges halos in its own way."""
     for order, stopping in ((0, 1), (1, 1), (2, 2), (3, 0)):
-        denoise = isthmus.vtkHighOrderDiffusion()
-        denoise.SetOrder(order)
-        denoise.SetEdgeStopping(stopping)
-        denoise.SetWindow(9)
-        denoise.AutomaticOff()
-        denoise.SetTime(0.5)
-        yield f"denoise{order}", denoise, ["RTData"]
+        diffusion = isthmus.vtkHighOrderDiffusion()
+        diffusion.SetOrder(order)
+        diffusion.SetEdgeStopping(stopping)
+        diffusion.SetWindow(9)
+        diffusion.SetTime(0.5)
+        yield f"diffusion{order}", diffusion, ["RTData"]
     for goal in (0, 1):
-        chosen = isthmus.vtkHighOrderDiffusion()
+        chosen = isthmus.vtkDenoiseMap()
         chosen.SetGoal(goal)
         chosen.SetKnownNoise(12.0)  # the image has no noise of its own
         yield f"chosen{goal}", chosen, ["RTData"]
@@ -28,6 +27,7 @@ def filters():
     geometric.SetFlow(1)
     geometric.SetOrder(1)
     geometric.SetFidelity(0.5)
+    geometric.SetTime(0.5)
     yield "geometric", geometric, ["RTData"]
     yield "highpass", isthmus.vtkDiffusionHighPass(), ["HighPass"]
     transform = isthmus.vtkPDETransform()

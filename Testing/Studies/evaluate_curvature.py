@@ -8,7 +8,7 @@ and 0.5 of the volume's standard deviation, and coloured noise (a Gaussian's, 1 
 added. The results for each volume are the chosen scale (voxels), the rms error of the mean curvature on the exact
 surface relative to the rms curvature, the same for the best of nine fixed scales, the ratio of these two errors,
 the share of points whose error is at most twice CurvatureError, and the rms of CurvatureError divided by the rms
-error. --denoise: the volume is denoised by High-Order Diffusion with its defaults before the curvature is computed;
+error. --denoise: the volume is denoised by Denoise Map with its defaults before the curvature is computed;
 the fixed scales are still applied to the original volume. Prints Markdown.
 """
 
@@ -173,7 +173,7 @@ def curvature(image, points, voxel=1.0, **properties):
 
 
 def denoised(image):
-    algorithm = isthmus.vtkHighOrderDiffusion()
+    algorithm = isthmus.vtkDenoiseMap()
     algorithm.SetInputData(image)
     algorithm.Update()
     return algorithm.GetOutputDataObject(0)
@@ -217,7 +217,7 @@ def misses(row, level, correlation):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--shapes", help="part of the names of the shapes to take")
-    parser.add_argument("--denoise", action="store_true", help="High-Order Diffusion before the curvature")
+    parser.add_argument("--denoise", action="store_true", help="Denoise Map before the curvature")
     parser.add_argument("--short", action="store_true", help="two small shapes")
     options = parser.parse_args()
     print("| shape | noise | correlation | scale | error | best fixed | at | ratio | within 2 errors | "

@@ -1,4 +1,4 @@
-"""Compares High-Order Diffusion with its default settings against other denoising methods whose settings are tuned
+"""Compares Denoise Map with its default settings against other denoising methods whose settings are tuned
 with the true volume.
 
 Usage: pvpython evaluate_denoising.py DATA [--volumes NAME ...] [--rows ROWS] [--slow one] [--halves] [--picture FILE]
@@ -9,7 +9,7 @@ noise under a Gaussian of 1 voxel, of the same levels, and of 2 voxels. The othe
 Gaussian, median, total variation and wavelets) use the setting with the smallest true error. Slow columns, which
 take a minute per row each: non-local means, BM4D and the oracle, the best of the filter's own family (linear:
 orders 0 to 3, 25 times; edge stopping: orders 0 to 2, four Sigmas, two presmoothings, five times). They are
-computed with --slow one (only for white noise of 0.3) or --slow all. Automatic is evaluated for both goals, and for
+computed with --slow one (only for white noise of 0.3) or --slow all. Denoise Map is evaluated for both goals, and for
 volumes also with the noise level given. Prints Markdown: PSNR in dB, ratio of estimated to true noise level,
 estimated and true gain.
 
@@ -214,7 +214,7 @@ def family_oracle(noisy, truth, level):
             for smoothing in (0.7, 1.4):
                 before, volume = 0, noisy
                 for time in times:
-                    volume, _ = denoised(volume, Automatic=0, Order=order, Sigma=sigma * level,
+                    volume, _ = filtered(isthmus.vtkHighOrderDiffusion, volume, Order=order, Sigma=sigma * level,
                                          PreSmoothing=smoothing, Time=time - before)
                     before = time
                     least = max(least, peak_ratio(volume, truth))
@@ -222,8 +222,12 @@ def family_oracle(noisy, truth, level):
 
 
 def denoised(volume, **settings):
+    return filtered(isthmus.vtkDenoiseMap, volume, **settings)
+
+
+def filtered(vtk_class, volume, **settings):
     """The result and its field data."""
-    algorithm = isthmus.vtkHighOrderDiffusion()
+    algorithm = vtk_class()
     for name, value in settings.items():
         getattr(algorithm, "Set" + name)(value)
     algorithm.SetInputData(image_of(volume))
@@ -302,7 +306,7 @@ def judge_halves(name, truth, level, correlation):
                        for width in numpy.geomspace(0.3, 4, 18))
     for goal, title in enumerate(("surfaces", "volumes")):
         row["from halves, " + title] = peak_ratio(half_maps_denoised(one, other, goal), truth)
-    row["Automatic, volumes"] = peak_ratio(denoised(mean, Goal=1)[0], truth)
+    row["Denoise Map, volumes"] = peak_ratio(denoised(mean, Goal=1)[0], truth)
     return row
 
 

@@ -1,8 +1,8 @@
 // denoised_curvature MAP: a map, denoised, with the curvature of its level sets at the nodes. The
 // other classes are made only, so that their libraries are linked.
 
+#include <vtkDenoiseMap.h>
 #include <vtkHessianCurvature.h>
-#include <vtkHighOrderDiffusion.h>
 #include <vtkImageData.h>
 #include <vtkMRCMapReader.h>
 #include <vtkMacromoleculeReader.h>
@@ -21,10 +21,10 @@ int main(int argc, char* argv[])
   }
   vtkNew<vtkMRCMapReader> reader;
   reader->SetFileName(argv[1]);
-  vtkNew<vtkHighOrderDiffusion> diffusion;
-  diffusion->SetInputConnection(reader->GetOutputPort());
+  vtkNew<vtkDenoiseMap> denoised;
+  denoised->SetInputConnection(reader->GetOutputPort());
   vtkNew<vtkHessianCurvature> curvature;
-  curvature->SetInputConnection(diffusion->GetOutputPort());
+  curvature->SetInputConnection(denoised->GetOutputPort());
   curvature->Update();
   vtkNew<vtkMacromoleculeReader> molecules;
   vtkNew<vtkPoissonBoltzmann> potential;

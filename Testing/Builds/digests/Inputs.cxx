@@ -73,7 +73,7 @@ vtkAlgorithmOutput* Inputs::OtherMap()
     [&](vtkHighOrderDiffusion* filter)
     {
       filter->SetInputConnection(this->Map());
-      filter->AutomaticOff();
+      filter->SetTime(1.0);
     });
 }
 

@@ -3,6 +3,7 @@
 #include "Cases.h"
 #include "vtkDelaunayIsosurface.h"
 #include "vtkDenoiseFromHalfMaps.h"
+#include "vtkDenoiseMap.h"
 #include "vtkDiffusionHighPass.h"
 #include "vtkDualContouring.h"
 #include "vtkFullereneStability.h"
@@ -39,33 +40,34 @@ void AddImaging(Cases& cases)
       filter->SetInputConnection(inputs.Map());
       filter->GetOutputArraySelection()->EnableAllArrays();
     });
-  AddCase<vtkHighOrderDiffusion>(cases, "",
-    [](vtkHighOrderDiffusion* filter, Inputs& inputs)
-    { filter->SetInputConnection(inputs.Map()); });
-  AddCase<vtkHighOrderDiffusion>(cases, "volumes",
-    [](vtkHighOrderDiffusion* filter, Inputs& inputs)
+  AddCase<vtkDenoiseMap>(cases, "",
+    [](vtkDenoiseMap* filter, Inputs& inputs) { filter->SetInputConnection(inputs.Map()); });
+  AddCase<vtkDenoiseMap>(cases, "volumes",
+    [](vtkDenoiseMap* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.Map());
-      filter->SetGoal(vtkHighOrderDiffusion::Volumes);
+      filter->SetGoal(vtkDenoiseMap::Volumes);
       filter->SetStrength(0.8);
     });
-  AddCase<vtkHighOrderDiffusion>(cases, "rule",
+  AddCase<vtkHighOrderDiffusion>(cases, "geometric flow",
     [](vtkHighOrderDiffusion* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.Map());
       filter->SetFlow(vtkHighOrderDiffusion::GeometricFlow);
+      filter->SetResidualSmoothing(2.0);
+      filter->SetTime(1.0);
     });
   AddCase<vtkHighOrderDiffusion>(cases, "equation",
     [](vtkHighOrderDiffusion* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.Map());
-      filter->AutomaticOff();
+      filter->SetTime(1.0);
     });
   AddCase<vtkHighOrderDiffusion>(cases, "equation of order 4",
     [](vtkHighOrderDiffusion* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.Map());
-      filter->AutomaticOff();
+      filter->SetTime(1.0);
       filter->SetOrder(1);
       filter->SetEdgeStopping(vtkHighOrderDiffusion::LocalVariance);
       filter->SetPreSmoothing(1.0);

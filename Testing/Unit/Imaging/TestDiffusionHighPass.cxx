@@ -40,6 +40,7 @@ TEST(DiffusionHighPass, WithoutCouplingBothAreDiffusionsOfTheirOwn)
   DiffusionParameters diffusion;
   diffusion.Order = 0;
   diffusion.Sigma = 0.8;
+  diffusion.Time = 1.0;
   for (std::size_t field = 0; field < 2; ++field)
   {
     diffusion.Diffusivity[0] = field == 0 ? parameters.DiffusivityU : parameters.DiffusivityV;

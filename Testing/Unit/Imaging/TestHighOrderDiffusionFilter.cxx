@@ -12,7 +12,22 @@
 #include <limits>
 
 using namespace isthmus::testing;
-using Filter = Listened<vtkHighOrderDiffusion>;
+
+namespace
+{
+
+/// With the end time that it needs.
+class Filter : public Listened<vtkHighOrderDiffusion>
+{
+public:
+  explicit Filter(vtkImageData* input)
+    : Listened(input)
+  {
+    (*this)->SetTime(1.0);
+  }
+};
+
+}
 
 TEST(HighOrderDiffusionFilter, WorksOnEveryTypeAndReturnsFloatOrDouble)
 {
@@ -58,42 +73,43 @@ TEST(HighOrderDiffusionFilter, KeepsGeometryArraysAndInput)
   EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Density");
   EXPECT_EQ(Values(image->GetPointData()->GetScalars()), before);
   EXPECT_LT(Deviation(Values(filter.Result())), Deviation(before));
-  for (const char* name : { "UsedOrder", "UsedEdgeStopping", "UsedSigma", "UsedPreSmoothing",
-         "UsedResidualSmoothing", "RiskTime", "RiskValue", "EstimatedGainError" })
-  {
-    EXPECT_TRUE(output->GetFieldData()->GetArray(name)) << name;
-  }
-  EXPECT_TRUE(output->GetFieldData()->GetAbstractArray("Choice"));
-  for (const char* name :
-    { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedTime", "EstimatedGain" })
+  for (const char* name : { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedSigma" })
   {
     ASSERT_TRUE(output->GetFieldData()->GetArray(name)) << name;
     EXPECT_GT(output->GetFieldData()->GetArray(name)->GetTuple1(0), 0.0) << name;
   }
 }
 
-TEST(HighOrderDiffusionFilter, MoreStrengthSmoothsMore)
+TEST(HighOrderDiffusionFilter, SigmaComesFromTheNoiseUnlessGiven)
 {
-  double last = std::numeric_limits<double>::max();
-  for (const double strength : { 0.0, 0.5, 1.0 })
-  {
-    Filter filter(BumpImage());
-    filter->SetStrength(strength);
-    const double deviation = Deviation(Values(filter.Result()));
-    EXPECT_LT(deviation, last);
-    last = deviation;
-  }
+  const auto image = BumpImage(VTK_DOUBLE);
+  Filter automatic(image);
+  vtkFieldData* const field = automatic.Update()->GetFieldData();
+  const double noise = field->GetArray("NoiseLevel")->GetTuple1(0);
+  const double sigma = field->GetArray("UsedSigma")->GetTuple1(0);
+  EXPECT_NEAR(sigma, 1.5 * noise, 1e-12 * sigma); // in units of the smallest spacing
+  Filter given(image);
+  given->SetSigma(sigma);
+  EXPECT_EQ(Values(given.Result()), Values(automatic.Result()));
+  EXPECT_FALSE(given.Update()->GetFieldData()->HasArray("NoiseLevel"));
+  Filter linear(image);
+  linear->SetEdgeStopping(vtkHighOrderDiffusion::None);
+  EXPECT_FALSE(linear.Update()->GetFieldData()->HasArray("UsedSigma"));
+}
+
+TEST(HighOrderDiffusionFilter, WithoutATimeItNamesDenoiseMap)
+{
+  Listened<vtkHighOrderDiffusion> filter(BumpImage());
+  EXPECT_NE(
+    filter.Complaint().find("Denoise Map chooses the equation and its time"), std::string::npos);
 }
 
 TEST(HighOrderDiffusionFilter, UnitsOnlyChangeTheNumbers)
 {
   Filter voxels(BumpImage(VTK_DOUBLE)), lengths(BumpImage(VTK_DOUBLE));
   lengths->VoxelUnitsOff();
-  EXPECT_LT(Distance(Values(voxels.Result()), Values(lengths.Result())), 1e-9);
-  voxels->AutomaticOff();
   voxels->SetSigma(3.0);
   voxels->SetTime(2.0);
-  lengths->AutomaticOff();
   lengths->SetSigma(3.0 / 1.5);
   lengths->SetTime(2.0 * 1.5 * 1.5);
   EXPECT_LT(Distance(Values(voxels.Result()), Values(lengths.Result())), 1e-9);
@@ -108,7 +124,6 @@ TEST(HighOrderDiffusionFilter, TakesSlicesRowsPointsAndNothing)
          ++edge)
     {
       Filter filter(BumpImage(VTK_FLOAT, size[0], size[1], size[2]));
-      filter->SetAutomatic(edge == vtkHighOrderDiffusion::Gaussian);
       filter->SetEdgeStopping(edge % 3);
       filter->SetFlow(edge / 3);
       EXPECT_EQ(filter.Update()->GetNumberOfPoints(), size[0] * size[1] * size[2]);
@@ -136,7 +151,6 @@ TEST(HighOrderDiffusionFilter, ASliceIsAPlaneOfALayeredVolume)
   Filter ofSlice(slice), ofVolume(volume);
   for (Filter* filter : { &ofSlice, &ofVolume })
   {
-    (*filter)->AutomaticOff();
     (*filter)->SetOrder(1);
     (*filter)->SetSigma(5.0);
   }
@@ -195,7 +209,6 @@ TEST(HighOrderDiffusionFilter, MaskedValuesAreTheMeanOfTheirNeighbours)
   const auto result = [](vtkImageData* image)
   {
     Filter filter(image);
-    filter->AutomaticOff();
     filter->MaskInvalidOn();
     filter->SetTime(3.0);
     filter->SetSigma(10.0);
@@ -213,21 +226,11 @@ TEST(HighOrderDiffusionFilter, MaskedValuesAreTheMeanOfTheirNeighbours)
 
 TEST(HighOrderDiffusionFilter, RefusesInASentence)
 {
-  Filter filter(BumpImage());
-  filter->AutomaticOff();
   const std::pair<const char*, std::function<void(vtkHighOrderDiffusion*)>> cases[] = {
     { "Time is -1", [](auto* f) { f->SetTime(-1.0); } },
     { "Order is 7", [](auto* f) { f->SetOrder(7); } },
     { "Sigma is -2", [](auto* f) { f->SetSigma(-2.0); } },
     { "Flow is 2", [](auto* f) { f->SetFlow(2); } },
-    { "Strength is 1.5, but it must be from 0 to 1",
-      [](auto* f)
-      {
-        f->AutomaticOn();
-        f->SetStrength(1.5);
-      } },
-    { "Goal is 2, but it must be from 0 to 1", [](auto* f) { f->SetGoal(2); } },
-    { "KnownNoise is -1", [](auto* f) { f->SetKnownNoise(-1.0); } },
     { "EdgeStopping is -1", [](auto* f) { f->SetEdgeStopping(-1); } },
     { "Integrator is 5", [](auto* f) { f->SetIntegrator(5); } },
     { "Window is 6",
@@ -247,7 +250,6 @@ TEST(HighOrderDiffusionFilter, RefusesInASentence)
   for (const auto& [words, spoil] : cases)
   {
     Filter spoiled(BumpImage());
-    spoiled->AutomaticOff();
     spoil(spoiled.operator->());
     const std::string complaint = spoiled.Complaint();
     EXPECT_NE(complaint.find(words), std::string::npos) << words << ": " << complaint;
@@ -267,7 +269,6 @@ TEST(HighOrderDiffusionFilter, TakesAnArrayAsSourceIfItFits)
     Filter with(image), without(image);
     for (Filter* filter : { &with, &without })
     {
-      (*filter)->AutomaticOff();
       (*filter)->SetEdgeStopping(vtkHighOrderDiffusion::None);
       (*filter)->SetTime(2.0);
     }
@@ -298,6 +299,7 @@ TEST(HighOrderDiffusionFilter, RefusesSeveralComponentsAndMissingScalars)
 TEST(HighOrderDiffusionFilter, ShowsProgressAndStops)
 {
   Filter filter(BumpImage());
+  filter->SetTime(100.0);
   std::vector<double> shown;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&shown);

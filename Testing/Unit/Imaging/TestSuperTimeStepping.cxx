@@ -237,6 +237,9 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
   const std::vector<std::pair<const char*, std::function<void(DiffusionParameters&)>>> cases{
     { "Order is 4", [](auto& p) { p.Order = 4; } },
     { "Order is -1", [](auto& p) { p.Order = -1; } },
+    { "Time is 0, but it must be a finite number above 0. The equation needs an end time. Denoise "
+      "Map chooses",
+      [](auto& p) { p.Time = DiffusionParameters().Time; } },
     { "Time is -1", [](auto& p) { p.Time = -1.0; } },
     { "Time is not a number", [](auto& p) { p.Time = std::nan(""); } },
     { "Steps is -2", [](auto& p) { p.Steps = -2; } },
@@ -259,6 +262,7 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
     DiffusionParameters parameters;
     parameters.Order = 1;
     parameters.Sigma = 1.0;
+    parameters.Time = 1.0;
     spoil(parameters);
     EXPECT_NE(Refusal(parameters).find(words), std::string::npos) << Refusal(parameters);
   }
@@ -270,5 +274,6 @@ TEST(DiffusionSteps, ValuesTooLargeForTheTypeAreReported)
   DiffusionParameters parameters;
   parameters.Order = 3;
   parameters.EdgeStopping = Edge::None;
+  parameters.Time = 1.0;
   EXPECT_THROW(Diffused(grid, parameters, Noise(grid, 1e36)), std::runtime_error);
 }

@@ -221,7 +221,7 @@ def map_to_loops(volume, level=None, denoise=None):
     volume, level
         As in map_to_surface().
     denoise : bool, optional
-        Whether the map is denoised first, as by high_order_diffusion(). By default it is if its noise asks for it:
+        Whether the map is denoised first, as by denoise_map(). By default it is if its noise asks for it:
         at least half a percent of the map's range, and an estimated gain of at least 3 dB. The field arrays
         EstimatedGain and NoiseLevel of the surface say so.
 

@@ -30,7 +30,7 @@ SITES = ("BindingSites", "BindingSitesInPockets")
 IONS = ("IonTransport", "IonTransportOnSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
-DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps")  # what they make is a map: seen as a surface
+DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion")  # what they make is a map: seen as a surface
 # Contour a map: a menu shows the automatic level as a given one, so that the slider begins there.
 LEVELLED = ("MapSurface", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels

@@ -41,11 +41,11 @@ def words(loops):
 
 
 def _gain_of_denoising(loops):
-    """The estimated gain of the High-Order Diffusion upstream; None if there is none."""
+    """The estimated gain of the Denoise Map upstream; None if there is none."""
     proxy = loops.SMProxy
     while proxy is not None and proxy.GetNumberOfProducers():
         proxy = proxy.GetProducerProxy(0)
-        if proxy.GetXMLName() == "HighOrderDiffusion":
+        if proxy.GetXMLName() == "DenoiseMap":
             gain = servermanager._getPyProxy(proxy).FieldData["EstimatedGain"]
             return gain.GetRange(0)[0] if gain else None
     return None

@@ -31,8 +31,8 @@ from . import pocket_views as pockets_and_pores
 DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 # Filters that pass on the atoms of a molecule, as the buttons put them in.
 PARTS = ("AtomSelection", "ForceFieldCharges")
-DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps", "PDETransform")
-# Arguments that buttons pass to the functions: of many loops only the significant ones.
+DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion", "PDETransform")
+# What buttons ask of the functions: of many loops the significant ones.
 BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"significant": True}}
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
@@ -155,7 +155,7 @@ def map_to_loops(source, level=None, denoise=None, significant=False):
     """(surface, loops): the map's surface, of no more than its ten largest components, and its
     choking loops.
 
-    denoise: whether the map is denoised first (High-Order Diffusion); None: if its noise asks for it, that is if
+    denoise: whether the map is denoised first (Denoise Map); None: if its noise asks for it, that is if
     the noise is at least half a percent of the map's range, and the estimated gain at least 3 dB.
     significant: the 20 most persistent loops that are trusted, as the button shows; else all of them."""
     _require_volume(source)
@@ -497,7 +497,7 @@ def _upstream(source, fits):
 def _is_part(source):
     """Whether a button has inserted the filter: a result does not depend on which source was selected."""
     name = source.SMProxy.GetXMLName()
-    return name in PARTS or name == "HighOrderDiffusion" and " denoised" in loop_views.registered_name(source)
+    return name in PARTS or name == "DenoiseMap" and " denoised" in loop_views.registered_name(source)
 
 
 def _fits(function):

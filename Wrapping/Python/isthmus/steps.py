@@ -48,7 +48,7 @@ PIPELINES = {
     "map_to_curvature": {"surface": _step("surface", "MapSurface"),
                          "curvature": _step("curvature", "CurvatureOnSurface")},
     "map_to_loops": {
-        "denoised": _step("denoised", "HighOrderDiffusion"),
+        "denoised": _step("denoised", "DenoiseMap"),
         "surface": _step("surface", "MapSurface", LargestComponents=10),
         "loops": _step("loops", "ChokingLoops")},
     "surface_to_loops": {"loops": _step("loops", "ChokingLoops")},
@@ -80,7 +80,7 @@ def stem_of(name):
 
 def asks_for_denoising(gain, noise, low, high):
     """Whether a map should be denoised before its loops are searched, from the estimated gain (dB) and noise level
-    of High-Order Diffusion (None if unknown) and the range of the map's values."""
+    of Denoise Map (None if unknown) and the range of the map's values."""
     return gain is not None and noise is not None and gain >= LEAST_GAIN and noise >= LEAST_NOISE * (high - low)
 
 

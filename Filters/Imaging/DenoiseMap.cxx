@@ -1,4 +1,4 @@
-#include "Imaging/AutomaticDenoising.h"
+#include "Imaging/DenoiseMap.h"
 
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
@@ -11,35 +11,6 @@
 
 namespace isthmus
 {
-
-double NoiseGradient(const NoiseEstimate& noise, double voxel)
-{
-  return noise.Noise > 0.0 ? 1.5 * noise.Noise / voxel : 1.0;
-}
-
-void ChooseDenoisingParameters(
-  const NoiseEstimate& noise, double strength, double voxel, DiffusionParameters& parameters)
-{
-  const double variance = noise.Deviation * noise.Deviation - noise.Noise * noise.Noise;
-  const double signal = std::sqrt(std::max(variance, 1e-3 * noise.Deviation * noise.Deviation));
-  if (!(noise.Noise > 0.0) || !(signal > 0.0))
-  {
-    parameters.Time = 0.0; // nothing to remove
-    return;
-  }
-  // Fitted to the optima found by search on a phantom at signal-to-noise ratios 1, 0.3 and 0.1
-  // (ratios of variances, so 1, 1.8 and 3.2 here); README has the table.
-  const double ratio = noise.Noise / signal;
-  parameters.Sigma = 0.32 * signal / voxel;
-  parameters.PreSmoothing = voxel * std::clamp(0.9 * std::pow(ratio, 0.25), 0.5, 3.0);
-  // Lower orders spread wider for the same detail kept, higher ones less.
-  constexpr double ofOrder[] = { 1.6, 1.0, 0.85, 0.75 };
-  const double length =
-    voxel * 1.26 * std::pow(std::min(ratio, 10.0), 0.35) * std::exp2(strength - 0.5);
-  parameters.ResidualSmoothing = 1.45 * length;
-  parameters.Time = std::pow(ofOrder[parameters.Order] * length, 2 * parameters.Order + 2) /
-    parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)];
-}
 
 namespace
 {
@@ -134,57 +105,89 @@ double MeasuredNoise(const DiffusionGrid<T>& grid, const T* noise)
   return counts[0] > 0.0 ? std::sqrt(ExactMeanSquare(grid, noise) * counts[1] / counts[0]) : 0.0;
 }
 
-/// The noise that the choice is made for, in units of the sample.
-NoiseSpectrum NoiseOf(const VolumeSample& sample, const AutomaticParameters& parameters,
-  double measured, const std::array<double, 3>& spacing)
+/// The noise that the choice is made for, in units of the sample. `known`: its standard deviation
+/// if it is known to be white, or 0; `estimate`: for volumes too small to measure a spectrum in.
+NoiseSpectrum ChooseSpectrum(const VolumeSample& sample, double known,
+  const NoiseEstimate& estimate, const std::array<double, 3>& spacing)
 {
-  if (parameters.KnownNoise > 0.0 || measured > 0.0)
+  if (known > 0.0)
   {
-    return WhiteNoise((measured > 0.0 ? measured : parameters.KnownNoise) / sample.Scale);
+    return WhiteNoise(known / sample.Scale);
   }
   NoiseSpectrum noise = EstimateNoiseSpectrum(sample, spacing);
   // Rounded, since its last bits may depend on how many ranks there are.
-  const double simple =
-    static_cast<double>(static_cast<float>(parameters.SimpleEstimate)) / sample.Scale;
-  if (!(simple > 0.0))
+  const double white = static_cast<double>(static_cast<float>(estimate.Noise)) / sample.Scale;
+  if (!(white > 0.0))
   {
     return WhiteNoise(0.0);
   }
-  return noise.Found ? noise : WhiteNoise(simple);
+  return noise.Found ? noise : WhiteNoise(white);
 }
 
-}
-
-std::string AutomaticResult::Sentence() const
+/// Gain and GainError of `result`: the risk of the whole volume, from its `residual` (mean square
+/// of what was changed), the `power` of its noise and the covariance of the sample. `counted`:
+/// number of nodes outside of the constant background.
+void EstimateGain(const VolumeSample& sample, const NoiseSpectrum& spectrum,
+  const DenoisingChoice& choice, double residual, double power, double counted,
+  DenoiseMapResult& result)
 {
-  if (this->Parameters.Time == 0.0)
+  const double covariance = choice.Covariance / choice.NoisePower * power;
+  double variance = 2.0 * power * power * choice.Spread * choice.Spread * spectrum.Coherence /
+    std::max(1.0, counted);
+  if (!choice.IsLinear())
+  {
+    // The covariance of a linear choice is exact, that of edge stopping is measured on the trials.
+    double trials = 0.0;
+    for (const TrialBlock& trial : sample.Trials)
+    {
+      trials += static_cast<double>(trial.Inner.Count());
+    }
+    variance += 8.0 * power * std::abs(covariance) * spectrum.Coherence / trials;
+  }
+  const double error = std::sqrt(variance);
+  // The estimate may be below 0: a risk below its own standard error is not resolved.
+  const double risk = std::max(residual - power + 2.0 * covariance, 0.5 * error);
+  result.Gain = 10.0 * std::log10(power / risk);
+  result.GainError = 10.0 / std::log(10.0) * error / risk;
+}
+
+}
+
+std::string DenoiseMapResult::Sentence() const
+{
+  if (this->Diffusion.Time == 0.0)
   {
     return "Nothing was changed.";
   }
-  const bool linear = this->Parameters.EdgeStopping == DiffusionParameters::EdgeStoppingType::None;
   const double gain = std::round(10.0 * this->Gain) / 10.0;
-  return linear
-    ? TextOf("Order ", this->Parameters.Order, ", linear, time ", this->Parameters.Time,
+  return this->IsLinear()
+    ? TextOf("Order ", this->Diffusion.Order, ", linear, time ", this->Diffusion.Time,
         "; estimated gain ", gain, " dB")
-    : TextOf("Order ", this->Parameters.Order, ", edge stopping at gradients of ",
-        this->Parameters.Sigma, ", time ", this->Parameters.Time, "; estimated gain ", gain, " dB");
+    : TextOf("Order ", this->Diffusion.Order, ", edge stopping at gradients of ",
+        this->Diffusion.Sigma, ", time ", this->Diffusion.Time, "; estimated gain ", gain, " dB");
 }
 
-void Check(const AutomaticParameters& parameters)
+void Check(const DenoiseMapParameters& parameters)
 {
   Check(static_cast<const DenoisingSearch&>(parameters));
   RequireRange("KnownNoise", parameters.KnownNoise, 0.0, Unlimited, "0 stands for an estimate.");
 }
 
 template <typename T>
-AutomaticResult DenoiseByRisk(const DiffusionGrid<T>& grid, const AutomaticParameters& parameters,
+DenoiseMapResult DenoiseMap(const DiffusionGrid<T>& grid, const DenoiseMapParameters& parameters,
   T* values, const T* noise, const ProgressCallback& progress)
 {
   Check(parameters);
-  AutomaticResult result;
+  DenoiseMapResult result;
+  result.Estimate = EstimateNoise(grid, values);
+  if (result.Estimate.FewValues)
+  {
+    return result;
+  }
   const double measured = noise ? MeasuredNoise(grid, noise) : 0.0;
   const VolumeSample sample = SampleVolume(grid, values, noise);
-  const NoiseSpectrum spectrum = NoiseOf(sample, parameters, measured, grid.Spacing);
+  const NoiseSpectrum spectrum = ChooseSpectrum(
+    sample, measured > 0.0 ? measured : parameters.KnownNoise, result.Estimate, grid.Spacing);
   result.NoiseLevel = spectrum.Deviation * sample.Scale;
   result.White = spectrum.White;
   result.Background = spectrum.Background;
@@ -192,83 +195,42 @@ AutomaticResult DenoiseByRisk(const DiffusionGrid<T>& grid, const AutomaticParam
   {
     return result;
   }
+  // Shares of the time, for the progress.
   const double searched = parameters.Goal == DenoisingGoal::Volumes ? 0.5 : 0.25;
-  DenoisingChoice choice =
+  const DenoisingChoice choice =
     ChooseDenoising(sample, spectrum, grid.Spacing, parameters, Between(progress, 0.0, searched));
   if (!(choice.Risk() < choice.NoisePower))
   {
-    return result;
+    return result; // the input has the least estimated error
   }
-  result.Parameters = choice.Parameters;
-  result.Parameters.Sigma *= sample.Scale;
-  result.Parameters.Integrator = parameters.Integrator;
-  result.Parameters.Steps = parameters.Steps;
+  result.Diffusion = choice.Parameters;
+  result.Diffusion.Sigma *= sample.Scale;
   auto change = NewVolume<T>(grid.Size());
   result.Report =
-    FindChange(grid, result.Parameters, values, change.get(), Between(progress, searched, 1.0));
+    FindChange(grid, result.Diffusion, values, change.get(), Between(progress, searched, 1.0));
   const double background = ClearBackground(grid, sample, values, change.get());
-  const double nodes = static_cast<double>(sample.Whole[0] * sample.Whole[1] * sample.Whole[2]);
-  // The error of the whole: its residual, and what the sample says of the rest.
-  const double square = sample.Scale * sample.Scale;
   const double residual = ExactMeanSquare(grid, change.get());
   const double power = noise ? ExactMeanSquare(grid, noise)
                              : result.NoiseLevel * result.NoiseLevel * (1.0 - background);
-  const double covariance = choice.Covariance / choice.NoisePower * power;
-  double trials = 0.0;
-  for (const TrialBlock& trial : sample.Trials)
-  {
-    trials += static_cast<double>(trial.Inner.Count());
-  }
-  double variance = 2.0 * power * power * choice.Spread * choice.Spread * spectrum.Coherence /
-    std::max(1.0, nodes * (1.0 - background));
-  if (!choice.IsLinear())
-  {
-    variance += 8.0 * power * std::abs(covariance) * spectrum.Coherence / trials;
-  }
-  const double error = std::sqrt(variance);
-  const double risk = std::max(residual - power + 2.0 * covariance, 0.5 * error);
-  result.Gain = 10.0 * std::log10(power / risk);
-  result.GainError = 10.0 / std::log(10.0) * error / risk;
+  const double nodes = static_cast<double>(sample.Whole[0] * sample.Whole[1] * sample.Whole[2]);
+  EstimateGain(sample, spectrum, choice, residual, power, nodes * (1.0 - background), result);
   if (choice.IsLinear())
   {
     result.Report.Change = { std::sqrt(residual) };
-    result.Report.Residual = { std::sqrt(residual) / result.Parameters.Time };
+    result.Report.Residual = { std::sqrt(residual) / result.Diffusion.Time };
   }
   result.RiskTime = choice.RiskTime;
   result.RiskValue = choice.RiskValue;
-  std::for_each(
-    result.RiskValue.begin(), result.RiskValue.end(), [square](double& value) { value *= square; });
+  std::for_each(result.RiskValue.begin(), result.RiskValue.end(),
+    [square = sample.Scale * sample.Scale](double& value) { value *= square; });
   Combine(grid.Size(), values, change.get(), [](T value, T by) { return value + by; });
   grid.Exchange(values);
   return result;
 }
 
-template AutomaticResult DenoiseByRisk(const DiffusionGrid<float>&, const AutomaticParameters&,
+template DenoiseMapResult DenoiseMap(const DiffusionGrid<float>&, const DenoiseMapParameters&,
   float*, const float*, const ProgressCallback&);
-template AutomaticResult DenoiseByRisk(const DiffusionGrid<double>&, const AutomaticParameters&,
+template DenoiseMapResult DenoiseMap(const DiffusionGrid<double>&, const DenoiseMapParameters&,
   double*, const double*, const ProgressCallback&);
-
-template <typename T>
-void AddSmoothedResidual(const DiffusionGrid<T>& grid, double deviation, T* residual, T* values,
-  const ProgressCallback& progress)
-{
-  Combine(grid.Size(), residual, values, [](T input, T value) { return input - value; });
-  DiffusionParameters heat;
-  heat.Order = 0;
-  heat.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
-  heat.Time = deviation * deviation / 2.0;
-  // Explicit steps of 0.6 of the limit leave next to nothing of the shortest waves, which are
-  // noise; super steps would halve them at best.
-  heat.Integrator = DiffusionParameters::IntegratorType::ForwardEuler;
-  heat.Steps =
-    static_cast<int>(std::ceil(heat.Time / (0.6 * ExplicitStepLimit(heat, grid.Spacing))));
-  Diffuse<T>(grid, heat, residual, nullptr, nullptr, progress);
-  Combine(grid.Size(), values, residual, [](T value, T back) { return value + back; });
-}
-
-template void AddSmoothedResidual(
-  const DiffusionGrid<float>&, double, float*, float*, const ProgressCallback&);
-template void AddSmoothedResidual(
-  const DiffusionGrid<double>&, double, double*, double*, const ProgressCallback&);
 
 }

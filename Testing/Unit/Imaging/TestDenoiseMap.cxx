@@ -4,8 +4,8 @@
 
 #include "Core/Geometry.h"
 #include "DiffusionTestTools.h"
-#include "Imaging/AutomaticDenoising.h"
 #include "Imaging/ChebyshevFilter.h"
+#include "Imaging/DenoiseMap.h"
 
 #include <vtkSMPTools.h>
 
@@ -54,15 +54,15 @@ TEST(ResidualSmoothing, EachWaveComesBackByTheGaussiansFactor)
   }
 }
 
-TEST(AutomaticResult, TellsWhatWasChosen)
+TEST(DenoiseMapResult, TellsWhatWasChosen)
 {
-  AutomaticResult result;
+  DenoiseMapResult result;
   EXPECT_EQ(result.Sentence(), "Nothing was changed.");
-  result.Parameters.Order = 2;
-  result.Parameters.Time = 0.05;
+  result.Diffusion.Order = 2;
+  result.Diffusion.Time = 0.05;
   result.Gain = 11.24;
   EXPECT_EQ(result.Sentence(), "Order 2, linear, time 0.05; estimated gain 11.2 dB");
-  result.Parameters.EdgeStopping = DiffusionParameters::EdgeStoppingType::Gaussian;
+  result.Diffusion.EdgeStopping = DiffusionParameters::EdgeStoppingType::Gaussian;
   EXPECT_NE(result.Sentence().find("edge stopping"), std::string::npos);
 }
 
@@ -109,11 +109,10 @@ double MeanSquare(const std::vector<float>& a, const std::vector<float>& b)
   return Distance(a, b) * Distance(a, b);
 }
 
-AutomaticResult Denoised(
-  const DiffusionGrid<float>& grid, AutomaticParameters parameters, std::vector<float>& values)
+DenoiseMapResult Denoised(const DiffusionGrid<float>& grid, const DenoiseMapParameters& parameters,
+  std::vector<float>& values)
 {
-  parameters.SimpleEstimate = EstimateNoise(grid, values.data()).Noise;
-  return DenoiseByRisk<float>(grid, parameters, values.data(), nullptr);
+  return DenoiseMap<float>(grid, parameters, values.data(), nullptr);
 }
 
 /// Without the errors of time steps where it is linear.
@@ -263,13 +262,13 @@ TEST(DenoisingRisk, TheChoiceBeatsATunedGaussianAndKnowsItsGain)
     }
     for (const DenoisingGoal goal : { DenoisingGoal::Surfaces, DenoisingGoal::Volumes })
     {
-      AutomaticParameters parameters;
+      DenoiseMapParameters parameters;
       parameters.Goal = goal;
       parameters.KnownNoise = level;
       std::vector<float> known = values, estimated = values;
-      const AutomaticResult result = Denoised(grid, parameters, known);
+      const DenoiseMapResult result = Denoised(grid, parameters, known);
       parameters.KnownNoise = 0.0;
-      const AutomaticResult unknown = Denoised(grid, parameters, estimated);
+      const DenoiseMapResult unknown = Denoised(grid, parameters, estimated);
       const double error = MeanSquare(known, truth);
       const double gain = 10.0 * std::log10(MeanSquare(values, truth) / error);
       EXPECT_LT(error, goal == DenoisingGoal::Volumes ? 0.85 * gaussian : gaussian);
@@ -279,11 +278,11 @@ TEST(DenoisingRisk, TheChoiceBeatsATunedGaussianAndKnowsItsGain)
       EXPECT_LT(MeanSquare(estimated, truth), 1.25 * error);
       if (goal == DenoisingGoal::Surfaces)
       {
-        EXPECT_EQ(result.Parameters.EdgeStopping, DiffusionParameters::EdgeStoppingType::None);
+        EXPECT_EQ(result.Diffusion.EdgeStopping, DiffusionParameters::EdgeStoppingType::None);
       }
       const auto least = std::min_element(result.RiskValue.begin(), result.RiskValue.end());
       const auto at = static_cast<std::size_t>(least - result.RiskValue.begin());
-      EXPECT_NEAR(result.RiskTime.at(at) / result.Parameters.Time, 1.0, 1e-9);
+      EXPECT_NEAR(result.RiskTime.at(at) / result.Diffusion.Time, 1.0, 1e-9);
     }
   }
 }
@@ -400,7 +399,7 @@ TEST(DenoisingRisk, MeasuresColouredNoiseInTheBackground)
   const std::vector<float> truth = Phantom(grid);
   std::vector<float> values = Sum(truth, ColouredNoise(grid, 0.1, 1.0));
   const double before = MeanSquare(values, truth);
-  const AutomaticResult result = Denoised(grid, {}, values);
+  const DenoiseMapResult result = Denoised(grid, {}, values);
   EXPECT_FALSE(result.White);
   EXPECT_NEAR(result.NoiseLevel / 0.1, 1.0, 0.15);
   EXPECT_LT(MeanSquare(values, truth), 0.5 * before);
@@ -433,10 +432,10 @@ TEST(DenoisingRisk, GivesTheSameBitsOnAnyNumberOfThreads)
          std::pair(Grid<float>(24, 22, 20), DenoisingGoal::Volumes) })
   {
     const std::vector<float> values = Sum(Phantom(grid), Noise(grid, 0.3));
-    AutomaticParameters parameters;
+    DenoiseMapParameters parameters;
     parameters.Goal = goal;
     std::array<std::vector<float>, 2> results{ values, values };
-    std::array<AutomaticResult, 2> told;
+    std::array<DenoiseMapResult, 2> told;
     for (const std::size_t n : { 0, 1 })
     {
       const int threads = n == 0 ? 1 : 3;
@@ -456,7 +455,7 @@ TEST(DenoisingRisk, StrongerMeansSmoother)
   double last = Deviation(values);
   for (const double strength : { 0.0, 0.5, 1.0 })
   {
-    AutomaticParameters parameters;
+    DenoiseMapParameters parameters;
     parameters.Strength = strength;
     std::vector<float> result = values;
     Denoised(grid, parameters, result);
