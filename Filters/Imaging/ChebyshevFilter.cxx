@@ -55,7 +55,7 @@ std::vector<double> ChebyshevSeries(const std::function<double(double)>& f, doub
   while (SumOfModuli(series, intervals / 2) > tolerance / 2)
   {
     intervals *= 2;
-    RequireEvaluations(static_cast<double>(intervals) / 2); // at least so many are needed
+    RequireEvaluations(static_cast<double>(intervals) / 2); // the least number that is needed
     series = ChebyshevInterpolation(f, intervals);
   }
   double left = 0.0;

@@ -377,7 +377,7 @@ std::vector<float> ProbeFor(const TrialBlock& trial, const VolumeSample& sample,
   return probe;
 }
 
-/// First and second derivatives at a node, and what they say of the level set through it.
+/// First and second derivatives at a node, and the curvature of the level set through it.
 class LocalShape
 {
 public:
@@ -490,7 +490,7 @@ public:
     }
   }
 
-  /// False where no gradient stands out.
+  /// False where no gradient is clearly larger than the others.
   bool Search(LinearBest& best)
   {
     const double threshold = this->GradientThreshold();
@@ -533,7 +533,7 @@ private:
     double Value;
   };
 
-  /// Nodes of a trial at which a level set may be looked at.
+  /// Nodes of a trial at which level sets are evaluated.
   std::vector<std::int64_t> Surroundings(const TrialBlock& trial, const LocalShape& shape) const
   {
     std::vector<std::int64_t> nodes;
@@ -594,7 +594,7 @@ private:
             shape.TangentialLaplacian(probe.data() + node, gradient) });
       }
     }
-    // As many as decide; a stride that is no multiple of a row's length leaves no pattern.
+    // Enough for a decision; a stride that is not a multiple of a row's length leaves no pattern.
     constexpr std::size_t enough = 40000;
     const std::size_t stride = (places.size() + enough - 1) / enough;
     ParallelFor(0, static_cast<std::int64_t>(this->Candidates.size()), 1,
@@ -655,7 +655,7 @@ public:
   std::vector<EdgeRun> Run(const std::vector<DiffusionParameters>& all) const
   {
     const std::size_t trials = this->Sample.Trials.size();
-    // Task (n, trial, probed); each keeps its inner values after each step.
+    // Task (n, trial, probed); each stores its inner values after each step.
     std::vector<Steps> steps(all.size() * trials * 2);
     ParallelFor(0, static_cast<std::int64_t>(steps.size()), 1,
       [&](std::int64_t first, std::int64_t last)
@@ -850,8 +850,8 @@ private:
     parameters.EdgeStopping = DiffusionParameters::EdgeStoppingType::Gaussian;
     parameters.Sigma = candidate.Sigma * this->Deviation / this->Voxel;
     parameters.PreSmoothing = candidate.PreSmoothing * this->Voxel;
-    // Where diffusion stops at edges, it may go on for longer than without; but not for so long
-    // that the search takes longer than all else.
+    // With edge stopping the best time is longer than without; the limit keeps the search from
+    // taking most of the time.
     const auto q = static_cast<std::size_t>(candidate.Order);
     constexpr std::array<double, 3> least{ 6.0, 2.5, 0.4 };
     const double exponent = 2.0 * candidate.Order + 2.0;
@@ -983,7 +983,7 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
     EdgeSearch(trials, best, noise.Deviation, spacing)
       .Search(best.Value + choice.NoisePower, choice.NoisePower, Between(progress, 0.15, 1.0));
   const EdgeRun& run = edges.Run;
-  // Once more to the time chosen, with the steps that the whole volume will be given.
+  // Run again to the chosen time, with the same steps as for the whole volume.
   DiffusionParameters parameters = run.Parameters;
   parameters.Time = run.Time[edges.Step];
   const EdgeRun atEnd = trials.Run({ parameters }).front();

@@ -89,12 +89,12 @@ public:
 
   DiffusionPipeline(const DiffusionOperator<T>& diffusion, int stages, std::int64_t tileRows);
 
-  /// Does the stages of a pass for these rows of these planes. What lies around them and is needed
-  /// by the later stages is worked out again by each tile.
+  /// Does the stages of a pass for these rows of these planes. What the later stages need around
+  /// them is computed again by each tile.
   void Run(const DiffusionPass<T>& pass, Range rows, Range planes);
 
 private:
-  /// What one stage keeps.
+  /// The planes that one stage stores.
   struct Stage
   {
     std::vector<PlaneRing<T>> Levels; ///< L^m u with the lower orders added; the last is W
@@ -102,7 +102,7 @@ private:
   };
 
   void RunStage(std::size_t stage, std::int64_t wave);
-  /// The rows that a quantity `lag` planes behind the first u owes of its plane of this wave.
+  /// The rows to compute of a quantity that lags `lag` planes behind the first u.
   Range Owed(std::int64_t plane, int lag) const;
   bool Own(std::int64_t row, std::int64_t plane) const;
   std::int64_t Offset(std::int64_t row, std::int64_t plane) const;
@@ -171,7 +171,7 @@ template <typename T>
 std::int64_t DiffusionPipeline<T>::TileRowsThatFit(
   const DiffusionOperator<T>& diffusion, int stages)
 {
-  // Several stages may lie in the third level, too: larger tiles repeat less.
+  // Planes of several stages may be in the third level of the cache: larger tiles repeat less.
   const std::int64_t cacheBytes = (stages > 1 ? 1536 : 512) * 1024;
   constexpr std::int64_t fewestRows = 16; // fewer would mostly repeat their neighbours' work
   const DiffusionLags lags(diffusion);
@@ -239,7 +239,7 @@ void DiffusionPipeline<T>::Run(const DiffusionPass<T>& pass, Range rows, Range p
     this->Load(this->Stages[0].Levels.front(), pass.Current, this->Owed(wave, 0), wave);
     if (NeedsCoefficient(this->Diffusion.Coefficient) && this->Diffusion.StoredCoefficient)
     {
-      // Not before it is needed, to be kept no longer than that.
+      // Loaded when it is needed, so that it is stored for as short a time as possible.
       const int lag = this->Lags.Out - 1;
       this->Load(
         this->StoredC, this->Diffusion.StoredCoefficient, this->Owed(wave - lag, lag), wave - lag);
@@ -386,7 +386,7 @@ void DiffusionPipeline<T>::FillRates(std::size_t number, std::int64_t row, std::
   }
 }
 
-/// Makes a stage's result of a row from its rates: the next stage's u, or the pass's.
+/// Computes a stage's result in a row from its rates: the next stage's u, or the pass's result.
 template <typename T>
 void DiffusionPipeline<T>::WriteRow(std::size_t number, std::int64_t row, std::int64_t plane)
 {
@@ -507,7 +507,7 @@ void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionPass<T>& pas
   const std::int64_t rows = diffusion.Dimensions[1];
   const std::int64_t planes = diffusion.Dimensions[2];
   const int stages = pass.Stages();
-  const std::int64_t chunkPlanes = 64 * stages; // so that what is done twice stays a small part
+  const std::int64_t chunkPlanes = 64 * stages; // so that little is computed twice
   const std::int64_t fitting = DiffusionPipeline<T>::TileRowsThatFit(diffusion, stages);
   const std::int64_t tileRows = Parts(rows, Parts(rows, fitting)); // tiles of nearly equal height
   const std::int64_t tiles = Parts(rows, tileRows);

@@ -22,7 +22,7 @@ void Couple(std::int64_t size, const HighPassParameters& parameters, double time
   {
     return;
   }
-  // The difference decays at the rate a + b; b u + a v is kept.
+  // The difference decays at the rate a + b; b u + a v is constant.
   const double gone = -std::expm1(-(a + b) * time);
   const T ofU = static_cast<T>(a / (a + b) * gone), ofV = static_cast<T>(b / (a + b) * gone);
   ParallelFor(0, size, grain,
@@ -37,7 +37,7 @@ void Couple(std::int64_t size, const HighPassParameters& parameters, double time
     });
 }
 
-/// So many that neither coupling nor the slower diffusion does much within one.
+/// A number of steps in each of which coupling and the slower diffusion change little.
 int AutomaticSteps(const HighPassParameters& parameters)
 {
   const double coupling = parameters.CouplingU + parameters.CouplingV;
@@ -46,7 +46,7 @@ int AutomaticSteps(const HighPassParameters& parameters)
   return static_cast<int>(std::clamp(wanted, coupled ? 8.0 : 1.0, 1000.0));
 }
 
-/// At least so many of both diffusions, by the bound of the plain Laplacian in three dimensions.
+/// A lower bound of the evaluations of both diffusions, by the bound of the Laplacian.
 double MinimumEvaluations(
   const std::array<double, 3>& spacing, const HighPassParameters& parameters, int steps)
 {

@@ -81,7 +81,7 @@ Extent DomainDecomposition::Shared(std::size_t owner, std::size_t user) const
 
 void DomainDecomposition::FindOwned()
 {
-  // Every rank works out what all own, so that all see the same trouble.
+  // Every rank computes what all ranks own, so that all find the same errors.
   std::int64_t covered = 0;
   for (std::size_t rank = 0; rank < this->Extents.size(); ++rank)
   {
@@ -144,7 +144,7 @@ void DomainDecomposition::ExchangeHalo(T* values) const
         from += length;
       });
   };
-  // Pairs of ranks meet in the same order everywhere, so that nobody waits in a circle.
+  // Pairs of ranks meet in the same order everywhere, so that there is no deadlock.
   for (std::size_t other = 0; other < this->Extents.size(); ++other)
   {
     if (other < this->Rank)

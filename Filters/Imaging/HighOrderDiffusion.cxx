@@ -100,7 +100,7 @@ private:
   DiffusionOperator<T> Diffusion;
   std::vector<std::unique_ptr<T[]>> Owned;
   std::array<T*, NumberOfVolumes> Volumes{};
-  T* Coefficient = nullptr; ///< stored for many stages or since it is costly; or null
+  T* Coefficient = nullptr; ///< stored where many stages use it or it is costly; or null
   double Time = 0.0;
 };
 

@@ -69,7 +69,7 @@ double MedianResidual(const DiffusionGrid<T>& grid, const T* values, double high
     low += static_cast<double>(bin) / scale;
     high = low + 1.0 / scale;
   }
-  return low > 0.0 ? (low + high) / 2.0 : 0.0; // less than the finest bin is nothing
+  return low > 0.0 ? (low + high) / 2.0 : 0.0; // below the finest bin: no noise
 }
 
 /// Whether the nodes that count have at most 32 values, on every rank.

@@ -11,7 +11,7 @@ namespace isthmus
 namespace
 {
 
-/// Bins with less than this of the strongest one's power hold what leaks from others.
+/// Bins with less than this share of the strongest one's power are dominated by leakage.
 constexpr double weak = 0.02;
 
 /// Power and fourth power of a block's waves, bin by bin.
@@ -68,7 +68,7 @@ public:
     return powers;
   }
 
-  /// What noise alone would have, if a quarter of the blocks or more hold nothing else there.
+  /// The power of noise alone, if at least a quarter of the blocks have nothing else there.
   double Floor(double low, double high) const
   {
     const double waves = this->Waves(low, high);
@@ -124,7 +124,7 @@ public:
     return powers;
   }
 
-  /// How many these are.
+  /// The number of these waves.
   double CountWaves(const std::vector<double>& reference, double low, double high) const
   {
     double waves = 0.0;
@@ -221,7 +221,7 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
     }
     reference = withoutWeak(reference);
   }
-  // Where no blocks stand out from them, a texture that fills the volume looks like noise.
+  // Where no other blocks have clearly more, a texture that fills the volume looks like noise.
   const std::vector<double> power = spectra.RelativePower(reference, low, 0.25);
   const double mean = std::accumulate(power.begin(), power.end(), 0.0) / double(power.size());
   constexpr double standsOut = 1.2;
@@ -351,8 +351,8 @@ NoiseSpectrum BackgroundSpectrum(
     }
   }
   SetLevel(sample.Whole, spacing, noise);
-  // More than this of the variance is rather a texture that fills the volume.
-  // A masked map has no background left, so less is believed there.
+  // With a larger share of the variance it is more likely a texture that fills the volume. A masked
+  // map has no background left, so the limit is lower.
   const double mostNoise = sample.HasFill ? 0.45 : 0.62;
   noise.Found = noise.Deviation * noise.Deviation <= mostNoise * SampleVariance(sample);
   return noise;
@@ -399,7 +399,7 @@ NoiseSpectrum EstimateNoiseSpectrum(
   const bool large = sample.Large.Values.size() >= 2 * fewest;
   const SmoothedNoise correlated =
     FindSmoothedNoise(large ? ofLarge : ofSmall, spacing, SampleVariance(sample));
-  // A fit to the tail of a spectrum says little of the rest if noise is of another shape.
+  // A fit to the tail of a spectrum does not determine the rest if the noise has another shape.
   constexpr double tail = 0.15;
   if (correlated.Found && correlated.Share >= tail)
   {

@@ -93,7 +93,7 @@ bool HasLargeBlocks(const BlockWaves& waves)
 
 using BinValues = std::array<double, waveBins>;
 
-/// What the blocks say of noise of one length.
+/// The statistics of the blocks for noise of one length.
 struct Whitened
 {
   double Length = 0.0, Variance = 0.0;       ///< of noise of density 1
@@ -308,7 +308,7 @@ private:
       std::count(length.Seen.begin() + static_cast<std::ptrdiff_t>(candidate.Bins.front()),
         length.Seen.begin() + static_cast<std::ptrdiff_t>(candidate.Bins.back()) + 1, true));
     candidate.Share = power / all;
-    // Small blocks have few waves each; a tail of the spectrum alone looks like many things.
+    // Small blocks have few waves each, and the tail of a spectrum alone is ambiguous.
     const double leastShare = !HasLargeBlocks(this->Waves) ? 0.4 : bins < 7.0 ? 0.05 : 0.0;
     if (bins >= 0.75 * span && candidate.Share >= leastShare)
     {
@@ -318,7 +318,7 @@ private:
     }
   }
 
-  /// Whether noise is a likelier explanation than a texture.
+  /// Whether noise is a more likely explanation than a texture.
   bool IsBelievable(const Candidate& candidate, double total) const
   {
     const double kurtosis = this->ComputeKurtosis(candidate);

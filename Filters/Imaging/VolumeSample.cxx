@@ -15,7 +15,7 @@ constexpr std::int64_t wholeVolumeNodes = 300000; ///< up to this many are tried
 constexpr std::int64_t trialSide = 28;            ///< nodes across the inner part of a block
 constexpr std::int64_t trialMargin = 6;           ///< nodes around it
 constexpr std::size_t trialBlocks = 6;
-constexpr std::size_t mostNoiseBlocks = 512;  ///< the most that are looked at
+constexpr std::size_t mostNoiseBlocks = 512;  ///< the largest number evaluated
 constexpr std::int64_t coarseNodes = 1 << 17; ///< of the coarse copy, about
 
 std::int64_t Product(const Index3& n)
@@ -118,7 +118,7 @@ Index3 BlockSides(const Index3& whole, std::int64_t side)
 {
   Index3 sides;
   double wanted = std::pow(static_cast<double>(side), 3);
-  // Short axes first: what they lack, the others make up for.
+  // Short axes first; the others become longer in compensation.
   std::array<std::size_t, 3> order{ 0, 1, 2 };
   std::stable_sort(
     order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return whole[a] < whole[b]; });

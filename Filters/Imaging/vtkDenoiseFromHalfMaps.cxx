@@ -70,8 +70,8 @@ void Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean, vtkData
   }
 }
 
-/// The finite values minus their mean, scaled to at most about 1 by a power of two, so that single
-/// precision does not round them to nothing; 0 for all others.
+/// The finite values minus their mean, scaled to at most about 1 by a power of two, so that they
+/// are not lost in single precision; 0 for all others.
 std::vector<float> CenteredValues(vtkDataArray* array)
 {
   const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
@@ -160,7 +160,7 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   denoising->SetContainerAlgorithm(this); // stops with this one
   isthmus::UpdateInner(denoising, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
-  isthmus::Report(isthmus::ProgressOf(this), 0.7); // leaves where it was stopped
+  isthmus::Report(isthmus::ProgressOf(this), 0.7); // throws if it was aborted
   const auto resolution = isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", size);
   const int* n = one->GetDimensions();
   const double* spacing = one->GetSpacing();

@@ -1,6 +1,6 @@
 /**
  * @class vtkDiffusionAlgorithm
- * @brief What the iterated volume filters share: one scalar image in, images of floating type out.
+ * @brief Base of the iterated volume filters: one scalar image in, images of floating type out.
  *
  * Input: vtkImageData with a single-component point array of any type, spacing and extent (one
  * slice or one row, too); by default the active scalars, see SetInputArrayToProcess. Output: the

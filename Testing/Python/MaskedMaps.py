@@ -42,7 +42,6 @@ def denoised(image):
     diffusion = isthmus.vtkDenoiseMap()
     diffusion.AddObserver("WarningEvent", lambda *_: said.append(True))
     diffusion.SetInputData(image)
-    diffusion.SetStrength(0.5)
     diffusion.Update()
     result = diffusion.GetOutput()
     return values_of(result), result.GetFieldData().GetArray("NoiseLevel").GetValue(0), bool(said)

@@ -180,8 +180,9 @@ SPECIAL = {("LoopShortening", "Input"): loop,
            **{(name, port): make for name in ("IonTransport", "IonTransportOnSurface")
               for port, make in (("Input", channel), ("Surface", channel_surface))}}
 # Properties of filters that must be given, or whose defaults are for more than small data.
-COARSE = {"HighOrderDiffusion": {"Time": 1.0}, **{name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0}
-          for name in ("IonTransport", "IonTransportOnSurface")}}
+COARSE = {"HighOrderDiffusion": {"Time": 1.0},
+          **{name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0}
+             for name in ("IonTransport", "IonTransportOnSurface")}}
 INPUTS = ports_of_filters()
 
 
