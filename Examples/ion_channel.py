@@ -1,5 +1,5 @@
-"""Shows what the current through gramicidin depends on. Makes a table, the I-V curve, and a picture of the paths of
-the ions.
+"""Shows what the current through gramicidin depends on. Makes a table, the current-voltage curve, and a picture of the
+paths of the ions.
 
 Usage: pvpython ion_channel.py [--spacing H] [--pictures-only] [FOLDER]
 
@@ -15,13 +15,15 @@ import os
 import subprocess
 from pathlib import Path
 
-from paraview import servermanager, simple
+from paraview import simple
 
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 from gramicidin import AXIS, with_charges
 from output_folder import output_folder
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkTable
 
 HERE = Path(__file__).resolve().parent
 FILE = "molecules/channels/1grm_hole_example.pdb"
@@ -63,8 +65,8 @@ def flow_surface(atoms, time, spacing):
     return flow.GetOutput()
 
 
-def transport(atoms, spacing, molar=0.1, fraction=1.0, probe=1.0, time=None):
-    """The volume of a solution at 100 mV."""
+def transport_filter(atoms, spacing, molar=0.1, fraction=1.0, probe=1.0, time=None):
+    """Ion transport at 100 mV; not executed."""
     filter_ = isthmus.vtkIonTransport()
     filter_.SetInputData(0, atoms)
     if time is not None:
@@ -78,8 +80,7 @@ def transport(atoms, spacing, molar=0.1, fraction=1.0, probe=1.0, time=None):
     filter_.ClearSpecies()
     filter_.AddSpecies(1.0, molar, molar, 1.96, fraction)
     filter_.AddSpecies(-1.0, molar, molar, 2.03, fraction)
-    filter_.Update()
-    return filter_.GetOutput()
+    return filter_
 
 
 def table(atoms, spacing):
@@ -90,20 +91,22 @@ def table(atoms, spacing):
         if choice.get("time") == PORE_TIME or choice.get("probe") == 1.0:
             cases += [(0.1, 0.25), (1.0, 1.0), (1.0, 0.25)]
         for molar, fraction in cases:
-            volume = transport(atoms, spacing, molar, fraction, **choice)
+            filter_ = transport_filter(atoms, spacing, molar, fraction, **choice)
+            filter_.Update()
+            volume = filter_.GetOutput()
             current = number(volume, "Current")
             print(f"| {name} | {molar} | {fraction} | {current:.2f} | {number(volume, 'Current_K') / current:.3f} "
                   f"| {number(volume, 'BottleneckRadius'):.1f} |", flush=True)
 
 
 def channel(atoms, spacing):
-    """Ion Transport On Surface in ParaView, with its I-V curve."""
+    """Ion Transport On Surface in ParaView."""
     source = simple.PVTrivialProducer(registrationName="Gramicidin")
     source.GetClientSideObject().SetOutput(atoms)
     surface = simple.MolecularFlowSurface(Input=source, EvolutionTime=PORE_TIME, Spacing=0.8 * spacing)
     return simple.IonTransportOnSurface(
         Input=source, Surface=surface, MembraneCenter=middle_of(atoms), MembraneNormal=list(AXIS), LumenRadius=4.0,
-        Spacing=spacing, Padding=5.0, SweepOf="Voltages", SweepPoints=9, SweepVoltages=[-200, 200])
+        Spacing=spacing, Padding=5.0)
 
 
 def reduce(picture):
@@ -111,11 +114,30 @@ def reduce(picture):
     subprocess.run(["convert", str(picture), "-colors", "128", str(picture)], check=False)
 
 
-def curve(solution, picture):
-    """Shows the last output as a chart."""
+def currents_by_voltage(filter_, voltages, names=("Current_K", "Current_Cl", "Current")):
+    """A vtkTable with a row for each voltage (mV): Voltage, and currents in pA."""
+    rows = []
+    for voltage in voltages:
+        filter_.SetVoltage(voltage)
+        filter_.Update()
+        rows.append([voltage] + [number(filter_.GetOutput(), name) for name in names])
+    table = vtkTable()
+    for name, values in zip(("Voltage", *names), zip(*rows)):
+        column = vtkDoubleArray()
+        column.SetName(name)
+        for value in values:
+            column.InsertNextValue(value)
+        table.AddColumn(column)
+    return table
+
+
+def curve(table, picture):
+    """Shows currents over voltages as a chart."""
+    source = simple.PVTrivialProducer(registrationName="Currents by voltage")
+    source.GetClientSideObject().SetOutput(table)
     chart = simple.CreateView("XYChartView")
     chart.ViewSize = [700, 500]
-    shown = simple.Show(servermanager.OutputPort(solution, 2), chart, "XYChartRepresentation")
+    shown = simple.Show(source, chart, "XYChartRepresentation")
     shown.UseIndexForXAxis = 0
     shown.XArrayName = "Voltage"
     names = ("Current_K", "Current_Cl", "Current")
@@ -183,7 +205,9 @@ def main():
         table(atoms, choice.spacing)
     solution = channel(atoms, choice.spacing)
     solution.UpdatePipeline()
-    curve(solution, folder / "ion_channel_curve.png")
+    voltages = range(-200, 201, 50)
+    curve(currents_by_voltage(transport_filter(atoms, choice.spacing, time=PORE_TIME), voltages),
+          folder / "ion_channel_curve.png")
     lines(solution, atoms, folder / "ion_channel_lines.png")
     print("\nPictures:", folder)
 

@@ -1,6 +1,6 @@
 #include "Solvation/ChannelSolution.h"
-#include "Core/MemoryBudget.h"
 
+#include "Core/MemoryBudget.h"
 #include "Core/PolyDataTriangles.h"
 #include "MolecularSurfaces/AtomsInside.h"
 #include "MolecularSurfaces/FlowField.h"
@@ -46,23 +46,23 @@ std::vector<float> DistanceToClosed(const TransportDomain& domain, const Channel
   {
     to[node] = static_cast<float>(inside[node] != 0 ? -distance[node] : distance[node]);
   }
-  std::vector<Point3> centres;
+  std::vector<Point3> positions;
   for (const ChargedAtom& atom : problem.Charges)
   {
     if (atom.Charge != 0.0)
     {
-      centres.push_back(atom.Position);
+      positions.push_back(atom.Position);
     }
   }
-  const bool isCharged = !centres.empty();
+  const bool isCharged = !positions.empty();
   if (!isCharged) // a pore of carbon, for instance
   {
     for (const Ball& ball : problem.Balls)
     {
-      centres.push_back(ball.Centre);
+      positions.push_back(ball.Centre);
     }
   }
-  warning = CheckAtomsInside(image, to, centres, isCharged ? "charged atoms" : "atoms");
+  warning = CheckAtomsInside(image, to, positions, isCharged ? "charged atoms" : "atoms");
   return to;
 }
 

@@ -1,7 +1,6 @@
 /**
  * @file ChannelSolution.h
- * @brief Potential and ions of a channel with a fixed or moving surface: the problem that
- * vtkIonTransport solves.
+ * @brief Potential and ions of a channel with a fixed or moving surface.
  */
 #ifndef isthmus_ChannelSolution_h
 #define isthmus_ChannelSolution_h
@@ -25,8 +24,8 @@ struct ChannelProblem
   vtkPolyData* Surface = nullptr; ///< closed; nullptr: the solvent-excluded surface of the balls
   IonTransportParameters Transport;
   bool Moves = false;
-  std::vector<DispersionAtom> Attracting; ///< where it moves
-  MovingChannelParameters Motion;         ///< likewise
+  std::vector<DispersionAtom> Attracting; ///< for a moving surface
+  MovingChannelParameters Motion;         ///< for a moving surface
 };
 
 /// The constructor solves the problem.
@@ -36,7 +35,10 @@ public:
   /// @throws what its parts throw; Cancelled.
   explicit ChannelSolution(const ChannelProblem& problem, const ProgressCallback& progress = {});
 
-  PoissonNernstPlanck& Get() { return this->Moving ? this->Moving->GetSolution() : *this->Fixed; }
+  const PoissonNernstPlanck& Get() const
+  {
+    return this->Moving ? this->Moving->GetSolution() : *this->Fixed;
+  }
   const ChannelPassage& GetPassage() const
   {
     return this->Moving ? this->Moving->GetPassage() : this->Passage;

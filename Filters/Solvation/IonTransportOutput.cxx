@@ -23,8 +23,8 @@ namespace isthmus
 namespace
 {
 
-/// The doubles of the solution may exceed the range of floats.
-void DemandFinite(vtkFloatArray* array)
+/// Doubles of the solution may exceed the range of float.
+void RequireFinite(vtkFloatArray* array)
 {
   const float* const values = array->GetPointer(0);
   if (!std::all_of(
@@ -86,7 +86,7 @@ TransportDomain ImageBox(const TransportDomain& domain)
     const double half = along * domain.HalfLength + across * domain.Radius;
     const double nodes = std::ceil(half / domain.Spacing - 1e-6) + 1.0;
     box.Dimensions[a] = 2 * static_cast<std::int64_t>(nodes) + 1;
-    box.Origin[a] = domain.Centre[a] - domain.Spacing * nodes;
+    box.Origin[a] = domain.Center[a] - domain.Spacing * nodes;
   }
   return box;
 }
@@ -139,7 +139,7 @@ void AddNodeArrays(
   {
     if (auto* const written = vtkFloatArray::SafeDownCast(to->GetArray(i)))
     {
-      DemandFinite(written);
+      RequireFinite(written);
     }
   }
 }
@@ -237,57 +237,24 @@ void FillTransportImage(
   }
 }
 
-void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
+void FillTransportNumbers(const PoissonNernstPlanck& solution, const CurrentProfile& profile,
   const ChannelPassage& passage, vtkImageData* image)
 {
+  const std::vector<TransportSpecies>& species = solution.GetParameters().Species;
+  const IonTransportReport& report = solution.GetReport();
   vtkFieldData* const data = image->GetFieldData();
-  AddColumn<vtkDoubleArray>(data, "Voltage", { point.Voltage });
+  AddColumn<vtkDoubleArray>(data, "Voltage", { solution.GetVoltage() });
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumn<vtkDoubleArray>(data, "Current_" + species[k].Name, { point.Profile.Mean(k) });
+    AddColumn<vtkDoubleArray>(data, "Current_" + species[k].Name, { profile.Mean(k) });
   }
-  AddColumn<vtkDoubleArray>(data, "Current", { point.Profile.Mean() });
-  AddColumn<vtkDoubleArray>(data, "CurrentSpread", { point.Profile.Spread() });
-  AddColumn<vtkDoubleArray>(data, "Converged", { point.Report.Converged ? 1.0 : 0.0 });
-  AddColumn<vtkDoubleArray>(data, "Changes", point.Report.Changes);
+  AddColumn<vtkDoubleArray>(data, "Current", { profile.Mean() });
+  AddColumn<vtkDoubleArray>(data, "CurrentSpread", { profile.Spread() });
+  AddColumn<vtkDoubleArray>(data, "Converged", { report.Converged ? 1.0 : 0.0 });
+  AddColumn<vtkDoubleArray>(data, "Changes", report.Changes);
   AddColumn<vtkDoubleArray>(data, "BottleneckRadius", { passage.Radius });
   const Point3& at = passage.Bottleneck;
   AddColumn<vtkDoubleArray>(data, "BottleneckPosition", { at[0], at[1], at[2] });
-}
-
-void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
-  vtkImageData* image, vtkTable* table)
-{
-  if (!moving)
-  {
-    return;
-  }
-  vtkFieldData* const data = image->GetFieldData();
-  AddColumn<vtkDoubleArray>(data, "Rests", { moving->HasConverged() ? 1.0 : 0.0 });
-  AddColumn<vtkDoubleArray>(data, "ShownUpdate", { moving->GetShown() + 1 });
-  const std::vector<ChannelUpdate>& updates = moving->GetUpdates();
-  using Update = ChannelUpdate;
-  AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Update", updates,
-    [number = 0.0](const Update&) mutable { return ++number; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "Time", updates, [](const Update& u) { return u.Time; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "AreaChange", updates, [](const Update& u) { return u.AreaChange; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "LumenVolume", updates, [](const Update& u) { return u.LumenVolume; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "EnergyChange", updates, [](const Update& u) { return u.EnergyChange; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "OnObstacle", updates, [](const Update& u) { return u.OnObstacle; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "BottleneckRadius", updates, [](const Update& u) { return u.Bottleneck; });
-  for (std::size_t k = 0; k < species.size(); ++k)
-  {
-    AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name, updates,
-      [k](const Update& u) { return u.Currents[k]; });
-  }
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "Current", updates, [](const Update& u) { return u.Current(); });
 }
 
 void FillSections(
@@ -309,25 +276,50 @@ void FillSections(
     table->GetRowData(), "Current", whole, [](double current) { return current; });
 }
 
-void FillSweep(const std::vector<TransportPoint>& points,
-  const std::vector<TransportSpecies>& species, vtkTable* table)
+namespace
 {
-  using Point = TransportPoint;
+
+struct MotionColumn
+{
+  const char* Name;
+  double (*Value)(const ChannelUpdate&);
+};
+
+constexpr MotionColumn MotionColumns[] = {
+  { "Time", [](const ChannelUpdate& u) { return u.Time; } },
+  { "AreaChange", [](const ChannelUpdate& u) { return u.AreaChange; } },
+  { "LumenVolume", [](const ChannelUpdate& u) { return u.LumenVolume; } },
+  { "EnergyChange", [](const ChannelUpdate& u) { return u.EnergyChange; } },
+  { "OnObstacle", [](const ChannelUpdate& u) { return u.OnObstacle; } },
+  { "BottleneckRadius", [](const ChannelUpdate& u) { return u.Bottleneck; } },
+};
+
+}
+
+void FillMotion(const MovingChannel& moving, const std::vector<TransportSpecies>& species,
+  vtkImageData* image, vtkTable* table)
+{
+  vtkFieldData* const data = image->GetFieldData();
+  if (!moving.HasConverged())
+  {
+    data->GetArray("Converged")->SetComponent(0, 0, 0.0);
+  }
+  AddColumn<vtkDoubleArray>(data, "ShownUpdate", { moving.GetShown() + 1 });
+  vtkFieldData* const rows = table->GetRowData();
+  const std::vector<ChannelUpdate>& updates = moving.GetUpdates();
   AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "Voltage", points, [](const Point& p) { return p.Voltage; });
-  AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "ConcentrationFactor", points, [](const Point& p) { return p.Factor; });
+    rows, "Update", updates.size(), [](std::size_t row) { return row + 1; });
+  for (const MotionColumn& column : MotionColumns)
+  {
+    AddColumnOf<vtkDoubleArray>(rows, column.Name, updates, column.Value);
+  }
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name, points,
-      [k](const Point& p) { return p.Profile.Mean(k); });
+    AddColumnOf<vtkDoubleArray>(rows, "Current_" + species[k].Name, updates,
+      [k](const ChannelUpdate& u) { return u.Currents[k]; });
   }
   AddColumnOf<vtkDoubleArray>(
-    table->GetRowData(), "Current", points, [](const Point& p) { return p.Profile.Mean(); });
-  AddColumnOf<vtkDoubleArray>(table->GetRowData(), "CurrentSpread", points,
-    [](const Point& p) { return p.Profile.Spread(); });
-  AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Converged", points,
-    [](const Point& p) { return p.Report.Converged ? 1.0 : 0.0; });
+    rows, "Current", updates, [](const ChannelUpdate& u) { return u.Current(); });
 }
 
 }

@@ -1,7 +1,6 @@
 /**
  * @file IonTransportOutput.h
- * @brief Converts ion transport to VTK data: image, currents by section, currents by voltage or
- * salt.
+ * @brief Converts ion transport to VTK data: image, currents by section, updates of the surface.
  */
 #ifndef isthmus_IonTransportOutput_h
 #define isthmus_IonTransportOutput_h
@@ -29,24 +28,18 @@ TransportDomain ImageBox(const TransportDomain& domain);
 void FillTransportImage(
   const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress = {});
 
-/// Field data on the accuracy of the solution.
-void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
+/// Field data: voltage, currents, accuracy, bottleneck.
+void FillTransportNumbers(const PoissonNernstPlanck& solution, const CurrentProfile& profile,
   const ChannelPassage& passage, vtkImageData* image);
-
-/// For a moving surface, a row for each update: Update, Time, AreaChange, LumenVolume,
-/// EnergyChange, OnObstacle, BottleneckRadius, Current_NAME, Current; and Rests and ShownUpdate as
-/// field data. There are no rows and no field data for a fixed surface (nullptr).
-void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
-  vtkImageData* image, vtkTable* table);
 
 /// A row for each section: Along, Current_NAME, Current.
 void FillSections(
   const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table);
 
-/// A row for each point: Voltage, ConcentrationFactor, Current_NAME, Current, CurrentSpread,
-/// Converged.
-void FillSweep(const std::vector<TransportPoint>& points,
-  const std::vector<TransportSpecies>& species, vtkTable* table);
+/// Of a moving surface: a row for each update, and field data: ShownUpdate, and Converged, which is
+/// 1 only if the surface has converged as well.
+void FillMotion(const MovingChannel& moving, const std::vector<TransportSpecies>& species,
+  vtkImageData* image, vtkTable* table);
 
 }
 

@@ -32,7 +32,7 @@ double ToMembrane(
 }
 
 /// In the axes of the room, from its first node.
-DensityGrid GridOf(const TransportDomain& room)
+DensityGrid FlowNodes(const TransportDomain& room)
 {
   return { {}, room.Dimensions, room.Spacing };
 }
@@ -113,7 +113,7 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
   , Charges(std::move(charges))
   , Transport(transport)
   , Parameters(parameters)
-  , Field(FlowGrid(GridOf(this->Room)))
+  , Field(FlowGrid(FlowNodes(this->Room)))
   , ForceFraction(parameters.Policy.FieldRelaxation)
 {
   Check(transport);
@@ -215,7 +215,7 @@ void MovingChannel::Record()
   update.LumenVolume = water * std::pow(this->Domain.Spacing, 3);
   update.OnObstacle = FractionOnObstacle(this->Field);
   update.Bottleneck = this->Passage.Radius;
-  const CurrentProfile currents = CurrentsOf(*this->Solution);
+  const CurrentProfile currents = ComputeCurrents(*this->Solution);
   for (std::size_t k = 0; k < this->Transport.Species.size(); ++k)
   {
     update.Currents.push_back(currents.Mean(k));

@@ -87,7 +87,7 @@ public:
   const ChannelPassage& GetPassage() const { return this->Passage; }
   /// The current pull at the wall; positions are those of Padded(domain).
   WallValues ForceAtWall() const;
-  PoissonNernstPlanck& GetSolution() { return *this->Solution; }
+  const PoissonNernstPlanck& GetSolution() const { return *this->Solution; }
 
 private:
   void Start(const std::vector<float>& obstacle);

@@ -77,15 +77,14 @@ PoissonNernstPlanck::PoissonNernstPlanck(
       this->V[k][p] = this->Open[p] == 0 ? 0.0 : this->Grid.Along[p] < 0.0F ? s.Below : s.Above;
     }
   }
-  this->SetBaths(parameters.Voltage, 1.0);
+  this->SetVoltage(parameters.Voltage);
 }
 
-void PoissonNernstPlanck::SetBaths(double voltage, double concentrationFactor)
+void PoissonNernstPlanck::SetVoltage(double voltage)
 {
   const double more = Thermal(voltage, this->Parameters.Temperature) -
     Thermal(this->Voltage, this->Parameters.Temperature);
   this->Voltage = voltage;
-  this->Factor = concentrationFactor;
   for (std::size_t p = 0; p < this->Phi.size(); ++p)
   {
     this->Phi[p] += more * this->Parameters.PartBelow(static_cast<double>(this->Grid.Along[p]));
@@ -113,15 +112,15 @@ void PoissonNernstPlanck::StartFrom(const PoissonNernstPlanck& other)
       }
     }
   }
-  this->SetBaths(this->Voltage, this->Factor);
+  this->SetVoltage(this->Voltage);
 }
 
 double PoissonNernstPlanck::BathValue(SpeciesId species, unsigned char bath) const
 {
   const TransportSpecies& s = this->Parameters.Species[species.Index()];
-  return bath == static_cast<unsigned char>(Bath::Above) ? this->Factor * s.Above
-                                                         : this->Factor * s.Below *
-      std::exp(s.Valence * Thermal(this->Voltage, this->Parameters.Temperature));
+  return bath == static_cast<unsigned char>(Bath::Above)
+    ? s.Above
+    : s.Below * std::exp(s.Valence * Thermal(this->Voltage, this->Parameters.Temperature));
 }
 
 double PoissonNernstPlanck::Concentration(SpeciesId species, std::int64_t node) const
@@ -360,14 +359,14 @@ double PoissonNernstPlanck::SolveSpecies(
   return left / std::max(this->Throughput(k), this->NegligibleCurrent(k));
 }
 
-/// A negligible current: a millionth of what the larger bath would send through the whole cylinder.
-/// Relative errors of smaller ones are meaningless.
+/// Losses of a current below this value are not reported: a millionth of what the larger bath would
+/// send through the whole cylinder.
 double PoissonNernstPlanck::NegligibleCurrent(SpeciesId species) const
 {
   constexpr double part = 1e-6;
   const TransportSpecies& s = this->Parameters.Species[species.Index()];
   const TransportDomain& d = this->Grid.Domain;
-  const double most = this->Factor * std::max(s.Below, s.Above);
+  const double most = std::max(s.Below, s.Above);
   return std::max(part * s.Diffusion * most * Pi * d.Radius * d.Radius / (2.0 * d.HalfLength),
     std::numeric_limits<double>::min());
 }

@@ -70,9 +70,8 @@ public:
   /// @throws std::invalid_argument for parameters out of range.
   PoissonNernstPlanck(const TransportGrid& grid, const IonTransportParameters& parameters);
 
-  /// Sets another voltage (mV) and multiplies the concentrations of the baths by a factor. The next
-  /// Solve() starts from the current state.
-  void SetBaths(double voltage, double concentrationFactor);
+  /// Sets another voltage (mV). The next Solve() starts from the current state.
+  void SetVoltage(double voltage);
 
   /// Starts from the result of another object, on a grid of the same size whose wall has another
   /// position.
@@ -88,7 +87,6 @@ public:
   const IonTransportParameters& GetParameters() const { return this->Parameters; }
   const IonTransportReport& GetReport() const { return this->Report; }
   double GetVoltage() const { return this->Voltage; } ///< mV
-  double GetFactor() const { return this->Factor; }
   const std::vector<double>& GetPotential() const { return this->Phi; }
   /// Slotboom's v of a species, mol/l.
   const std::vector<double>& GetSlotboom(SpeciesId species) const { return this->V[species]; }
@@ -118,9 +116,8 @@ private:
 
   const TransportGrid& Grid;
   const IonTransportParameters Parameters;
-  const double ChargeScale; ///< from mol/l in a node's cube to the source of phi
-  double Voltage = 0.0;     ///< mV
-  double Factor = 1.0;
+  const double ChargeScale;        ///< from mol/l in a node's cube to the source of phi
+  double Voltage = 0.0;            ///< mV
   std::vector<unsigned char> Open; ///< nodes with faces that are water
   std::vector<double> Phi;
   HandleVector<SpeciesId, std::vector<double>> V;

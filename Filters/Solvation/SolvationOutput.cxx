@@ -75,7 +75,8 @@ void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& no
     {
       AddNotes(notes, made);
     }
-    AddColumn<vtkDoubleArray>(made->GetFieldData(), "Rests", { flow.HasConverged() ? 1.0 : 0.0 });
+    AddColumn<vtkDoubleArray>(
+      made->GetFieldData(), "Converged", { flow.HasConverged() ? 1.0 : 0.0 });
   }
   outputs.Surface->ShallowCopy(surface);
   outputs.Image->ShallowCopy(image);

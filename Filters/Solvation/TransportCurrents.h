@@ -1,7 +1,6 @@
 /**
  * @file TransportCurrents.h
- * @brief Currents through cross-sections of a channel, flux densities at nodes, and curves of
- * currents against voltage or concentration.
+ * @brief Currents through cross-sections of a channel, and flux densities at nodes.
  */
 #ifndef isthmus_TransportCurrents_h
 #define isthmus_TransportCurrents_h
@@ -30,39 +29,14 @@ struct CurrentProfile
  * Inflow and outflow of each node are equal, so the currents through all sections are the same up
  * to the accuracy of the solution. O(nodes).
  */
-CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
+CurrentProfile ComputeCurrents(const PoissonNernstPlanck& solution);
 
 /// The flux of a species at a node, in ions per nanosecond and square angstrom: the mean over its
 /// faces.
 Point3 FluxAt(const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
 
-/// pA for one ion of charge 1 e per nanosecond.
+/// pA for an ion of 1 e per nanosecond.
 double PicoamperePerIon();
-
-/// The stored result for one point.
-struct TransportPoint
-{
-  double Voltage = 0.0; ///< mV
-  double Factor = 1.0;  ///< of the baths' concentrations
-  CurrentProfile Profile;
-  IonTransportReport Report;
-};
-
-/// Voltages in equal steps, the factor 1.
-/// @throws std::invalid_argument for ends out of range or fewer than two points.
-std::vector<TransportPoint> SweptVoltages(double from, double to, int points);
-
-/// Factors in equal ratios, at one voltage.
-/// @throws std::invalid_argument for ends out of range or fewer than two points.
-std::vector<TransportPoint> SweptFactors(double from, double to, int points, double voltage);
-
-/// The current state of a solution.
-TransportPoint PointOf(const PoissonNernstPlanck& solution);
-
-/// Solves for the voltage and factor of `point`, starting from `solution`, and stores the result.
-/// @throws the exceptions of PoissonNernstPlanck::Solve.
-void SolveAt(
-  TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress = {});
 
 }
 

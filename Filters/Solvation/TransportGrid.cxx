@@ -25,8 +25,8 @@ constexpr double BytesPerNode = 220.0; // grid, potential, two species, network,
 
 std::array<double, 2> TransportDomain::AxialAndRadial(const Point3& place) const
 {
-  const Point3 from{ place[0] - this->Centre[0], place[1] - this->Centre[1],
-    place[2] - this->Centre[2] };
+  const Point3 from{ place[0] - this->Center[0], place[1] - this->Center[1],
+    place[2] - this->Center[2] };
   const double along =
     from[0] * this->Normal[0] + from[1] * this->Normal[1] + from[2] * this->Normal[2];
   double square = 0.0;
@@ -106,7 +106,7 @@ TransportDomain DomainAround(
   const MembraneSlab& membrane = parameters;
   TransportDomain d;
   d.Spacing = parameters.Spacing;
-  d.Centre = membrane.MembraneCenter;
+  d.Center = membrane.MembraneCenter;
   const Point3& n = membrane.MembraneNormal;
   const double length = std::hypot(n[0], n[1], n[2]);
   d.Normal = { n[0] / length, n[1] / length, n[2] / length };
@@ -139,7 +139,7 @@ TransportDomain DomainAround(
     before[a] = h * nodes;
   }
   const Point3 half = d.Turned(before);
-  d.Origin = { d.Centre[0] - half[0], d.Centre[1] - half[1], d.Centre[2] - half[2] };
+  d.Origin = { d.Center[0] - half[0], d.Center[1] - half[1], d.Center[2] - half[2] };
   MemoryBudget().RequireGrid(
     d.Dimensions, BytesPerNode, "choose a larger Spacing or a smaller Padding");
   return d;
@@ -207,7 +207,7 @@ private:
   double FacePart(const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
   std::array<double, 2> SlopesAcross(
     const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
-  double PermittivityOf(std::int64_t node, std::size_t axis) const;
+  double EdgePermittivity(std::int64_t node, std::size_t axis) const;
 
   TransportGrid& Grid;
   const TransportDomain& Domain;
@@ -285,10 +285,7 @@ std::array<double, 2> Builder::SlopesAcross(
 
 /// Of the edge from a node to the next, or the mean of lines along it, spread over the face
 /// between.
-// The mean over lines makes no steps of walls along the grid: turning tubes of atoms about their
-// axis changes the current half as much. Next to a wall, the edge alone is better for the potential
-// and the forces fitted to it.
-double Builder::PermittivityOf(std::int64_t node, std::size_t axis) const
+double Builder::EdgePermittivity(std::int64_t node, std::size_t axis) const
 {
   constexpr int lines = 4; // along each side
   const std::vector<float>& distances = this->Grid.Distance;
@@ -339,7 +336,7 @@ void Builder::FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at,
   {
     return;
   }
-  this->Grid.Permittivity[axis][p] = static_cast<float>(part * this->PermittivityOf(node, axis));
+  this->Grid.Permittivity[axis][p] = static_cast<float>(part * this->EdgePermittivity(node, axis));
   this->Grid.Aperture[axis][p] =
     static_cast<float>(part * this->FacePart(this->Grid.Distance, node, axis));
 }

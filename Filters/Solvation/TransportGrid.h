@@ -39,7 +39,7 @@ struct TransportDomain
   double Spacing = 1.0;
   /// Unit vectors along the axes of the grid; one of them is the normal or its opposite.
   std::array<Point3, 3> Axes{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
-  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Center{ 0.0, 0.0, 0.0 };
   Point3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
   double Radius = 0.0;            ///< of the cylinder
   double HalfLength = 0.0;        ///< from the centre to the baths, whole spacings

@@ -136,7 +136,7 @@ double Wall::IonPressure(std::int64_t water, double phi) const
   for (std::size_t k = 0; k < p.Species.size() && this->Solution.IsWater(water); ++k)
   {
     const TransportSpecies& s = p.Species[k];
-    const double bath = this->Solution.GetFactor() * (below * s.Below + (1.0 - below) * s.Above);
+    const double bath = below * s.Below + (1.0 - below) * s.Above;
     excess += this->Solution.GetSlotboom(SpeciesId(k))[static_cast<std::size_t>(water)] *
         std::exp(-s.Valence * phi) -
       bath;

@@ -3,10 +3,9 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
-#include "Core/RangeChecks.h"
 #include "Electrostatics/PoissonBoltzmannInput.h"
-#include "MolecularSurfaces/DispersionAtoms.h"
 #include "Solvation/ChannelSolution.h"
 #include "Solvation/IonTransportOutput.h"
 
@@ -25,80 +24,59 @@ vtkStandardNewMacro(vtkIonTransport);
 namespace
 {
 
-using isthmus::ChannelPassage;
 using isthmus::FormatNumber;
-using isthmus::MovingChannel;
-using isthmus::TransportPoint;
 
-std::string NarrowChannel(const ChannelPassage& passage)
+std::string NarrowChannelWarning(const isthmus::ChannelPassage& passage)
 {
   const isthmus::Point3& at = passage.Bottleneck;
   return "At (" + FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) +
     ") the channel has a radius of " + FormatNumber(passage.Radius) +
-    " angstrom, less than a Spacing: the current depends on the position of the nodes there. "
-    "Choose a "
-    "smaller "
-    "Spacing.";
+    " angstrom, less than the Spacing, so the current depends on the position of the grid. Choose "
+    "a smaller Spacing.";
 }
 
-std::string IterationNotConverged(const TransportPoint& point, double tolerance)
+std::string ConvergenceWarning(const isthmus::PoissonNernstPlanck& solution)
 {
-  const isthmus::IonTransportReport& report = point.Report;
-  const std::string start = "At " + FormatNumber(point.Voltage) + " mV ";
-  if (report.Changes.back() > tolerance)
+  const isthmus::IonTransportReport& report = solution.GetReport();
+  const std::string start = "At " + FormatNumber(solution.GetVoltage()) + " mV ";
+  if (report.Changes.back() > solution.GetParameters().Tolerance)
   {
     return start + "the potential still changed by " + FormatNumber(report.Changes.back()) +
       " kT/e after " + std::to_string(report.Iterations) +
-      " iterations. The state that changed least is kept, with Converged 0: choose more "
+      " iterations. The state that changed least is returned, with Converged 0: choose more "
       "MaximumIterations or a larger Tolerance.";
   }
-  return start + "a part of " + FormatNumber(report.Imbalance) +
-    " of a current is lost on its way: the equations of the ions could not be solved. The current "
-    "state is kept, with Converged 0: choose a smaller Spacing or Voltage, or look for charges "
-    "that touch the water.";
+  return start + "a fraction " + FormatNumber(report.Imbalance) +
+    " of a current is not conserved along the channel: the equations of the ions could not be "
+    "solved. The current state is returned, with Converged 0: choose a smaller Spacing or Voltage, "
+    "or look for charges that touch the water.";
 }
 
-std::string SurfaceNotConverged(const MovingChannel& moving)
+/// About atoms that were dropped or lie outside the surface, a channel narrower than the spacing,
+/// and convergence.
+std::vector<std::string> Warnings(
+  const isthmus::MoleculeAtoms& atoms, isthmus::ChannelSolution& channel)
 {
-  return "The surface has not converged after " + std::to_string(moving.GetUpdates().size()) +
-    " updates: currents or water still changed by a part of " + FormatNumber(moving.LastChange()) +
-    ". Update " + std::to_string(moving.GetShown() + 1) +
-    ", which changed least, is kept, with Rests 0: choose more MaximumUpdates, a larger "
-    "UpdateTolerance, or a smaller FieldRelaxation.";
-}
-
-/// Atoms that were left out or lie outside the surface, a channel narrower than a spacing, the
-/// first point that has not converged or has lost ions on their way, a surface that has not
-/// converged.
-std::vector<std::string> Warnings(const isthmus::MoleculeAtoms& atoms,
-  isthmus::ChannelSolution& channel, const std::vector<TransportPoint>& points)
-{
-  std::vector<std::string> sentences = atoms.Warnings;
-  const isthmus::IonTransportParameters& parameters = channel.Get().GetParameters();
+  std::vector<std::string> warnings = atoms.Warnings;
+  const isthmus::PoissonNernstPlanck& solution = channel.Get();
   if (!channel.GetSurfaceWarning().empty())
   {
-    sentences.push_back(channel.GetSurfaceWarning());
+    warnings.push_back(channel.GetSurfaceWarning());
   }
-  if (channel.GetPassage().Radius < parameters.Spacing)
+  if (channel.GetPassage().Radius < solution.GetParameters().Spacing)
   {
-    sentences.push_back(NarrowChannel(channel.GetPassage()));
+    warnings.push_back(NarrowChannelWarning(channel.GetPassage()));
   }
-  const auto left = std::find_if(points.begin(), points.end(),
-    [](const TransportPoint& point) { return !point.Report.Converged; });
-  if (left != points.end())
+  if (!solution.GetReport().Converged)
   {
-    sentences.push_back(IterationNotConverged(*left, parameters.Tolerance));
+    warnings.push_back(ConvergenceWarning(solution));
   }
-  if (channel.GetMoving() && !channel.GetMoving()->HasConverged())
-  {
-    sentences.push_back(SurfaceNotConverged(*channel.GetMoving()));
-  }
-  return sentences;
+  return warnings;
 }
 
 }
 
-/// What one execution works with.
+/// Functions of one execution.
 class vtkIonTransport::vtkInternals
 {
 public:
@@ -115,40 +93,13 @@ public:
     return isthmus::ReadAtoms(input, options);
   }
 
-  isthmus::IonTransportParameters Named() const;
   isthmus::ChannelProblem Problem(
     vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms) const;
-  std::vector<TransportPoint> Points() const;
   void Solve(vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms,
     vtkInformationVector* outputs) const;
 
   vtkIonTransport* Self;
 };
-
-/// With the names of the species.
-isthmus::IonTransportParameters vtkIonTransport::vtkInternals::Named() const
-{
-  isthmus::IonTransportParameters p = this->Self->Parameters;
-  isthmus::NameSpecies(this->Self->SpeciesNames, p.Species);
-  return p;
-}
-
-std::vector<TransportPoint> vtkIonTransport::vtkInternals::Points() const
-{
-  const vtkIonTransport* self = this->Self;
-  isthmus::RequireRange("SweepOf", self->SweepOf, NoSweep, Concentrations);
-  switch (self->SweepOf)
-  {
-    case Voltages:
-      return isthmus::SweptVoltages(
-        self->SweepVoltages[0], self->SweepVoltages[1], self->SweepPoints);
-    case Concentrations:
-      return isthmus::SweptFactors(
-        self->SweepFactors[0], self->SweepFactors[1], self->SweepPoints, self->Parameters.Voltage);
-    default:
-      return {};
-  }
-}
 
 isthmus::ChannelProblem vtkIonTransport::vtkInternals::Problem(
   vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms) const
@@ -158,13 +109,9 @@ isthmus::ChannelProblem vtkIonTransport::vtkInternals::Problem(
   problem.Balls = atoms.Balls;
   problem.Charges = isthmus::ChargedAtomsOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
   problem.Surface = vtkPolyData::GetData(inputs[1], 0);
-  problem.Transport = this->Named();
-  problem.Moves = this->Self->MovingSurface;
-  if (problem.Moves)
-  {
-    problem.Attracting = isthmus::DispersionAtomsOf(input, atoms);
-    problem.Motion = this->Self->Motion;
-  }
+  problem.Transport = this->Self->Parameters;
+  isthmus::NameSpecies(this->Self->SpeciesNames, problem.Transport.Species);
+  this->Self->CompleteProblem(input, atoms, problem);
   return problem;
 }
 
@@ -172,34 +119,27 @@ void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
   const isthmus::MoleculeAtoms& atoms, vtkInformationVector* outputs) const
 {
   const auto progress = isthmus::ProgressOf(this->Self);
-  std::vector<TransportPoint> points = this->Points();
   const isthmus::ChannelProblem problem = this->Problem(inputs, atoms);
-  const std::vector<isthmus::TransportSpecies>& species = problem.Transport.Species;
-  const double part = 0.9 / static_cast<double>(points.size() + 1);
-  isthmus::ChannelSolution channel(problem, isthmus::Between(progress, 0.0, part));
-  isthmus::PoissonNernstPlanck& solution = channel.Get();
-  TransportPoint shown = isthmus::PointOf(solution);
+  isthmus::ChannelSolution channel(problem, isthmus::Between(progress, 0.0, 0.9));
+  const isthmus::PoissonNernstPlanck& solution = channel.Get();
+  const isthmus::CurrentProfile currents = isthmus::ComputeCurrents(solution);
   vtkNew<vtkImageData> image;
-  isthmus::FillTransportImage(solution, image, isthmus::Between(progress, part, part + 0.05));
-  isthmus::FillTransportNumbers(shown, species, channel.GetPassage(), image);
-  isthmus::FillMotion(channel.GetMoving(), species, image, vtkTable::GetData(outputs, 3));
-  if (!atoms.Notes.empty()) // ParaView interprets an empty array as the end of field data
+  isthmus::FillTransportImage(solution, image, isthmus::Between(progress, 0.9, 1.0));
+  isthmus::FillTransportNumbers(solution, currents, channel.GetPassage(), image);
+  std::vector<std::string> warnings = Warnings(atoms, channel);
+  warnings.push_back(this->Self->FillMotion(channel, image, outputs));
+  if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
   {
     isthmus::AddNotes(atoms.Notes, image);
   }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const double from = 0.05 + part * static_cast<double>(i + 1);
-    isthmus::SolveAt(points[i], solution, isthmus::Between(progress, from, from + part));
-  }
-  isthmus::FillSections(shown.Profile, species, vtkTable::GetData(outputs, 1));
-  isthmus::FillSweep(points.empty() ? std::vector<TransportPoint>{ shown } : points, species,
-    vtkTable::GetData(outputs, 2));
+  isthmus::FillSections(currents, problem.Transport.Species, vtkTable::GetData(outputs, 1));
   vtkImageData::GetData(outputs, 0)->ShallowCopy(image);
-  points.insert(points.begin(), shown);
-  for (const std::string& sentence : Warnings(atoms, channel, points))
+  for (const std::string& warning : warnings)
   {
-    vtkWarningWithObjectMacro(this->Self, << sentence);
+    if (!warning.empty())
+    {
+      vtkWarningWithObjectMacro(this->Self, << warning);
+    }
   }
 }
 
@@ -207,7 +147,7 @@ vtkIonTransport::vtkIonTransport()
   : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Charge");
 }
@@ -240,14 +180,15 @@ vtkTable* vtkIonTransport::GetSections()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-vtkTable* vtkIonTransport::GetSweep()
+void vtkIonTransport::CompleteProblem(
+  vtkDataObject*, const isthmus::MoleculeAtoms&, isthmus::ChannelProblem&)
 {
-  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
 }
 
-vtkTable* vtkIonTransport::GetUpdates()
+std::string vtkIonTransport::FillMotion(
+  const isthmus::ChannelSolution&, vtkImageData*, vtkInformationVector*)
 {
-  return vtkTable::SafeDownCast(this->GetOutputDataObject(3));
+  return {};
 }
 
 int vtkIonTransport::FillInputPortInformation(int port, vtkInformation* info)
@@ -269,7 +210,7 @@ int vtkIonTransport::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkIonTransport::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The extent of the image must be reported now, and depends on the atoms, so they are updated.
+  // The extent of the image is required now, and depends on the atoms: update the input.
   this->Advance->Update();
   if (this->GetNumberOfInputConnections(1) > 0)
   {
@@ -295,7 +236,7 @@ int vtkIonTransport::RequestInformation(
 int vtkIonTransport::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // the extent requested of the image does not apply to the atoms
+  return 1; // the requested extent of the image does not apply to the atoms
 }
 
 int vtkIonTransport::RequestData(
@@ -340,16 +281,5 @@ void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Temperature: " << this->GetTemperature() << "\n";
   os << indent << "Tolerance: " << this->GetTolerance() << "\n";
   os << indent << "MaximumIterations: " << this->GetMaximumIterations() << "\n";
-  os << indent << "SweepOf: " << this->SweepOf << "\n";
-  os << indent << "SweepPoints: " << this->SweepPoints << "\n";
-  list("SweepVoltages", this->SweepVoltages, 2);
-  list("SweepFactors", this->SweepFactors, 2);
-  os << indent << "MovingSurface: " << this->MovingSurface << "\n";
-  this->PrintSolventProperties(os, indent);
-  os << indent << "UpdatePeriod: " << this->GetUpdatePeriod() << "\n";
-  os << indent << "SurfaceRelaxation: " << this->GetSurfaceRelaxation() << "\n";
-  os << indent << "FieldRelaxation: " << this->GetFieldRelaxation() << "\n";
-  os << indent << "UpdateTolerance: " << this->GetUpdateTolerance() << "\n";
-  os << indent << "MaximumUpdates: " << this->GetMaximumUpdates() << "\n";
   this->PrintAtomProperties(os, indent);
 }

@@ -6,7 +6,7 @@
  * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges; a PQR file has both. Water,
  * alternate locations and missing hydrogens are treated as in vtkMolecularFlowSurface. Input 1
  * (optional): the molecule's surface as closed polygons, for instance that of a converged
- * vtkSolvationSurface; without it the solvent-excluded surface for ProbeRadius is computed.
+ * vtkSolvationSurface; otherwise the solvent-excluded surface for ProbeRadius is computed.
  *
  * The steady Poisson-Nernst-Planck equations between two baths that a flat membrane separates; it
  * is closed except for a round hole (LumenRadius) for the channel, around the axis through
@@ -14,62 +14,52 @@
  * atoms with a margin of Padding; its grid is turned so that one axis is that normal. Formulas and
  * sources: PoissonNernstPlanck.h, TransportGrid.h.
  *
- * Outputs:
- *  - 0: vtkImageData with `Potential` (kT/e), for each species `Concentration_NAME` (mol/l) and
- *    `Flux_NAME` (ions a nanosecond and square angstrom), `CurrentDensity` (pA a square angstrom:
- *    for streamlines), `SignedDistance` to atoms and membrane (angstrom, negative within). Unless
- *    MembraneNormal is a coordinate axis, they are interpolated trilinearly from the grid.
- *    Field data: `Voltage`, `Current` and `Current_NAME` (pA, positive along the normal),
- *    `CurrentSpread` (largest difference between sections), `Converged`, `Changes` (of the
- *    potential, by iteration), `BottleneckRadius`, `BottleneckPosition` (of the widest way; no
- *    more than 4.5 spacings);
- *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`;
- *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
- *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage;
- *  - 3: vtkTable with a row for each update of a MovingSurface (none for a fixed one), the first
- *    that of the surface where it begins: `Update`, `Time` (of the flow, square angstrom),
- *    `AreaChange` (square angstrom), `LumenVolume` (water within the membrane's thickness, cubic
- *    angstrom), `EnergyChange` (of tension, pressure and dispersion, kcal/mol), `OnObstacle` (the
- *    part of the surface that cannot recede), `BottleneckRadius`, `Current_NAME`, `Current`.
- *    In this case output 0 has the field data Rests and ShownUpdate.
+ * Outputs (arrays by species have its name in place of NAME):
+ *  - 0: vtkImageData with `Potential` (kT/e), `Concentration_NAME` (mol/l), `Flux_NAME` (ions per
+ *    nanosecond and square angstrom), `CurrentDensity` (pA per square angstrom), `SignedDistance`
+ *    to atoms and membrane (angstrom, negative within). Unless MembraneNormal is a coordinate axis,
+ *    they are interpolated trilinearly from the grid. Field data: `Voltage` (mV), `Current` and
+ *    `Current_NAME` (pA, positive along the normal), `CurrentSpread` (largest relative difference
+ *    between sections), `Converged`, `Changes` (of the potential, by iteration),
+ *    `BottleneckRadius`, at most 4.5 spacings, and `BottleneckPosition` (angstrom);
+ *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`.
  *
  * Accuracy: rotating molecule and membrane together, or the molecule about the axis, changes the
- * current by up to 0.75 % at the default Spacing and 0.15 % at half of it (the ranges of 15 and of
- * 5 rotations of tubes of atoms with pores of 2.2, 2.5 and 2.8 angstrom, charged and not). For a
- * MovingSurface it is 1.4 %, and its first update differs from a fixed surface, by 0.7 % at Spacing
- * 0.5 and 2 % at 0.8 (PermittivityMean in TransportGrid.h).
+ * current by up to 0.75 % at the default Spacing and 0.15 % at half of it.
  *
  * If the iteration does not converge within MaximumIterations, a warning reports its last change,
- * and the state that changed least is kept, with Converged 0. The same happens if ions are not
+ * and the state that changed least is returned, with `Converged` 0; likewise if ions are not
  * conserved to 1e-4 because a linear system could not be solved.
  *
  * **Errors** (message, empty outputs): those of the atoms, parameters out of range, baths that
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
  * its radius there), a surface that is not closed, has parts that cross (ShellCrossings.h), lies
  * elsewhere than the atoms (InputOverlap.h) or leaves more than half of the charged atoms outside
- * (fewer are a warning; a surface in nanometres lies within the molecule), a grid that does not fit
- * into memory. Cost: about 40 to 75 microseconds for each node and each point of a sweep. All atoms
- * are needed on one rank.
+ * (fewer are a warning), a grid that does not fit into memory. Cost: about 40 to 75 microseconds
+ * for each node. All atoms are needed on one rank.
+ *
+ * @sa vtkIonTransportMovingSurface
  */
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h
 
 #include "Atoms/AtomProperties.h"
 #include "Core/ArrayProperty.h"
-#include "MolecularSurfaces/SolventProperties.h"
 #include "Solvation/IonTransportParameters.h"
-#include "Solvation/SolvationParameters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 
-#include <memory> // for what it asks of its input
+#include <memory> // for the input that RequestInformation() needs
 #include <string> // for names
 
 class vtkTable;
 
 namespace isthmus
 {
+class ChannelSolution;
 class InputInAdvance;
+struct ChannelProblem;
+struct MoleculeAtoms;
 }
 
 class VTKISTHMUSFILTERSSOLVATION_EXPORT vtkIonTransport : public vtkImageAlgorithm
@@ -152,59 +142,12 @@ public:
   ISTHMUS_PARAMETER(MaximumIterations, int);
   ///@}
 
-  enum SweepKind
-  {
-    NoSweep = 0,
-    Voltages = 1,      ///< an I-V curve
-    Concentrations = 2 ///< both baths' times a factor, the factors spaced by their logarithm
-  };
-
-  ///@{
-  /// The quantity to sweep, the number of points (at least two), and the ends of the sweep:
-  /// voltages in mV, or factors. Defaults NoSweep, 9, -100 to 100, 0.1 to 10.
-  vtkSetMacro(SweepOf, int);
-  vtkGetMacro(SweepOf, int);
-  vtkSetMacro(SweepPoints, int);
-  vtkGetMacro(SweepPoints, int);
-  vtkSetVector2Macro(SweepVoltages, double);
-  vtkGetVector2Macro(SweepVoltages, double);
-  vtkSetVector2Macro(SweepFactors, double);
-  vtkGetVector2Macro(SweepFactors, double);
-  ///@}
-
-  ///@{
-  /// Whether the surface moves with the field and the ions (the LB-PNP model of the thesis,
-  /// MovingChannel.h) or is fixed. It starts from the surface of the atoms or of input 1 and never
-  /// recedes behind it. A sweep uses the surface at Voltage. Default off.
-  vtkSetMacro(MovingSurface, bool);
-  vtkGetMacro(MovingSurface, bool);
-  vtkBooleanMacro(MovingSurface, bool);
-  ///@}
-
-  ///@{
-  /// For a moving surface: the number of steps of the flow between two solutions, fewer if the
-  /// volume converges before; the fractions of each period's motion and of each new force that are
-  /// applied (above 0, at most 1); the relative change of the currents and of the water in the hole
-  /// of the membrane below which, twice in a row, the surface has converged; and the maximum number
-  /// of updates. Defaults 20, 1, 1, 1e-3, 10.
-  ISTHMUS_PARAMETER_OF(Motion.Policy, UpdatePeriod, int);
-  ISTHMUS_PARAMETER_OF(Motion.Policy, SurfaceRelaxation, double);
-  ISTHMUS_PARAMETER_OF(Motion.Policy, FieldRelaxation, double);
-  ISTHMUS_PARAMETER_OF(Motion, UpdateTolerance, double);
-  ISTHMUS_PARAMETER_OF(Motion.Policy, MaximumUpdates, int);
-  ///@}
-
-  /// Output 1, 2 and 3.
+  /// Output 1.
   vtkTable* GetSections();
-  vtkTable* GetSweep();
-  vtkTable* GetUpdates();
 
   /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
-  /// SurfaceTension, above 0, and Pressure are used if the surface moves; see SolventProperties.h.
-  /// Well depths are as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
-  ISTHMUS_SOLVENT_PROPERTIES(Motion.Solvent);
 
 protected:
   vtkIonTransport();
@@ -218,6 +161,13 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  /// For subclasses whose surface moves: adds to the problem of one execution.
+  virtual void CompleteProblem(
+    vtkDataObject* input, const isthmus::MoleculeAtoms& atoms, isthmus::ChannelProblem& problem);
+  /// For subclasses: adds to output 0, and fills further outputs. Returns a warning, or "".
+  virtual std::string FillMotion(const isthmus::ChannelSolution& channel, vtkImageData* image,
+    vtkInformationVector* outputVector);
+
 private:
   vtkIonTransport(const vtkIonTransport&) = delete;
   void operator=(const vtkIonTransport&) = delete;
@@ -226,12 +176,6 @@ private:
 
   std::string SpeciesNames = "K Cl";
   isthmus::IonTransportParameters Parameters;
-  isthmus::MovingChannelParameters Motion; ///< used if the surface moves
-  int SweepOf = NoSweep;
-  int SweepPoints = 9;
-  double SweepVoltages[2] = { -100.0, 100.0 };
-  double SweepFactors[2] = { 0.1, 10.0 };
-  bool MovingSurface = false;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkSolvationSurface);
 
 using isthmus::SolvationUpdate;
 
-/// What one execution works with.
+/// Functions of one execution.
 class vtkSolvationSurface::vtkInternals
 {
 public:
@@ -130,7 +130,7 @@ int vtkSolvationSurface::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkSolvationSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The extent of the image must be reported now, and depends on the atoms, so they are updated.
+  // The extent of the image is required now, and depends on the atoms: update the input.
   this->Advance->Update();
   isthmus::SetImageInformation(outputVector->GetInformationObject(1),
     [&](vtkImageData* image)
@@ -150,7 +150,7 @@ int vtkSolvationSurface::RequestInformation(
 int vtkSolvationSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // the extent requested of the image does not apply to the atoms
+  return 1; // the requested extent of the image does not apply to the atoms
 }
 
 int vtkSolvationSurface::RequestData(

@@ -1,7 +1,7 @@
 /**
  * @class   vtkSolvationSurface
- * @brief   equilibrium surface of a molecule in the field of its charges, with what solvation
- * costs
+ * @brief   equilibrium surface of a molecule in the field of its charges, and its solvation
+ * energies
  *
  * Input: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
  * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges; a PQR file has both. Well
@@ -22,7 +22,7 @@
  *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy`, `NonpolarEnergy`, `PolarEnergy`,
  *    `TotalEnergy` (kcal/mol), `OnObstacle` (the part of the surface that its obstacle holds).
  *
- * The field array `Rests` of outputs 0 and 1 is 1 if the energy has converged. Otherwise the
+ * The field array `Converged` of outputs 0 and 1 is 1 if the energy has converged. Otherwise the
  * surface of the last update is returned, with a warning.
  *
  * **Obstacle.** ProbeRadius keeps the surface of a protein from collapsing. The field pulls many
@@ -43,7 +43,7 @@
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for what it asks of its input
+#include <memory> // for the input that RequestInformation() needs
 
 class vtkImageData;
 class vtkTable;

@@ -19,6 +19,7 @@ from outputs import output_of
 NUMBERS = ("vtkSMDoubleVectorProperty", "vtkSMIntVectorProperty", "vtkSMIdTypeVectorProperty")
 # On the data of this test the value proposed is the default.
 NO_PROPOSAL = {("IonTransport", "MembraneCenter"), ("IonTransportOnSurface", "MembraneCenter"),
+               ("IonTransportMovingSurface", "MembraneCenter"),
                ("TetCutaway", "PlaneOrigin"), ("HessianCurvature", "Scale"), ("CurvatureOnSurface", "Scale")}
 control = servermanager.ParaViewPipelineController()
 

@@ -26,7 +26,8 @@ OUT_OF_RANGE = {  # factors of an image's values or of coordinates; each is refu
 # Ports for atoms whose outputs are sums over them, or depend on their number. Others give the atoms themselves.
 ATOMS = {(name, "Input") for name in (
     "MolecularPockets", "PoreProfile", "MolecularDensity", "MolecularFlowSurface", "NonpolarSolvation",
-    "PoissonBoltzmann", "PoissonBoltzmannOnSurface", "IonTransport", "IonTransportOnSurface", "SolvationSurface",
+    "PoissonBoltzmann", "PoissonBoltzmannOnSurface", "IonTransport", "IonTransportOnSurface",
+    "IonTransportMovingSurface", "SolvationSurface",
     "FullereneStability")} | {("BindingSites", "Atoms"), ("BindingSitesInPockets", "Atoms")}
 
 

@@ -15,13 +15,14 @@ OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"), ("Surface
             ("BindingSites", "Atoms"), ("PoissonBoltzmann", "Surface"),
             ("PoissonBoltzmann", "PotentialInput"), ("PoissonBoltzmannOnSurface", "PotentialInput"),
             ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining"), ("IonTransport", "Surface"),
+            ("IonTransportMovingSurface", "Surface"),
             ("MapHandles", "OtherHalf")}
 # Outputs that stand beside the main one from the start: what the filter is for, or a reader's other view.
 BESIDE = {("BindingSites", 1), ("CellIncidence", 1), ("FeatureTracks", 2), ("MapHandles", 1),
           ("MapHandles", 4), ("MapHandles", 5), ("SurfaceMeasures", 1),
           ("MeshQualityReport", 1), ("MolecularPockets", 1), ("MolecularPockets", 3), ("MoleculeCartoon", 1), ("PoreProfile", 5),
           ("PoissonBoltzmann", 1), ("NonpolarSolvation", 1), ("TetCutaway", 1), ("MacromoleculeReader", 1),
-          ("IonTransport", 1), ("IonTransport", 2)}
+          ("IonTransport", 1), ("IonTransportMovingSurface", 2)}
 ICONS = {":/Isthmus/" + file.get("alias") for file in ElementTree.parse(
     Path(os.environ["ISTHMUS_PANELS_DIR"]) / "Isthmus.qrc").getroot().iter("file")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")

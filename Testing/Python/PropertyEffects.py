@@ -21,14 +21,12 @@ from long_tests import TURN, share
 from lively_data import inputs
 
 SECONDS = 30.0
+ION_TRANSPORT = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSurface")
 # Properties that have to be set before this one can show itself: {(proxy, property): {name: value}}.
 NEEDS = {
-    ("HighOrderDiffusion", "LowerOrders"): {"Order": 1},
-    **{(name, swept): {"SweepOf": kind} for name in ("IonTransport", "IonTransportOnSurface")
-       for swept, kind in (("SweepPoints", 1), ("SweepVoltages", 1), ("SweepFactors", 2))},
-    **{("IonTransportOnSurface", name): {"MovingSurface": 1} for name in (
-        "SurfaceTension", "Pressure", "UpdatePeriod", "SurfaceRelaxation", "FieldRelaxation", "UpdateTolerance",
-        "MaximumUpdates")},
+    ("HighOrderDiffusion", "LowerOrders"): {"Order": 1, "Automatic": 0, "Time": 1},
+    **{("HighOrderDiffusion", name): {"Automatic": 0, "Time": 1}
+       for name in ("EdgeStopping", "Integrator", "Order", "Steps")},
     **{("HandleFilling", name): {"FillHandlesBelow": 3.0} for name in ("Side", "SampleSpacing", "Thickness")},
     # Just below the saddle between the two balls: noise decides whether there is a bridge.
     **{("MapHandles", name): {"AutomaticLevel": 0, "Level": 0.155} for name in ("NumberOfResamples", "Seed")},
@@ -55,9 +53,9 @@ NEEDS = {
 }
 # Values for small data, where those of the range are for large ones.
 VALUES = {
-    **{(name, element): values for name in ("IonTransport", "IonTransportOnSurface") for element, values in (
+    **{(name, element): values for name in ION_TRANSPORT for element, values in (
         ("LumenRadius", [4.0]), ("MembraneCenter", [-0.1, 0.1]), ("MembraneThickness", [7.0]),
-        ("ProbeRadius", [1.4]), ("Spacing", [1.2]), ("Padding", [5.0]), ("SweepPoints", [3]),
+        ("ProbeRadius", [1.4]), ("Spacing", [1.2]), ("Padding", [5.0]),
         ("MaximumIterations", [1]), ("UpdatePeriod", [2]), ("UpdateTolerance", [1e-5]), ("MaximumUpdates", [2]))},
     ("BindingSites", "MergeDistance"): [6.0, 20.0],
     ("ChokingLoops", "MaximumRadius"): [1.0, 5.0],
@@ -98,7 +96,7 @@ SILENT = {
     **{(name, "MaskInvalid"): "all values are finite: MaskedMaps.py has others"
        for name in ("DenoiseMap", "HighOrderDiffusion")},
     ("IsosurfaceStuffing", "MemoryLimit"): LIMIT,
-    **{(name, silent): why for name in ("IonTransport", "IonTransportOnSurface") for silent, why in (
+    **{(name, silent): why for name in ION_TRANSPORT for silent, why in (
         ("IncludeWaters", "the tube has no residues: MolecularFlowSurface.py has"),
         ("UnitedAtoms", "the same"),
         ("Species", "rows of five numbers: IonTransport.py sets them"))},

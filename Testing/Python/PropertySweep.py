@@ -24,6 +24,7 @@ LEFT_OUT = {
     ("MolecularFlowSurface", "Spacing", 0.1): "three million nodes for a ball of 5 angstrom",
     ("IonTransport", "Spacing", 0.25): "a million nodes for a tube of 10 angstrom",
     ("IonTransportOnSurface", "Spacing", 0.25): "the same",
+    ("IonTransportMovingSurface", "Spacing", 0.25): "the same",
     ("OffsetSurface", "Resolution", 512): "512^3 nodes are 1 GB",
     ("PDETransform", "NumberOfModes", 16): "wavelengths that grow sixteen times over",
     ("PDETransform", "WavelengthRatio", 16.0): "wavelengths that grow sixteenfold",

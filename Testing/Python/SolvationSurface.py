@@ -32,7 +32,7 @@ rows = numpy.array([[updates.GetValue(row, i).ToDouble() for i in range(len(colu
 column = dict(zip(columns, rows.T))
 for name, values in column.items():
     print(f"{name:17}", " ".join(f"{value:.3f}" for value in values))
-assert surface.GetFieldData().GetArray("Rests").GetValue(0) == 1.0
+assert surface.GetFieldData().GetArray("Converged").GetValue(0) == 1.0
 assert 3 <= len(rows) <= 10
 # Parts add up, and the energy falls on the way but for the noise of its discretisation.
 parts = column["SurfaceEnergy"] + column["VolumeEnergy"] + column["DispersionEnergy"]

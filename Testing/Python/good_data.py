@@ -175,14 +175,14 @@ def channel_surface():
 
 MAKERS = {"vtkTable": features, "vtkMolecule": molecule, "vtkPolyData": surface, "vtkPointSet": surface, "vtkImageData": image,
           "vtkUnstructuredGrid": tetrahedra, "vtkDataSet": surface, "vtkDataObject": surface}
+ION_TRANSPORT = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSurface")
 # Ports whose type does not tell what they want.
 SPECIAL = {("LoopShortening", "Input"): loop,
-           **{(name, port): make for name in ("IonTransport", "IonTransportOnSurface")
+           **{(name, port): make for name in ION_TRANSPORT
               for port, make in (("Input", channel), ("Surface", channel_surface))}}
-# Properties of filters that must be given, or whose defaults are for more than small data.
-COARSE = {"HighOrderDiffusion": {"Time": 1.0},
-          **{name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0}
-             for name in ("IonTransport", "IonTransportOnSurface")}}
+# Properties of filters whose defaults are for more than small data.
+COARSE = {name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0}
+          for name in ION_TRANSPORT}
 INPUTS = ports_of_filters()
 
 

@@ -165,7 +165,8 @@ SPECIAL.update({("ChokingLoops", "Input"): ring, ("HandleFilling", "Input"): rin
                 ("NonpolarSolvation", "Volume"): flow_volume,
                 **{(name, "OtherHalf"): lambda: image(2) for name in ("DenoiseFromHalfMaps", "MapHandles")},
                 ("PoissonBoltzmannOnSurface", "Surface"): around_atoms})
-del SPECIAL["IonTransport", "Surface"]  # it would have a surface, not make one
+for name in ("IonTransport", "IonTransportMovingSurface"):
+    del SPECIAL[name, "Surface"]  # computed from the atoms instead
 
 
 def inputs(name, kind):

@@ -6,6 +6,7 @@
 #include "vtkFeatureTracks.h"
 #include "vtkForceFieldCharges.h"
 #include "vtkIonTransport.h"
+#include "vtkIonTransportMovingSurface.h"
 #include "vtkMolecularDensity.h"
 #include "vtkMolecularFlowSurface.h"
 #include "vtkMolecularPockets.h"
@@ -107,24 +108,21 @@ void AddElectrostatics(Cases& cases)
 
 void AddSolvation(Cases& cases)
 {
-  AddCase<vtkIonTransport>(cases, "sweep",
+  AddCase<vtkIonTransport>(cases, "",
     [](vtkIonTransport* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.Channel());
       filter->SetMembraneCenter(0.1, 0.0, 3.97);
       filter->SetMembraneNormal(0.0, 1.0, 0.0);
       filter->SetSpacing(1.0);
-      filter->SetSweepOf(vtkIonTransport::Voltages);
-      filter->SetSweepPoints(2);
     });
-  AddCase<vtkIonTransport>(cases, "moving surface",
-    [](vtkIonTransport* filter, Inputs& inputs)
+  AddCase<vtkIonTransportMovingSurface>(cases, "",
+    [](vtkIonTransportMovingSurface* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.Channel());
       filter->SetMembraneCenter(0.1, 0.0, 3.97);
       filter->SetMembraneNormal(0.0, 1.0, 0.0);
       filter->SetSpacing(1.0);
-      filter->MovingSurfaceOn();
       filter->SetMaximumUpdates(2);
     });
   AddCase<vtkSolvationSurface>(cases, "",

@@ -51,7 +51,7 @@ CurrentProfile Sound(PoissonNernstPlanck& solution, const char* name)
       EXPECT_GE(solution.Concentration(SpeciesId(k), node), 0.0) << name;
     }
   }
-  const CurrentProfile currents = CurrentsOf(solution);
+  const CurrentProfile currents = ComputeCurrents(solution);
   EXPECT_LT(currents.Spread(), 1e-4) << name;
   return currents;
 }
@@ -86,16 +86,16 @@ TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
   double least = 0.0;
   for (const double voltage : { 40.0, 120.0 })
   {
-    solution.SetBaths(voltage, 1.0);
+    solution.SetVoltage(voltage);
     const double forth = Sound(solution, "forth").Mean();
-    solution.SetBaths(-voltage, 1.0);
+    solution.SetVoltage(-voltage);
     const double back = Sound(solution, "back").Mean();
     std::cout << voltage << " mV: " << forth << " pA, " << back << " pA\n";
     EXPECT_GT(forth, least);
     EXPECT_NEAR(back / forth, -1.0, 1e-3) << voltage; // where cut cubes go is not symmetric
     least = forth;
   }
-  solution.SetBaths(0.0, 1.0);
+  solution.SetVoltage(0.0);
   EXPECT_NEAR(Sound(solution, "none").Mean(), 0.0, 1e-6 * least);
 }
 
@@ -239,7 +239,7 @@ TEST(IonTransportInvariants, OverflowIsReported)
     try
     {
       const IonTransportReport report = solution.Solve();
-      const CurrentProfile currents = CurrentsOf(solution);
+      const CurrentProfile currents = ComputeCurrents(solution);
       std::cout << charge << " e: converged " << report.Converged << ", lost " << report.Imbalance
                 << ", spread " << currents.Spread() << ", last change " << report.Changes.back()
                 << "\n";

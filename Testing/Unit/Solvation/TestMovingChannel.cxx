@@ -260,7 +260,7 @@ TEST(MovingChannel, WithoutForcesItIsTheSurfaceAtRest)
   CloseIsolatedPockets(grid);
   PoissonNernstPlanck still(grid, p);
   still.Solve();
-  const double current = CurrentsOf(still).Mean();
+  const double current = ComputeCurrents(still).Mean();
   std::cout << held.GetUpdates().front().Current() << " pA, then "
             << held.GetUpdates().back().Current() << ", at rest " << current << "\n";
   EXPECT_NEAR(held.GetUpdates().front().Current() / current, 1.0, 0.01);
@@ -302,7 +302,7 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
         EXPECT_TRUE(channel.HasConverged());
         EXPECT_LE(channel.GetUpdates().size(), 10u);
         const PoissonNernstPlanck& solution = channel.GetSolution();
-        EXPECT_LT(CurrentsOf(solution).Spread(), 1e-4);
+        EXPECT_LT(ComputeCurrents(solution).Spread(), 1e-4);
         for (std::int64_t node = 0; node < domain.Size(); ++node)
         {
           ASSERT_GE(solution.Concentration(SpeciesId(0), node), 0.0);
@@ -330,7 +330,7 @@ TEST(MovingChannel, WhatDoesNotRestIsKeptAsItChangedLeast)
   EXPECT_GT(channel.LastChange(), m.UpdateTolerance);
   EXPECT_EQ(channel.GetShown(), 1u);
   EXPECT_NEAR(
-    CurrentsOf(channel.GetSolution()).Mean() / channel.GetUpdates()[1].Current(), 1.0, 1e-4);
+    ComputeCurrents(channel.GetSolution()).Mean() / channel.GetUpdates()[1].Current(), 1.0, 1e-4);
 }
 
 TEST(MovingChannel, RefusesWhatHasNoAnswer)

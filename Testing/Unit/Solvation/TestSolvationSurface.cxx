@@ -71,7 +71,7 @@ TEST(SolvationSurface, OfAnIonHasBornsEnergyAndPotential)
   filter->Update();
   vtkPolyData* surface = filter->GetOutput();
   ASSERT_GT(surface->GetNumberOfPoints(), 100);
-  EXPECT_EQ(surface->GetFieldData()->GetArray("Rests")->GetComponent(0, 0), 1.0);
+  EXPECT_EQ(surface->GetFieldData()->GetArray("Converged")->GetComponent(0, 0), 1.0);
 
   // Pressure and tension keep the surface on the ball, and the field pulls it there.
   const double area = 4.0 * Pi * IonRadius * IonRadius;

@@ -40,7 +40,7 @@ CurrentProfile Solved(const TransportGrid& grid, const IonTransportParameters& p
       EXPECT_GE(solution.Concentration(SpeciesId(k), node), 0.0);
     }
   }
-  const CurrentProfile currents = CurrentsOf(solution);
+  const CurrentProfile currents = ComputeCurrents(solution);
   EXPECT_LT(currents.Spread(), 1e-4);
   return currents;
 }

@@ -27,7 +27,7 @@ SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
 SITES = ("BindingSites", "BindingSitesInPockets")
-IONS = ("IonTransport", "IonTransportOnSurface")
+IONS = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
 DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion")  # what they make is a map: seen as a surface
@@ -259,13 +259,9 @@ def _columns(table):
 
 
 def _look_at_currents(display, view):
-    """A channel's currents over what was swept: an I-V curve, or one over concentrations."""
-    swept = servermanager._getPyProxy(display.Input.SMProxy).SweepOf
-    x, words, other = (("ConcentrationFactor", "Concentrations, times", "Voltage") if swept == "Concentrations"
-                       else ("Voltage", "Voltage (mV)", "ConcentrationFactor"))
-    if not hasattr(display, "XArrayName"):  # a spreadsheet: what was swept comes last
-        view.HiddenColumnLabels = ("CurrentSpread", other)
-        return
+    """A channel's currents over the position of the cross-section, or over the updates of the surface."""
+    x, words = (("Update", "Update") if "Update" in _columns(display.Input)
+                else ("Along", "Position along the axis (Å)"))
     ions = sorted(name for name in _columns(display.Input) if name.startswith("Current_"))
     curves = [(name, name[len("Current_"):], colour)
               for name, colour in zip(ions, (VERMILION, BLUE, GREEN, ORANGE, PURPLE))]
@@ -322,7 +318,7 @@ def _look_at_table(display, view, name):
         view.HiddenColumnLabels = pockets_and_pores.HIDDEN_COLUMNS[name]
     elif name in LEVELS and hasattr(display, "XArrayName") and _columns(display.Input).count("Level"):
         _draw_curves(display, view, "Level", BETTI, ("Betti curves", "Level", "Number"))
-    elif name in IONS and getattr(display.Input, "Port", 0) == 2:
+    elif name in IONS and hasattr(display, "XArrayName"):
         _look_at_currents(display, view)
 
 
