@@ -104,15 +104,9 @@ struct LoopLimits
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Check(const LoopLimits& limits);
 
 // ------------------------------------------------------------------------------------------
-// From a surface to drawn loops (vtkChokingLoops.h, where each is documented).
+// The function on a tetrahedral mesh (MeshLoops.h).
 
-enum class LoopFiltration
-{
-  Delaunay,
-  TetrahedralMesh
-};
-
-/// MorseFunction of SurfaceDistance.h, or a point array of the mesh.
+/// MorseFunction of MorseValues.h, or a point array of the mesh.
 enum class MeshFunction
 {
   ClosestPoint = 0,
@@ -120,6 +114,21 @@ enum class MeshFunction
   GridDistance = 2,
   PointArray = 3,
   FastMarching = 4
+};
+
+struct MeshFunctionParameters
+{
+  MeshFunction MorseFunction = MeshFunction::ClosestPoint;
+  std::string MorseArrayName;
+};
+
+// ------------------------------------------------------------------------------------------
+// From a surface to drawn loops (vtkChokingLoops.h, where each is documented).
+
+enum class LoopFiltration
+{
+  Delaunay,
+  TetrahedralMesh
 };
 
 enum class ShorteningMode
@@ -134,17 +143,16 @@ enum class MembraneMethod
 {
   Automatic,  ///< as LoopDrawing.h chooses
   MinimumCut, ///< of least area (MinimumCutMembrane.h)
-  Greedy      ///< grown from the choke triangle (the same file)
+  Greedy      ///< grown from the choke triangle (GreedyMembrane.h)
 };
 
 struct LoopSearchParameters
   : ChokingLoopParameters
   , FeatureSelection
   , LoopLimits
+  , MeshFunctionParameters
 {
   LoopFiltration Filtration = LoopFiltration::Delaunay;
-  MeshFunction MorseFunction = MeshFunction::ClosestPoint;
-  std::string MorseArrayName;
   ShorteningMode Shortening = ShorteningMode::Geodesic;
   int ShorteningRounds = 5;
   isthmus::MembraneMethod MembraneMethod = isthmus::MembraneMethod::Automatic;
@@ -193,7 +201,7 @@ struct OffsetSurfaceParameters
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Check(const OffsetSurfaceParameters& parameters);
 
 // ------------------------------------------------------------------------------------------
-// Bootstrap of the handles of a map (HandleSupport.h).
+// Bootstrap of the handles of a map (MapHandles.h).
 
 struct SupportParameters
 {

@@ -1,11 +1,12 @@
 #include "ChokingLoops/ChokingLoops.h"
 
 #include "ChokingLoops/GeneratorCompletion.h"
+#include "ChokingLoops/GreedyMembrane.h"
+#include "ChokingLoops/MeshFunctionError.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/MemoryBudget.h"
-#include "Core/NumberText.h"
 #include "Core/Stopwatch.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/LowerStarFiltration.h"
@@ -361,50 +362,6 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Surfa
   times.LastRound += took;
 }
 
-namespace
-{
-
-/// Describes the features for which a mesh is too coarse; empty if there are none.
-std::string RemarkOnMesh(const FeatureDiagram& diagram)
-{
-  std::size_t generators = 0, others = 0;
-  double widest = 0.0; // largest persistence of a narrowing within the error
-  double error = 0.0;
-  for (const ShapeFeature& f : diagram.Features)
-  {
-    const bool isOther = f.Dimension == 2 && f.Kind == FeatureKind::Noise && f.PairBirth > 0.0;
-    if (f.Trusted || !(IsGenerator(f) || (isOther && f.Persistence() > f.FunctionError)))
-    {
-      continue;
-    }
-    generators += isOther ? 0 : 1;
-    others += isOther ? 1 : 0;
-    widest = std::max(widest, isOther ? f.Persistence() : 0.0);
-    error = std::max(error, f.FunctionError);
-  }
-  if (generators + others == 0)
-  {
-    return {};
-  }
-  std::string remark = "The tetrahedra are too coarse for ";
-  if (generators > 0)
-  {
-    remark += std::to_string(generators) +
-      (generators == 1 ? " handle or tunnel" : " handles and tunnels") +
-      ", whose radius is smaller than its uncertainty (not trusted)";
-  }
-  if (others > 0)
-  {
-    remark += std::string(generators > 0 ? ", and for " : "") + std::to_string(others) +
-      (others == 1 ? " other narrowing" : " other narrowings") + " of persistence up to " +
-      FormatNumber(widest, 3) + ", not reported";
-  }
-  return remark + ". The error of the function reaches " + FormatNumber(error, 3) +
-    ". Give a finer mesh on the second input, or use the Delaunay filtration.";
-}
-
-}
-
 void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
   const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
   const ProgressCallback& progress)
@@ -449,7 +406,7 @@ ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& me
   this->State = std::make_unique<ChokingAnalysis>(std::move(checked), std::move(filtration),
     std::vector<double>{}, std::move(cellErrors), values, times, Between(progress, 0.5, 1.0));
   this->State->Times = times;
-  this->State->Remark = RemarkOnMesh(this->State->Found.Diagram);
+  this->State->Remark = MeshRemark(this->State->Found.Diagram);
 }
 
 ChokingLoops::~ChokingLoops() = default;

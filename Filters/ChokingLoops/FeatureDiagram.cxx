@@ -216,61 +216,6 @@ Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Poi
 }
 
 // ------------------------------------------------------------------------------------------
-// CellError
-namespace
-{
-
-double LongestEdge(const CellFiltration& mesh, const std::array<SimplexId, 4>& corners)
-{
-  double longest = 0.0;
-  for (std::size_t a = 0; a < 4; ++a)
-  {
-    for (std::size_t b = 0; b < a; ++b)
-    {
-      longest =
-        std::max(longest, Length(mesh.Points[At(corners[a])] - mesh.Points[At(corners[b])]));
-    }
-  }
-  return longest;
-}
-
-}
-
-std::vector<CellError> DistanceErrors(const CellFiltration& mesh, const std::vector<double>& values,
-  const std::vector<double>& atPoints)
-{
-  const double jung = std::sqrt(3.0 / 8.0);
-  std::vector<CellError> errors;
-  errors.reserve(mesh.Tetrahedra.size());
-  for (const auto& corners : mesh.Tetrahedra)
-  {
-    double least = HUGE_VAL;
-    double atCorners = 0.0;
-    for (const SimplexId p : corners)
-    {
-      least = std::min(least, values[At(p)]);
-      atCorners = std::max(atCorners, atPoints.empty() ? 0.0 : atPoints[At(p)]);
-    }
-    const double error = jung * LongestEdge(mesh, corners) + atCorners;
-    errors.push_back({ error, std::max(0.0, least - error) });
-  }
-  return errors;
-}
-
-std::vector<CellError> RangeErrors(const CellFiltration& mesh, const std::vector<double>& values)
-{
-  std::vector<CellError> errors;
-  errors.reserve(mesh.Tetrahedra.size());
-  for (const auto& corners : mesh.Tetrahedra)
-  {
-    const auto [least, most] = std::minmax({ values[At(corners[0])], values[At(corners[1])],
-      values[At(corners[2])], values[At(corners[3])] });
-    errors.push_back({ most - least, least });
-  }
-  return errors;
-}
-
-// ------------------------------------------------------------------------------------------
 // FeatureDiagram
 namespace
 {

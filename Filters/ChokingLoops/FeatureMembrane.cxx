@@ -185,8 +185,9 @@ TriangleChain FillingOfSum(
     : TriangleChain{};
 }
 
-/// The membrane made of `triangles`, whose boundary is `cycle`.
-Membrane MembraneOf(const FeatureContext& context, const TriangleChain& triangles,
+}
+
+Membrane SpanningMembrane(const FeatureContext& context, const TriangleChain& triangles,
   const EdgeChain& cycle, HomologySpan* span)
 {
   Membrane membrane;
@@ -226,8 +227,6 @@ Membrane MembraneOf(const FeatureContext& context, const TriangleChain& triangle
   return membrane;
 }
 
-}
-
 Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
   const ShapeFeature& feature, HomologySpan* span)
 {
@@ -236,13 +235,13 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
   const EdgeChain cycle = context.Pairs.Push(
     { boundary.begin(), boundary.end() }, feature.Choke,
     [&context](EdgeId e) { return !context.Embedding.SurfaceEdge(e).Exists(); }, swept);
-  Membrane membrane = MembraneOf(context, swept, cycle, span);
+  Membrane membrane = SpanningMembrane(context, swept, cycle, span);
   if (membrane.Loops.empty() && span)
   {
     const TriangleChain filling = FillingOfSum(context, regions, feature);
     if (!filling.empty())
     {
-      membrane = MembraneOf(context, filling, BoundaryOf(context.Filtration, filling), span);
+      membrane = SpanningMembrane(context, filling, BoundaryOf(context.Filtration, filling), span);
     }
   }
   return membrane;
@@ -256,31 +255,12 @@ std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
   {
     return std::nullopt;
   }
-  Membrane membrane = MembraneOf(context, cut, BoundaryOf(context.Filtration, cut), nullptr);
+  Membrane membrane = SpanningMembrane(context, cut, BoundaryOf(context.Filtration, cut), nullptr);
   membrane.OnSurface = membrane.OnSurface || chords;
   if (!membrane.OnSurface || membrane.Loops.empty())
   {
     return std::nullopt;
   }
-  return membrane;
-}
-
-std::optional<Membrane> GreedyMembrane(const FeatureContext& context, const ShapeFeature& feature)
-{
-  const std::optional<GreedyPatches> patches = GrowGreedily(context, feature);
-  if (!patches)
-  {
-    return std::nullopt;
-  }
-  const EdgeChain boundary = BoundaryOf(context.Filtration, patches->Triangles);
-  Membrane membrane = MembraneOf(context, patches->Triangles, boundary, nullptr);
-  if (membrane.Loops.empty())
-  {
-    return std::nullopt;
-  }
-  // An edge through the space between two points of M is allowed here: it ends the growth.
-  membrane.OnSurface = true;
-  membrane.GrowthCost = patches->Cost;
   return membrane;
 }
 

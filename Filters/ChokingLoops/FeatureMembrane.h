@@ -50,9 +50,11 @@ std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
   const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {},
   bool chords = false);
 
-/// The membrane from GrowGreedily(), with the remaining edges off M replaced by the shortest paths
-/// on M; empty if there is none or if such a path is missing.
-std::optional<Membrane> GreedyMembrane(const FeatureContext& context, const ShapeFeature& feature);
+/// The membrane of `triangles`, whose boundary is `cycle`, with the edges off M replaced by the
+/// shortest paths on M. Without Loops if there is no such path, or if `span` already contains the
+/// class of the loops.
+Membrane SpanningMembrane(const FeatureContext& context, const TriangleChain& triangles,
+  const EdgeChain& cycle, HomologySpan* span);
 
 /// Adds the fan of triangles from the first point of a closed loop to its edges.
 void AddFan(const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId, 3>>& triangles);

@@ -1,12 +1,18 @@
 /**
  * @file MapHandles.h
- * @brief Bridges and windows of a map over its levels, and intervals of levels without topological
- * change.
+ * @brief Bridges and windows of a map over its levels, intervals of levels without topological
+ * change, and which handles noise could have caused.
  */
 #ifndef isthmus_MapHandles_h
 #define isthmus_MapHandles_h
 
+#include "ChokingLoops/ChokingLoopParameters.h"
+#include "Core/Progress.h"
 #include "Persistence/ScalarFeatures.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace isthmus
 {
@@ -49,8 +55,51 @@ std::vector<MapHandle> MapHandles(
 std::vector<StableInterval> StableIntervals(
   const FeatureList& features, bool superlevel, const std::array<double, 2>& range);
 
-/// Betti numbers of the features kept at one level.
+/// Betti numbers of the features at one level.
 std::array<std::int64_t, 3> BettiAt(const FeatureList& features, bool superlevel, double level);
+
+// ------------------------------------------------------------------------------------------
+// How often the handles are found again in resamples of the map with other noise.
+
+/// For each handle of the list.
+struct HandleSupport
+{
+  std::vector<double> Support; ///< share of resamples with the handle
+  std::vector<double> PValue;  ///< that noise caused it at the level; 1: not there at all
+};
+
+/// Distance, in nodes, within which a handle of a resample can be the same handle.
+constexpr double HandleMatchDistance = 8.0;
+
+/**
+ * Noise with the spectrum of `noise` within blocks of 16 nodes and its local deviation: each block
+ * of a grid at a random place is a block of noise / deviation from elsewhere, with a random sign,
+ * times the deviation in place. Deviation: root mean square in windows of 17 nodes. Nodes where
+ * the noise is exactly 0, those outside of a mask, have none.
+ */
+class NoiseBootstrap
+{
+public:
+  NoiseBootstrap(const std::vector<float>& noise, const std::array<std::int64_t, 3>& dimensions);
+
+  /// Adds noise to `values`, float or double. Bitwise identical for the same seed.
+  template <typename T>
+  void AddTo(std::vector<T>& values, std::uint64_t seed) const;
+
+private:
+  std::array<std::int64_t, 3> Dimensions;
+  std::vector<float> Unit;      ///< noise / deviation; 0: none
+  std::vector<float> Deviation; ///< local
+};
+
+/**
+ * Bootstrap of `handles` (found in `volume` with `parameters`): finds the handles of volume +
+ * noise, with the same range and `threshold` (in units of the values), in each resample. Cost: that
+ * of CubicalPersistence for each resample. @throws Cancelled
+ */
+HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView& volume,
+  const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
+  const SupportParameters& bootstrap, const ProgressCallback& progress = {});
 
 }
 

@@ -1,7 +1,7 @@
 /**
  * @file MinimumCutMembrane.h
- * @brief Membranes through a choke triangle that do not depend on the cycles of the filtration: the
- * one of least area, a minimum cut of the tetrahedra around it, and one that grows greedily.
+ * @brief The membrane of least area through a choke triangle: a minimum cut of the tetrahedra
+ * around it, which does not depend on the cycles of the filtration.
  */
 #ifndef isthmus_MinimumCutMembrane_h
 #define isthmus_MinimumCutMembrane_h
@@ -187,41 +187,6 @@ struct ShapeFeature;
  */
 TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeature& feature,
   const Point3& centre, const ProgressCallback& progress = {}, bool chords = false);
-
-// ------------------------------------------------------------------------------------------
-// A membrane through a choke triangle that grows step by step.
-
-/// Triangles grown from a choke triangle, and their cost.
-struct GreedyPatches
-{
-  TriangleChain Triangles; ///< the choke triangle among them
-  double Cost = 0.0;       ///< sum over the paths, in the unit of the points
-  std::size_t Steps = 0;   ///< vertices whose one-ring was filled
-};
-
-/**
- * Grows a membrane by the method of X. Feng, PhD thesis, 6.3.2.
- *
- * The membrane starts as the choke triangle f, with its two tetrahedra in the left and the right
- * cluster. Each step processes the boundary vertex v with the largest value d. A path in the
- * one-ring of v replaces v between its two neighbours on the boundary; the triangles formed by the
- * path and v join the membrane, and the tetrahedra around v join the cluster on their side of these
- * triangles. The path is the cheapest (Dijkstra) along edges of the ring whose triangle with v
- * precedes f in the filtration and does not have both tetrahedra in the same cluster. A step from p
- * to q costs (|p - q| + d(q)) / 2: the length term keeps the area small, and the distance term
- * leads down to M. Boundary vertices are avoided if possible, and vertices processed before always,
- * so the growth terminates.
- *
- * The method is greedy: no step is ever undone, and the area is not minimal (unlike that of
- * MinimumCutTriangles()). All vertices of the final boundary lie on M. A step takes O(s log s) for
- * the s tetrahedra around a vertex.
- *
- * The result is empty if the growth gets stuck, if the ring of v is incomplete, or if M is not part
- * of the complex (all sample points lie on M, where d is 0). @pre `feature.Choke` is a triangle of
- * the complex.
- */
-std::optional<GreedyPatches> GrowGreedily(
-  const FeatureContext& context, const ShapeFeature& feature);
 
 }
 

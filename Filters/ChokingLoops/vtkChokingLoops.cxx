@@ -2,6 +2,7 @@
 
 #include "ChokingLoops/ChokingLoopsOutput.h"
 #include "ChokingLoops/LoopDrawing.h"
+#include "ChokingLoops/MeshLoops.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/Cached.h"
@@ -10,21 +11,15 @@
 #include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
-#include "Persistence/SurfaceDistance.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/ShellNesting.h"
-#include "Surfaces/SurfaceCleaning.h"
-#include "Tetrahedra/TetrahedralMesher.h"
 
-#include <vtkCellType.h>
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
@@ -84,62 +79,6 @@ void LogAnalysisCost(const isthmus::AnalysisCost& cost)
   }
   vtkLog(TRACE, << isthmus::TextOf("Choking loops: from sampling to features about ",
                   SecondsText(cost.Seconds), " in all", (cost.Own > 0 ? Unsettled : ".")));
-}
-
-/// All points and cells of `grid`. Throws std::invalid_argument if there are none, or for a cell
-/// that is not a tetrahedron, with its number.
-isthmus::TetrahedralMesh TetrahedraOf(vtkUnstructuredGrid* grid)
-{
-  isthmus::TetrahedralMesh mesh;
-  mesh.Points.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    grid->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
-  }
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    if (grid->GetCellType(c) != VTK_TETRA)
-    {
-      throw std::invalid_argument("Cell " + std::to_string(c) +
-        " of the tetrahedral mesh is not a tetrahedron: tetrahedralize the mesh first.");
-    }
-    vtkIdType count = 0;
-    const vtkIdType* p = nullptr;
-    grid->GetCellPoints(c, count, p);
-    mesh.Tetrahedra.push_back({ p[0], p[1], p[2], p[3] });
-  }
-  if (mesh.Tetrahedra.empty())
-  {
-    throw std::invalid_argument("The second input has no tetrahedra: give a mesh of one side of "
-                                "the surface or both, or leave it empty.");
-  }
-  return mesh;
-}
-
-/// Tetrahedra of both sides of a surface, small enough for about 200,000.
-isthmus::TetrahedralParameters MeshAround(const isthmus::TriangleMesh& surface)
-{
-  constexpr double tetrahedra = 2e5;
-  isthmus::TetrahedralParameters parameters;
-  parameters.Side = isthmus::MeshedSide::Both;
-  parameters.BoxMargin = 0.1;
-  using isthmus::operator-;
-  const isthmus::Bounds3 box = isthmus::BoundsOf(surface);
-  const isthmus::Point3 size = box.Max - box.Min;
-  const double margin = 2.0 * parameters.BoxMargin * box.Diagonal();
-  parameters.TetGen.MaximumVolume =
-    (size[0] + margin) * (size[1] + margin) * (size[2] + margin) / tetrahedra;
-  return parameters;
-}
-
-/// The surface with its triangles split to the size of the tetrahedra: TetGen keeps the surface,
-/// and next to a triangle as large as the face of a cube it would create a million tetrahedra, none
-/// of them small.
-isthmus::TriangleMesh SplitFor(
-  const isthmus::TetrahedralParameters& parameters, const isthmus::TriangleMesh& surface)
-{
-  double edge = std::cbrt(6.0 * std::sqrt(2.0) * parameters.TetGen.MaximumVolume);
-  return isthmus::FirstSamples(surface, edge);
 }
 
 }
@@ -322,38 +261,9 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseSurface(
     parameters.Estimated = LogAnalysisCost;
     return std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
   }
-  return this->AnalyseMesh(std::move(triangles), vtkUnstructuredGrid::SafeDownCast(grid));
-}
-
-std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseMesh(
-  isthmus::TriangleMesh triangles, vtkUnstructuredGrid* given)
-{
-  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
-  const isthmus::CleanedSurface cleaned = isthmus::CleanSurface(std::move(triangles));
-  if (!cleaned.Message.empty())
-  {
-    vtkWarningMacro(<< cleaned.Message);
-  }
-  const isthmus::TriangleMesh surface =
-    given ? cleaned.Mesh : SplitFor(MeshAround(cleaned.Mesh), cleaned.Mesh);
-  const isthmus::TetrahedralMesh mesh = given
-    ? TetrahedraOf(given)
-    : isthmus::MeshTetrahedra(
-        surface, MeshAround(cleaned.Mesh), isthmus::Between(progress, 0.0, 0.4));
-  const std::vector<double> values = this->MorseValues(surface, mesh, given);
-  std::optional<std::vector<double>> errors;
-  if (this->Parameters.MorseFunction != isthmus::MeshFunction::PointArray)
-  {
-    errors.emplace();
-  }
-  if (errors && this->Parameters.MorseFunction != isthmus::MeshFunction::ClosestPoint)
-  {
-    *errors = isthmus::MorseValues(surface, mesh, isthmus::MorseFunction::ClosestPoint);
-    std::transform(values.begin(), values.end(), errors->begin(), errors->begin(),
-      [](double value, double exact) { return std::abs(value - exact); });
-  }
-  return std::make_unique<isthmus::ChokingLoops>(
-    surface, mesh, values, errors, isthmus::Between(progress, 0.5, 1.0));
+  return isthmus::AnalyseOnTetrahedra(
+    std::move(triangles), vtkUnstructuredGrid::SafeDownCast(grid), this->Parameters,
+    [this](const std::string& text) { vtkWarningMacro(<< text); }, progress);
 }
 
 void vtkChokingLoops::Report(const isthmus::ChokingLoops& analysis)
@@ -370,32 +280,6 @@ void vtkChokingLoops::Report(const isthmus::ChokingLoops& analysis)
   const isthmus::ChokingLoopTimes& t = analysis.Times();
   const double times[] = { t.Check, t.Sampling, t.Filtration, t.Pairing, t.Features };
   std::copy_n(times, 5, this->StageTimes);
-}
-
-std::vector<double> vtkChokingLoops::MorseValues(const isthmus::SurfaceView& surface,
-  const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given)
-{
-  if (this->Parameters.MorseFunction == isthmus::MeshFunction::PointArray)
-  {
-    vtkDataArray* array =
-      given ? given->GetPointData()->GetArray(this->Parameters.MorseArrayName.c_str()) : nullptr;
-    if (!array || array->GetNumberOfComponents() != 1)
-    {
-      throw std::invalid_argument("The tetrahedral mesh on the second input has no point array '" +
-        this->Parameters.MorseArrayName +
-        "' of one component: choose one, or another Morse function.");
-    }
-    std::vector<double> values(mesh.Points.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      values[i] = array->GetTuple1(static_cast<vtkIdType>(i));
-    }
-    return values;
-  }
-  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
-  return isthmus::MorseValues(surface, mesh,
-    static_cast<isthmus::MorseFunction>(this->Parameters.MorseFunction),
-    isthmus::Between(progress, 0.4, 0.5));
 }
 
 int vtkChokingLoops::RoundsOfShortening() const

@@ -56,15 +56,10 @@
 #include <string>
 #include <vector>
 
-class vtkUnstructuredGrid;
-
 namespace isthmus
 {
 class ChokingLoops;
 struct ShownFeature;
-struct SurfaceView;
-struct TetrahedralMesh;
-struct TriangleMesh;
 }
 
 class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkChokingLoops : public vtkPolyDataAlgorithm
@@ -223,7 +218,7 @@ public:
   /// the membrane closed by the filtration, or another one if its loop does not belong to the choke
   /// point. MinimumCut: the membrane of least area through the choke triangle. Greedy, with
   /// TetrahedralMesh only: grown from the choke triangle down to the surface in steps of least cost
-  /// (thesis, 6.3.2; MinimumCutMembrane.h). If a method finds no membrane, the automatic one is
+  /// (thesis, 6.3.2; GreedyMembrane.h). If a method finds no membrane, the automatic one is
   /// used, and the cell array `Method` of the membranes is 0.
   ISTHMUS_PARAMETER(MembraneMethod, int);
   ///@}
@@ -276,10 +271,6 @@ private:
   std::vector<isthmus::ShownFeature> DrawLoops();
   /// Field data: the numbers of all features and of those shown.
   void AddCounts(std::size_t shown, vtkPolyData* output);
-  std::unique_ptr<isthmus::ChokingLoops> AnalyseMesh(
-    isthmus::TriangleMesh triangles, vtkUnstructuredGrid* given);
-  std::vector<double> MorseValues(const isthmus::SurfaceView& surface,
-    const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given);
 
   isthmus::LoopSearchParameters Parameters;
   double StageTimes[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };

@@ -1,6 +1,5 @@
 #include "vtkMapHandles.h"
 
-#include "ChokingLoops/HandleSupport.h"
 #include "ChokingLoops/MapHandles.h"
 #include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"

@@ -2,6 +2,7 @@
 
 #include "Core/MemoryBudget.h"
 #include "Core/RangeChecks.h"
+#include "Persistence/CubicalPersistence.h"
 #include "Persistence/FastMarching.h"
 
 #include <algorithm>
@@ -156,6 +157,39 @@ AtomDistances AtomDistance(const std::vector<Point3>& atoms, const std::vector<d
     Report(progress, static_cast<double>(++done) / static_cast<double>(types.size()));
   }
   return grid;
+}
+
+std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
+  const std::vector<double>& scales, const GridDistanceParameters& parameters,
+  const ProgressCallback& progress)
+{
+  const AtomDistances grid = AtomDistance(atoms, scales, parameters, Between(progress, 0.0, 0.5));
+  const VolumeView volume(grid.Values.data(), grid.Dimensions);
+  std::vector<DistanceBar> bars;
+  for (const CubicalPair& pair : CubicalPersistence(volume, {}, Between(progress, 0.5, 1.0)).Pairs)
+  {
+    if (pair.Dimension > 0)
+    {
+      // What reaches Theta there ends at Theta itself, not at its float.
+      const double death = volume.Value(pair.Death.Node());
+      bars.push_back({ pair.Dimension, volume.Value(pair.Birth.Node()),
+        death < static_cast<float>(parameters.Theta) ? death : parameters.Theta });
+    }
+  }
+  SortBars(bars);
+  return bars;
+}
+
+void SortBars(std::vector<DistanceBar>& bars)
+{
+  std::sort(bars.begin(), bars.end(),
+    [](const DistanceBar& a, const DistanceBar& b)
+    {
+      return a.Dimension != b.Dimension ? a.Dimension < b.Dimension
+        : a.Length() != b.Length()      ? a.Length() > b.Length()
+        : a.Birth != b.Birth            ? a.Birth < b.Birth
+                                        : a.Death < b.Death;
+    });
 }
 
 }

@@ -1,7 +1,6 @@
 #include "Persistence/FullereneStability.h"
 
 #include "Core/RangeChecks.h"
-#include "Persistence/CubicalPersistence.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/FiltrationPairs.h"
 
@@ -56,7 +55,7 @@ std::pair<Point3, double> Farthest(const std::vector<Point3>& points, Measure&& 
   return best;
 }
 
-Spread SpreadOf(const std::vector<Point3>& points)
+Spread ComputeSpread(const std::vector<Point3>& points)
 {
   Spread spread;
   const Point3 first = points.front();
@@ -84,8 +83,8 @@ Spread SpreadOf(const std::vector<Point3>& points)
 /// Relative to the size: how far rounded coordinates deviate from a line or a plane.
 constexpr double Flat = 1e-12;
 
-/// Atoms on one circle or sphere give bars whose length is due only to the rounding of radii, whose
-/// relative error is at most this (DelaunayFiltration.h): they are dropped.
+/// Atoms on one circle or sphere make bars that have no length but for the rounding of radii, whose
+/// relative error is at most this (DelaunayFiltration.h): they are omitted.
 constexpr double Rounding = 1e-9;
 
 /// Values of the filtration are squared radii.
@@ -96,19 +95,6 @@ void AddBar(int dimension, double birth, double death, std::vector<DistanceBar>&
   {
     bars.push_back(bar);
   }
-}
-
-/// Longest first within a dimension.
-void Sort(std::vector<DistanceBar>& bars)
-{
-  std::sort(bars.begin(), bars.end(),
-    [](const DistanceBar& a, const DistanceBar& b)
-    {
-      return a.Dimension != b.Dimension ? a.Dimension < b.Dimension
-        : a.Length() != b.Length()      ? a.Length() > b.Length()
-        : a.Birth != b.Birth            ? a.Birth < b.Birth
-                                        : a.Death < b.Death;
-    });
 }
 
 }
@@ -134,7 +120,7 @@ std::vector<DistanceBar> AlphaBars(
   {
     return {};
   }
-  const Spread spread = SpreadOf(places);
+  const Spread spread = ComputeSpread(places);
   if (spread.Width <= Flat * spread.Size)
   {
     return {}; // in a line
@@ -168,28 +154,7 @@ std::vector<DistanceBar> AlphaBars(
       AddBar(2, filtration.TriangleValue[triangle], filtration.TetrahedronValue[filler], bars);
     }
   }
-  Sort(bars);
-  return bars;
-}
-
-std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
-  const std::vector<double>& scales, const GridDistanceParameters& parameters,
-  const ProgressCallback& progress)
-{
-  const AtomDistances grid = AtomDistance(atoms, scales, parameters, Between(progress, 0.0, 0.5));
-  const VolumeView volume(grid.Values.data(), grid.Dimensions);
-  std::vector<DistanceBar> bars;
-  for (const CubicalPair& pair : CubicalPersistence(volume, {}, Between(progress, 0.5, 1.0)).Pairs)
-  {
-    if (pair.Dimension > 0)
-    {
-      // Bars that reach Theta end at Theta itself, not at its rounded value.
-      const double death = volume.Value(pair.Death.Node());
-      bars.push_back({ pair.Dimension, volume.Value(pair.Birth.Node()),
-        death < static_cast<float>(parameters.Theta) ? death : parameters.Theta });
-    }
-  }
-  Sort(bars);
+  SortBars(bars);
   return bars;
 }
 

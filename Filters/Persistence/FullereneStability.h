@@ -13,16 +13,6 @@
 namespace isthmus
 {
 
-/// A class of the growing balls: dimension 1 (a ring) or 2 (a cage), from distance to distance.
-struct DistanceBar
-{
-  int Dimension = 1;
-  double Birth = 0.0;
-  double Death = 0.0;
-
-  double Length() const { return this->Death - this->Birth; }
-};
-
 enum class StabilityMethod
 {
   Exact = 0, ///< AlphaBars()
@@ -60,22 +50,6 @@ struct FullereneStability
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<DistanceBar> AlphaBars(
   const std::vector<Point3>& atoms, const ProgressCallback& progress = {});
-
-/**
- * The same by the cubical complex of the distance on a grid, up to Theta, as in the thesis
- * (sections 6.4 and 6.5). A bar that reaches Theta ends there.
- *
- * The distance is that to the nearest atom, or the least of distance / scale where `scales` (one
- * per atom, the radius of its type) is not empty. With FastMarching each type has an eikonal
- * equation of its own, solved from the nodes round its atoms. Births and deaths have errors of up
- * to sqrt(3)/2 spacings, and bars shorter than one or two spacings are artefacts of the grid.
- *
- * Throws std::invalid_argument for parameters or atoms that are not finite or not positive, and
- * std::runtime_error for a grid of more than 2^31 nodes.
- */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<DistanceBar> GridBars(
-  const std::vector<Point3>& atoms, const std::vector<double>& scales,
-  const GridDistanceParameters& parameters, const ProgressCallback& progress = {});
 
 /**
  * The row of the table for these bars. A bar that reaches `theta` has not really ended and is kept

@@ -2,8 +2,6 @@
 
 #include "Core/Geometry.h"
 #include "Core/ParallelFor.h"
-#include "Persistence/EdgeDistances.h"
-#include "Persistence/FastMarching.h"
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/TriangleTree.h"
 
@@ -79,72 +77,6 @@ DistanceGrid GridOfDistances(const SurfaceView& surface, const Bounds3& box, std
   grid.Values =
     DistanceToSurface({ points, surface.Triangles }, ShapeOf(grid), 2.0 * grid.Spacing, progress);
   return grid;
-}
-
-DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
-  const ProgressCallback& progress)
-{
-  DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.7));
-  // In spacings, since floats represent neither 1e40 nor 1e-40. No path on the grid is longer than
-  // this.
-  const auto farthest =
-    static_cast<float>(grid.Dimensions[0] + grid.Dimensions[1] + grid.Dimensions[2]);
-  std::vector<float> values(grid.Values.size(), farthest);
-  std::vector<std::int64_t> known;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    if (grid.Values[i] <= 2.0 * grid.Spacing)
-    {
-      values[i] = static_cast<float>(grid.Values[i] / grid.Spacing);
-      known.push_back(static_cast<std::int64_t>(i));
-    }
-  }
-  FastMarch(grid.Dimensions, 1.0, known, farthest, values);
-  std::transform(values.begin(), values.end(), grid.Values.begin(),
-    [&grid](float v) { return grid.Spacing * static_cast<double>(v); });
-  Report(progress, 1.0);
-  return grid;
-}
-
-std::vector<double> MorseValues(const SurfaceView& surface, const TetrahedralMesh& mesh,
-  MorseFunction function, const ProgressCallback& progress)
-{
-  std::vector<double> exact = SurfaceDistances(surface, mesh.Points, Between(progress, 0.0, 0.5));
-  if (function == MorseFunction::ClosestPoint)
-  {
-    return exact;
-  }
-  Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
-  for (const Point3& p : mesh.Points)
-  {
-    box.Add(p);
-  }
-  std::vector<std::int64_t> sources;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-  {
-    if (exact[i] <= 1e-12 * box.Diagonal())
-    {
-      sources.push_back(static_cast<std::int64_t>(i));
-    }
-  }
-  const auto rest = Between(progress, 0.5, 1.0);
-  if (function == MorseFunction::EdgePaths)
-  {
-    return EdgeDistances(mesh, sources, rest);
-  }
-  const DistanceGrid grid = function == MorseFunction::GridDistance
-    ? GridOfDistances(surface, box, MorseGridCells, rest)
-    : MarchedDistances(surface, box, MorseGridCells, rest);
-  std::vector<double> values;
-  for (const Point3& p : mesh.Points)
-  {
-    values.push_back(grid.At(p));
-  }
-  for (const std::int64_t p : sources)
-  {
-    values[static_cast<std::size_t>(p)] = 0.0;
-  }
-  return values;
 }
 
 }

@@ -1,14 +1,12 @@
 /**
  * @file SurfaceDistance.h
- * @brief Distance to a triangle surface at points, at the nodes of a grid, or at the points of a
- * tetrahedral mesh for its lower-star filtration.
+ * @brief Distance to a triangle surface at points and at the nodes of a grid.
  */
 #ifndef isthmus_SurfaceDistance_h
 #define isthmus_SurfaceDistance_h
 
 #include "Core/Geometry.h"
 #include "Core/Progress.h"
-#include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"
 #include "Surfaces/SurfaceCrossings.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
@@ -48,31 +46,6 @@ inline GridShape ShapeOf(const DistanceGrid& grid)
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface,
   const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
-
-/**
- * The same by fast marching (FastMarch()), from the nodes within two spacings of the surface, where
- * it is exact: |grad d| = 1 solved to first order, error O(h log h), as the thesis has it where a
- * surface comes from an implicit function that is no signed distance (6.3.2).
- */
-DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
-  const ProgressCallback& progress = {});
-
-/// The numbers are vtkChokingLoops::MorseFunctionType's.
-enum class MorseFunction
-{
-  ClosestPoint = 0, ///< exact
-  EdgePaths = 1,    ///< shortest way along edges of the mesh (thesis, field B)
-  GridDistance = 2, ///< exact at the nodes of a grid, between them trilinear (field A)
-  FastMarching = 4  ///< marched on that grid (field C)
-};
-
-/// Number of cells of the grids along the longest side of the bounding box of the mesh.
-constexpr std::int64_t MorseGridCells = 100;
-
-/// Values at the mesh's points, 0 on the surface. For errors and cost see above, and
-/// EdgeDistances.h.
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
-  const TetrahedralMesh& mesh, MorseFunction function, const ProgressCallback& progress = {});
 
 }
 

@@ -10,7 +10,7 @@
 #include "PeerPrograms.h"
 #include "Persistence/FiltrationPairs.h"
 #include "Persistence/LowerStarFiltration.h"
-#include "Persistence/SurfaceDistance.h"
+#include "Persistence/MorseValues.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 

@@ -2,7 +2,7 @@
 // the minimum cut and the automatic membrane on shapes whose necks are known.
 
 #include "BeadShapes.h"
-#include "ChokingLoops/MinimumCutMembrane.h"
+#include "ChokingLoops/GreedyMembrane.h"
 #include "ChokingSurfaces.h"
 #include "Core/Index.h"
 #include "Persistence/LowerStarFiltration.h"

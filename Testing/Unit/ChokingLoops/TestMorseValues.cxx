@@ -1,4 +1,4 @@
-#include "Persistence/SurfaceDistance.h"
+#include "Persistence/MorseValues.h"
 
 #include "ChokingSurfaces.h"
 
