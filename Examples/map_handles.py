@@ -63,7 +63,6 @@ def main(arguments):
     if len(arguments) > 2 and arguments[2] != "-":
         handles.Level = float(arguments[2])
     if len(arguments) > 4:
-        handles.UseRange = 1
         handles.Range = [float(arguments[3]), float(arguments[4])]
     handles.UpdatePipeline()
     intervals = handles.GetClientSideObject().GetOutputDataObject(3)

@@ -365,7 +365,7 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
 void vtkMapHandles::CheckParameters() const
 {
   isthmus::Check(this->Parameters);
-  isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
+  isthmus::RequireLevels(this->NumberOfLevels, this->AutomaticRange ? nullptr : this->Range);
 }
 
 void vtkMapHandles::FindFeatures(vtkInternals& work)
@@ -375,9 +375,9 @@ void vtkMapHandles::FindFeatures(vtkInternals& work)
   wanted.Superlevel = this->InsideIsHigher;
   wanted.MinimumPersistence = this->MinimumPersistence;
   wanted.PersistenceUnit = isthmus::FeatureParameters::StandardDeviations;
-  wanted.Range = this->UseRange ? std::array<double, 2>{ this->Range[0], this->Range[1] }
-    : this->InsideIsHigher      ? std::array<double, 2>{ statistics.Mean, statistics.Maximum }
-                                : std::array<double, 2>{ statistics.Minimum, statistics.Mean };
+  wanted.Range = !this->AutomaticRange ? std::array<double, 2>{ this->Range[0], this->Range[1] }
+    : this->InsideIsHigher ? std::array<double, 2>{ statistics.Mean, statistics.Maximum }
+                           : std::array<double, 2>{ statistics.Minimum, statistics.Mean };
   if (!(wanted.Range[0] < wanted.Range[1]))
   {
     throw std::invalid_argument(
@@ -523,7 +523,7 @@ void vtkMapHandles::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
-  os << indent << "UseRange: " << this->UseRange << "\n";
+  os << indent << "AutomaticRange: " << this->AutomaticRange << "\n";
   os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";

@@ -104,16 +104,6 @@ public:
   ///@}
 
   ///@{
-  /// Look only at levels within Range. Default off: from the mean to the maximum (InsideIsHigher
-  /// off: from the minimum to the mean).
-  vtkSetMacro(UseRange, bool);
-  vtkGetMacro(UseRange, bool);
-  vtkBooleanMacro(UseRange, bool);
-  vtkSetVector2Macro(Range, double);
-  vtkGetVector2Macro(Range, double);
-  ///@}
-
-  ///@{
   /// Rows of the table of levels, from 2 to a million. Default 256.
   vtkSetMacro(NumberOfLevels, int);
   vtkGetMacro(NumberOfLevels, int);
@@ -151,6 +141,10 @@ public:
   /// over all levels, is reported beside it.
   ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Level);
 
+  /// The levels that are considered. Automatic unless given: from the mean to the maximum
+  /// (InsideIsHigher off: from the minimum to the mean).
+  ISTHMUS_AUTOMATIC_RANGE_UNLESS_GIVEN(Range);
+
 protected:
   vtkMapHandles();
   ~vtkMapHandles() override;
@@ -176,8 +170,6 @@ private:
 
   bool InsideIsHigher = true;
   double MinimumPersistence = 0.5;
-  bool UseRange = false;
-  double Range[2] = { 0.0, 1.0 };
   int NumberOfLevels = 256;
   bool Loops = false;
   isthmus::SupportParameters Parameters; ///< of the bootstrap

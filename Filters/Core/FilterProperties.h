@@ -122,4 +122,31 @@ protected:                                                                      
   double name = 0.0;                                                                               \
   ISTHMUS_SWITCH(Automatic##name, true)
 
+/// The same for a range, by default from 0 to 1.
+#define ISTHMUS_AUTOMATIC_RANGE_UNLESS_GIVEN(name)                                                 \
+public:                                                                                            \
+  virtual void Set##name(double low, double high)                                                  \
+  {                                                                                                \
+    this->Set##name##Only(low, high);                                                              \
+    this->SetAutomatic##name(false);                                                               \
+  }                                                                                                \
+  virtual void Set##name(const double range[2])                                                    \
+  {                                                                                                \
+    this->Set##name(range[0], range[1]);                                                           \
+  }                                                                                                \
+  virtual void Set##name##Only(double low, double high)                                            \
+  {                                                                                                \
+    if (this->name[0] != low || this->name[1] != high)                                             \
+    {                                                                                              \
+      this->name[0] = low;                                                                         \
+      this->name[1] = high;                                                                        \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  vtkGetVector2Macro(name, double);                                                                \
+                                                                                                   \
+protected:                                                                                         \
+  double name[2] = { 0.0, 1.0 };                                                                   \
+  ISTHMUS_SWITCH(Automatic##name, true)
+
 #endif

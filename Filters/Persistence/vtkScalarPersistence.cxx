@@ -106,7 +106,7 @@ int vtkScalarPersistence::RequestUpdateExtent(
 
 void vtkScalarPersistence::CheckParameters() const
 {
-  isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
+  isthmus::RequireLevels(this->NumberOfLevels, this->AutomaticRange ? nullptr : this->Range);
   isthmus::Check(this->Parameters);
   isthmus::RequireRange(
     "MaximumNumberOfCycles", this->MaximumNumberOfCycles, 1, VTK_INT_MAX, "Or switch Cycles off.");
@@ -115,8 +115,8 @@ void vtkScalarPersistence::CheckParameters() const
 void vtkScalarPersistence::FindPairs(vtkInternals& work)
 {
   const auto& statistics = this->Cache->Statistics(work.Scalars, work.Volume);
-  const double low = this->UseRange ? this->Range[0] : statistics.Minimum;
-  const double high = this->UseRange ? this->Range[1] : statistics.Maximum;
+  const double low = this->AutomaticRange ? statistics.Minimum : this->Range[0];
+  const double high = this->AutomaticRange ? statistics.Maximum : this->Range[1];
   isthmus::CubicalParameters parameters;
   parameters.Superlevel = this->Parameters.Superlevel;
   if (low <= high) // a volume of infinities has no range
@@ -128,7 +128,7 @@ void vtkScalarPersistence::FindPairs(vtkInternals& work)
   work.Levels = parameters.Levels;
   work.EulerNumbers = diagram.EulerNumbers;
   isthmus::FeatureParameters wanted = this->Parameters;
-  if (this->UseRange)
+  if (!this->AutomaticRange)
   {
     wanted.Range = { this->Range[0], this->Range[1] };
   }
@@ -246,7 +246,7 @@ void vtkScalarPersistence::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Superlevel: " << this->GetSuperlevel() << "\n";
   os << indent << "MinimumPersistence: " << this->GetMinimumPersistence() << "\n";
   os << indent << "PersistenceUnit: " << this->GetPersistenceUnit() << "\n";
-  os << indent << "UseRange: " << this->UseRange << "\n";
+  os << indent << "AutomaticRange: " << this->AutomaticRange << "\n";
   os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "Cycles: " << this->Cycles << "\n";

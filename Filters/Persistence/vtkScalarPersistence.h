@@ -34,7 +34,7 @@
  *    dropped classes flattened (as TTK's topological simplification does).
  *
  * **What is listed.** Listed are classes with an absolute value of Death - Birth of at least
- * MinimumPersistence (of the part within Range if UseRange is on), and always the class that never
+ * MinimumPersistence (of the part within Range if that is given), and always the class that never
  * dies. A class that begins and ends at the same value is never listed. FeatureId numbers all
  * classes from the longest to the shortest, so it does not depend on the threshold.
  *
@@ -101,16 +101,6 @@ public:
   ///@}
 
   ///@{
-  /// Look only at levels within Range: classes without a part there are dropped, and persistence
-  /// is the length of that part. Default off.
-  vtkSetMacro(UseRange, bool);
-  vtkGetMacro(UseRange, bool);
-  vtkBooleanMacro(UseRange, bool);
-  vtkSetVector2Macro(Range, double);
-  vtkGetVector2Macro(Range, double);
-  ///@}
-
-  ///@{
   /// Number of rows of the Betti curves, from 2 to a million. Default 256.
   vtkSetMacro(NumberOfLevels, int);
   vtkGetMacro(NumberOfLevels, int);
@@ -146,6 +136,10 @@ public:
   vtkImageData* GetSimplified();
   ///@}
 
+  /// The levels that are considered: classes without a part in Range are dropped, and persistence
+  /// is the length of that part. Automatic unless given: all levels.
+  ISTHMUS_AUTOMATIC_RANGE_UNLESS_GIVEN(Range);
+
 protected:
   vtkScalarPersistence();
   ~vtkScalarPersistence() override;
@@ -169,9 +163,7 @@ private:
   void FillTables(const vtkInternals& work, vtkInformationVector* outputVector);
   void FillSimplified(const vtkInternals& work, vtkInformationVector* outputVector);
 
-  isthmus::FeatureParameters Parameters; ///< Range only if UseRange is on
-  bool UseRange = false;
-  double Range[2] = { 0.0, 1.0 };
+  isthmus::FeatureParameters Parameters; ///< without Range
   int NumberOfLevels = 256;
   bool Cycles = false;
   int MaximumNumberOfCycles = 100;

@@ -261,7 +261,7 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
   result.Labels.assign(count, 0);
   const std::vector<double> areas = PointAreas(mesh);
   result.Threshold =
-    options.UseQuantile ? QuantileOf(fields, areas, options.Quantile) : options.Threshold;
+    options.AutomaticThreshold ? QuantileOf(fields, areas, options.Quantile) : options.Threshold;
   Report(progress, 0.1);
 
   std::vector<unsigned char> kinds(count, 0);

@@ -40,11 +40,11 @@ enum class SiteRanking
 
 struct BindingSiteOptions
 {
-  bool UseQuantile = true;
-  double Quantile = 0.93;     ///< in [0, 1)
-  double Threshold = 1.0;     ///< of the amplitude, if UseQuantile is off
-  double MergeDistance = 1.0; ///< length; 0: patches are not merged
-  double MinimumArea = 5.0;   ///< length^2; smaller patches are dropped
+  bool AutomaticThreshold = true; ///< Quantile of the area
+  double Quantile = 0.93;         ///< in [0, 1)
+  double Threshold = 1.0;         ///< of the amplitude
+  double MergeDistance = 1.0;     ///< length; 0: patches are not merged
+  double MinimumArea = 5.0;       ///< length^2; smaller patches are dropped
   SiteRanking RankBy = SiteRanking::Score;
 };
 

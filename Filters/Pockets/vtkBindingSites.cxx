@@ -55,6 +55,7 @@ vtkBindingSites::vtkBindingSites()
   this->SetInputArrayToProcess(0, 0, 0, points, "PolarizedCurvature");
   this->SetInputArrayToProcess(1, 0, 0, points, "SiteClass");
   this->SetInputArrayToProcess(2, 0, 0, points, "Potential");
+  this->Threshold = this->Parameters.Threshold;
 }
 
 void vtkBindingSites::SetAtomsData(vtkPointSet* atoms)
@@ -181,7 +182,8 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
 {
   const isthmus::SiteFields fields = this->Fields(surface);
   isthmus::BindingSiteOptions options = this->Parameters;
-  options.UseQuantile = this->UseQuantile;
+  options.AutomaticThreshold = this->AutomaticThreshold;
+  options.Threshold = this->Threshold;
   isthmus::BindingSiteResult result =
     isthmus::FindBindingSites(triangles, fields, options, isthmus::ProgressOf(this));
   if (result.Sites.empty())
@@ -253,7 +255,7 @@ void vtkBindingSites::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UsePockets: " << this->UsePockets << "\n";
   os << indent << "Classes: " << this->Classes << "\n";
   os << indent << "Amplitude: " << this->Amplitude << "\n";
-  os << indent << "UseQuantile: " << this->UseQuantile << "\n";
+  os << indent << "AutomaticThreshold: " << this->AutomaticThreshold << "\n";
   os << indent << "Quantile: " << this->GetQuantile() << "\n";
   os << indent << "Threshold: " << this->GetThreshold() << "\n";
   os << indent << "MergeDistance: " << this->GetMergeDistance() << "\n";

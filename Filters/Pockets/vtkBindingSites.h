@@ -114,21 +114,9 @@ public:
   ///@}
 
   ///@{
-  /// Whether the threshold is a quantile of the surface's area (default) or a value.
-  vtkSetMacro(UseQuantile, bool);
-  vtkGetMacro(UseQuantile, bool);
-  vtkBooleanMacro(UseQuantile, bool);
-  ///@}
-
-  ///@{
-  /// The fraction of the area that lies at or below the threshold, in [0, 1). Default: 0.93.
+  /// The fraction of the area that lies at or below the automatic Threshold, in [0, 1). Default:
+  /// 0.93.
   ISTHMUS_PARAMETER(Quantile, double);
-  ///@}
-
-  ///@{
-  /// Threshold of the amplitude in the array's unit, if UseQuantile is off. Default: 1 kT/(e
-  /// angstrom).
-  ISTHMUS_PARAMETER(Threshold, double);
   ///@}
 
   ///@{
@@ -159,6 +147,10 @@ public:
   /// Output 1.
   vtkTable* GetSiteTable();
 
+  /// Amplitude above which points belong to patches, in the array's unit. Automatic unless given:
+  /// Quantile of the surface's area.
+  ISTHMUS_AUTOMATIC_UNLESS_GIVEN(Threshold);
+
 protected:
   vtkBindingSites();
   ~vtkBindingSites() override = default;
@@ -172,7 +164,6 @@ protected:
   bool UsePockets = true;
   int Classes = Ligands;
   int Amplitude = AbsoluteValue;
-  bool UseQuantile = true;
 
 private:
   vtkBindingSites(const vtkBindingSites&) = delete;

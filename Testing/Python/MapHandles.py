@@ -14,7 +14,7 @@ OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapHandles"
 OUTPUT.mkdir(parents=True, exist_ok=True)
 
 density = OpenDataFile(str(shared_data("maps/emd_5043.map")))
-handles = MapHandles(Input=density, MinimumPersistence=0.45, UseRange=1, Range=[0.2, 5.0])
+handles = MapHandles(Input=density, MinimumPersistence=0.45, Range=[0.2, 5.0])
 handles.UpdatePipeline()
 intervals = output_of(handles, 3)
 first = {intervals.GetColumnName(i): intervals.GetColumn(i).GetValue(0)

@@ -240,7 +240,7 @@ def map_handles(draw):
     volume = Volume(draw, value, pose.centre, 1.2 * size, 20, kinds=[numpy.float32, numpy.float64], stretch=1.2)
     low = float(numpy.exp(-radius**2 / (2 * width**2)))
     levels = volume.stored([low / 2, 1.0])
-    filter_ = settle(isthmus.vtkMapHandles(), [volume.data], UseRange=True, Range=(float(levels[0]), float(levels[1])),
+    filter_ = settle(isthmus.vtkMapHandles(), [volume.data], Range=(float(levels[0]), float(levels[1])),
                      MinimumPersistence=1.0)
     windows = filter_.GetOutputDataObject(1)
     d = numpy.linalg.norm(volume.spacing)

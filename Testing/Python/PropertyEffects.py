@@ -80,7 +80,7 @@ SILENT = {
     ("BindingSites", "UsePockets"): "without atoms there are no pockets: BindingSitesInPockets has them",
     **{("BindingSitesInPockets", name): "a ball has no pockets: BindingSites.py has a molecule's"
        for name in ("Amplitude", "Classes", "MergeDistance", "MinimumArea", "Quantile", "RankBy",
-                    "Threshold", "UseQuantile")},
+                    "Threshold", "AutomaticThreshold")},
     ("ChokingLoops", "AllowSelfIntersections"): "the ring does not cross itself: TestChokingInput has what does",
     ("ChokingLoops", "CapHoles"): "the ring is closed: TestChokingInput has what is not",
     ("ChokingLoops", "LoopOrder"):

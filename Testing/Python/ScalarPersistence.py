@@ -38,7 +38,6 @@ assert (curves["EulerNumber"] == curves["Beta0"] - curves["Beta1"] + curves["Bet
 
 # What persists, where its saddles are, and the cycles round its tunnels.
 persistence.MinimumPersistence = 0.5
-persistence.UseRange = 1
 persistence.Range = [0.2, 12.0]
 persistence.Cycles = 1
 persistence.Simplify = 1

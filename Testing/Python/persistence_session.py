@@ -10,7 +10,7 @@ folder = Path(os.environ["ISTHMUS_SESSION_DIR"])
 try:
     density = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_MAP"])
     persistence = simple.ScalarPersistence(
-        Input=density, Superlevel=1, MinimumPersistence=0.5, UseRange=1, Range=[0.2, 10.0])
+        Input=density, Superlevel=1, MinimumPersistence=0.5, Range=[0.2, 10.0])
     view = simple.GetActiveViewOrCreate("RenderView")
     layout = simple.GetLayout(view)
     surface = simple.Show(

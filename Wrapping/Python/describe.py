@@ -20,7 +20,8 @@ import xml.etree.ElementTree as ElementTree
 import output_arrays
 
 # Commands of panels that differ from the setters of the class, which Python calls.
-PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetScaleOnly": "SetScale", "SetNamedInputArray": "SetInputArrayToProcess"}
+PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetScaleOnly": "SetScale", "SetRangeOnly": "SetRange",
+                  "SetThresholdOnly": "SetThreshold", "SetNamedInputArray": "SetInputArrayToProcess"}
 # Proxies of the same class under another name, of ParaView's own readers, and those that are no filter of ours.
 SKIPPED = {"MRCSeriesReader", "DensityMapReader", "pdbreader", "xyzreader", "TrajectoryReader"}
 # Names of proxies that differ from those of their class without a reason for Python.

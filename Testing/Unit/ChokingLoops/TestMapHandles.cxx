@@ -99,7 +99,6 @@ TEST(MapHandles, NecklaceHasABridgeForEachPairOfBeads)
   vtkNew<vtkMapHandles> filter;
   filter->SetInputData(image);
   filter->SetMinimumPersistence(0.2);
-  filter->UseRangeOn();
   filter->SetRange(0.001, 1.1); // the window in the middle closes below the mean
   filter->Update();
   // Seven bridges at one level: six join components, one closes the ring.
@@ -325,14 +324,13 @@ TEST(MapHandles, BadInputIsToldInASentence)
   filter->SetMinimumPersistence(std::nan(""));
   EXPECT_NE(said().find("MinimumPersistence is not a number"), std::string::npos);
   filter->SetMinimumPersistence(0.5);
-  filter->UseRangeOn();
   filter->SetRange(2.0, 1.0);
   EXPECT_NE(said().find("Range goes from 2"), std::string::npos);
   filter->SetRange(50.0, 60.0);
   EXPECT_EQ(said(), "");
   EXPECT_NE(observer->GetWarningMessage().find("no stable level"), std::string::npos);
   EXPECT_TRUE(std::isnan(filter->GetStableLevel()));
-  filter->UseRangeOff();
+  filter->AutomaticRangeOn();
   filter->SetLevel(std::nan(""));
   EXPECT_NE(said().find("Level is not a number"), std::string::npos);
   filter->SetLevel(0.5);

@@ -172,8 +172,8 @@ TEST(ScalarPersistence, RangeUnitsAndTheLargestGap)
   EXPECT_EQ(filter->GetDiagram()->GetNumberOfRows(), 1);
   filter->SetPersistenceUnit(vtkScalarPersistence::Absolute);
   filter->SetMinimumPersistence(0.0);
-  filter->UseRangeOn();
   filter->SetRange(5.0, 15.0);
+  EXPECT_FALSE(filter->GetAutomaticRange());
   filter->Update();
   ASSERT_EQ(filter->GetDiagram()->GetNumberOfRows(), 2);
   EXPECT_EQ(At(filter->GetDiagram(), "Persistence", 1), 1.0); // of 14 to 20, what lies below 15
@@ -253,13 +253,12 @@ TEST(ScalarPersistence, BadInputIsToldInASentence)
     EXPECT_NE(said().find("MinimumPersistence is"), std::string::npos);
   }
   filter->SetMinimumPersistence(0.0);
-  filter->UseRangeOn();
   for (const double bad : { -1.0, std::nan(""), Infinity })
   {
     filter->SetRange(0.0, bad);
     EXPECT_NE(said().find("Range goes from"), std::string::npos);
   }
-  filter->UseRangeOff();
+  filter->AutomaticRangeOn();
   filter->SetNumberOfLevels(1);
   EXPECT_NE(said().find("NumberOfLevels is 1"), std::string::npos);
   filter->SetNumberOfLevels(10);

@@ -94,7 +94,7 @@ vtkSmartPointer<vtkTable> TableOf(vtkPolyData* atoms)
   }
   filter->SetUsePockets(false);
   filter->SetClasses(vtkBindingSites::AllPoints);
-  filter->SetUseQuantile(false);
+  filter->SetAutomaticThreshold(false);
   filter->Update();
   EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
   return filter->GetSiteTable();

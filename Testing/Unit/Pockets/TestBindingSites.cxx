@@ -78,7 +78,6 @@ struct Trial
   explicit Trial(vtkPolyData* surface)
   {
     this->Filter->SetInputData(surface);
-    this->Filter->SetUseQuantile(false);
     this->Filter->SetThreshold(1.0);
     this->Filter->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     this->Filter->AddObserver(vtkCommand::WarningEvent, this->Observer);
@@ -166,7 +165,7 @@ TEST(BindingSites, TheQuantileIsOneOfArea)
 {
   Trial trial(Caps());
   trial.Filter->SetClasses(vtkBindingSites::Ligands);
-  trial.Filter->SetUseQuantile(true);
+  trial.Filter->SetAutomaticThreshold(true);
   trial.Filter->SetQuantile(0.8); // 10 % of area has amplitude 3, the next 20 % 2, the rest none
   vtkTable* table = trial.Update();
   ASSERT_EQ(table->GetNumberOfRows(), 1);
@@ -328,7 +327,7 @@ TEST(BindingSites, WhatIsMissingOrWrongIsASentence)
     caps,
     [](vtkBindingSites* filter)
     {
-      filter->SetUseQuantile(true);
+      filter->SetAutomaticThreshold(true);
       filter->SetQuantile(1.0);
     },
     "Quantile is 1,");
@@ -347,7 +346,7 @@ TEST(BindingSites, NothingToFindIsAWarningNotAnError)
   values->Fill(0.4);
   sphere->GetPointData()->GetArray("SiteClass")->Fill(2.0);
   Trial constant(sphere);
-  constant.Filter->SetUseQuantile(true);
+  constant.Filter->SetAutomaticThreshold(true);
   EXPECT_EQ(constant.Update()->GetNumberOfRows(), 0);
   EXPECT_EQ(constant.Error(), "");
   EXPECT_NE(constant.Warning().find("Is the array constant"), std::string::npos);

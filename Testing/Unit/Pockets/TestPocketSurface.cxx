@@ -205,7 +205,6 @@ TEST(PocketSurface, BindingSitesSayWhatTheyAre)
   };
   vtkNew<vtkBindingSites> sites;
   sites->SetInputData(surface);
-  sites->SetUseQuantile(0);
   sites->SetThreshold(2.0);
   EXPECT_EQ(SaidBy(sites.Get()), "");
   EXPECT_EQ(notes(sites), "Sites are patches of the surface.");

@@ -455,8 +455,8 @@ def call(described, arguments, given):
             from_array = from_array or (_is_array(entry) and data.IsA("vtkImageData"))
             algorithm.AddInputDataObject(found["port"], data)
             inputs.setdefault(found["port"], data)
-    # A given level switches the automatic one off, unless that is requested.
-    ordered = sorted(described["properties"], key=lambda found: found["name"] == "automatic_level")
+    # A value switches the automatic one off, unless that is requested.
+    ordered = sorted(described["properties"], key=lambda found: found["name"].startswith("automatic_"))
     for found in ordered:
         if found["kind"] == "path":
             if found["name"] not in values:
