@@ -47,7 +47,7 @@ struct OutputArray
 {
   int Port;
   ArrayPlace Place;
-  const char* Name;
+  const char* Name; ///< ends in _NAME if there is an array for each of several names
   int Components;   ///< 0: depends on the input
   const char* Unit; ///< empty: none
   ArrayChoice Choice;

@@ -212,6 +212,31 @@ void vtkMolecularFlowSurface::vtkInternals::Surface(
   surface->ShallowCopy(delaunay->GetOutput());
 }
 
+const std::vector<isthmus::OutputArray>& vtkMolecularFlowSurface::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "unit, outwards" },
+    { 1, ArrayPlace::Points, "SignedDistance", 1, "angstrom", ArrayChoice::None,
+      "negative inside; exact to second order within 4.5 spacings of the surface, cut there" },
+    { 1, ArrayPlace::Points, "S", 1, "", ArrayChoice::None,
+      "from 0 to 1, 1/2 on the surface, over 2.4 spacings" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "about atoms that were dropped and radii that were assigned" },
+    { 1, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "about atoms that were dropped and radii that were assigned" },
+    { 2, ArrayPlace::Rows, "Time", 1, "angstrom^2", ArrayChoice::None, "of the flow" },
+    { 2, ArrayPlace::Rows, "Spacing", 1, "angstrom", ArrayChoice::None,
+      "of the grid on which it ran" },
+    { 2, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None, "of the surface" },
+    { 2, ArrayPlace::Rows, "Volume", 1, "angstrom^3", ArrayChoice::None, "enclosed" },
+    { 2, ArrayPlace::Rows, "Energy", 1, "kcal/mol", ArrayChoice::None,
+      "SurfaceTension x Area, with Solvent also + Pressure x Volume" },
+  };
+  return table;
+}
+
 vtkMolecularFlowSurface::vtkMolecularFlowSurface()
   : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {

@@ -9,13 +9,10 @@
  * kept. Proteins and nucleic acids without hydrogens get united-atom radii, see UnitedAtoms. The
  * field array `Notes` of outputs 0 and 1 has a note on each of these.
  *
- * Outputs:
- *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
- *  - 1: vtkImageData with `SignedDistance` (angstrom, negative inside; exact to second order
- *    within 4.5 spacings of the surface, cut there) and `S` in [0, 1] (1/2 on the surface, over 2.4
- *    spacings);
- *  - 2: vtkTable, the history: `Time` (square angstrom), `Spacing` (of the grid it ran on), `Area`,
- *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
+ * Outputs, whose arrays OutputArrayTable() lists:
+ *  - 0: vtkPolyData, the surface: closed, facing outwards;
+ *  - 1: vtkImageData, the signed distance to it;
+ *  - 2: vtkTable, the history of the flow.
  *
  * The flow starts from balls of Enlargement times the radius and runs for EvolutionTime, or until
  * convergence (Steady). The converged surface is the minimal molecular surface, which has the least
@@ -47,11 +44,13 @@
 
 #include "Atoms/AtomProperties.h"
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for what it asks of its input
+#include <vector> // for the table of output arrays
 
 class vtkImageData;
 class vtkTable;
@@ -165,6 +164,9 @@ public:
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetHistory();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.

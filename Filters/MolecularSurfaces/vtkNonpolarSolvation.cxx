@@ -138,6 +138,35 @@ void FillTable(const NonpolarTerms& whole, vtkTable* table)
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkNonpolarSolvation::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Area", 1, "angstrom^2", ArrayChoice::None,
+      "of the surface; part of the atom" },
+    { 0, ArrayPlace::Points, "Volume", 1, "angstrom^3", ArrayChoice::None,
+      "enclosed; part of the atom" },
+    { 0, ArrayPlace::Points, "SurfaceEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "SurfaceTension x Area; part of the atom" },
+    { 0, ArrayPlace::Points, "VolumeEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "Pressure x Volume; part of the atom" },
+    { 0, ArrayPlace::Points, "DispersionEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "attraction of the atoms and the solvent; part of the atom" },
+    { 0, ArrayPlace::Points, "NonpolarEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "sum of the three; part of the atom" },
+    { 1, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None, "of the surface" },
+    { 1, ArrayPlace::Rows, "Volume", 1, "angstrom^3", ArrayChoice::None, "enclosed" },
+    { 1, ArrayPlace::Rows, "SurfaceEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "SurfaceTension x Area" },
+    { 1, ArrayPlace::Rows, "VolumeEnergy", 1, "kcal/mol", ArrayChoice::None, "Pressure x Volume" },
+    { 1, ArrayPlace::Rows, "DispersionEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "attraction of the atoms and the solvent" },
+    { 1, ArrayPlace::Rows, "NonpolarEnergy", 1, "kcal/mol", ArrayChoice::None, "sum of the three" },
+  };
+  return table;
+}
+
 vtkNonpolarSolvation::vtkNonpolarSolvation()
 {
   this->SetNumberOfInputPorts(2);

@@ -6,11 +6,9 @@
  * `SignedDistance` (angstrom, negative inside) describes the surface: output 1 of that filter for
  * the same atoms.
  *
- * Outputs:
- *  - 0: vtkPolyData, the atoms with `Area` (square angstrom), `Volume` (cubic angstrom),
- *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy` and their sum `NonpolarEnergy` (kcal/mol),
- *    which add up to those of the whole; atoms without a ball have 0;
- *  - 1: vtkTable, one row: the same of the whole.
+ * Outputs, whose arrays OutputArrayTable() lists: 0, vtkPolyData, the atoms with their parts of the
+ * energy, which add up to the whole; atoms without a ball have 0. 1, vtkTable, one row: the same of
+ * the whole.
  *
  * G = SurfaceTension x Area + Pressure x Volume + dispersion (thesis 4.3 to 4.6 in the form of
  * Wagoner and Baker 2006). Lennard-Jones parameters of the atoms: the point array WellDepth
@@ -32,9 +30,12 @@
 
 #include "Atoms/AtomProperties.h"
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <vector> // for the table of output arrays
 
 class VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT vtkNonpolarSolvation : public vtkPolyDataAlgorithm
 {
@@ -62,6 +63,9 @@ public:
   /// oxygen).
   ISTHMUS_PARAMETER(SolventWellDepth, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. They must be set as in the vtkMolecularFlowSurface that made the surface.

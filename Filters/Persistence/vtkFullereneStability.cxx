@@ -137,6 +137,42 @@ void FillBars(const std::vector<MoleculeRow>& rows, vtkTable* table)
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkFullereneStability::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Rows, "Molecule", 1, "", ArrayChoice::None, "number among the inputs" },
+    { 0, ArrayPlace::Rows, "Atoms", 1, "", ArrayChoice::None, "at different positions" },
+    { 0, ArrayPlace::Rows, "Bars", 1, "", ArrayChoice::None,
+      "rings (dimension 1) with a persistence of at least FilterDelta" },
+    { 0, ArrayPlace::Rows, "Integral", 1, "length", ArrayChoice::None,
+      "of beta_1: sum of the lengths of all bars of dimension 1" },
+    { 0, ArrayPlace::Rows, "FilteredIntegral", 1, "length", ArrayChoice::None,
+      "that of the counted bars" },
+    { 0, ArrayPlace::Rows, "Cavity", 1, "length", ArrayChoice::None,
+      "length of the longest bar of dimension 2" },
+    { 0, ArrayPlace::Rows, "BoxLength", 1, "length", ArrayChoice::None,
+      "longest side of the box around the atoms" },
+    { 0, ArrayPlace::Rows, "IntegralPerAtom", 1, "length", ArrayChoice::None, "Integral / Atoms" },
+    { 0, ArrayPlace::Rows, "FilteredIntegralPerAtom", 1, "length", ArrayChoice::None,
+      "FilteredIntegral / Atoms" },
+    { 0, ArrayPlace::Rows, "FilteredIntegralPerBoxLength", 1, "", ArrayChoice::None,
+      "FilteredIntegral / BoxLength" },
+    { 0, ArrayPlace::Rows, "EnergyProxy", 1, "length", ArrayChoice::None,
+      "-FilteredIntegral / Atoms, the indicator of the thesis" },
+    { 1, ArrayPlace::Rows, "Molecule", 1, "", ArrayChoice::None, "number among the inputs" },
+    { 1, ArrayPlace::Rows, "FeatureId", 1, "", ArrayChoice::None, "from 0 in each molecule" },
+    { 1, ArrayPlace::Rows, "Dimension", 1, "", ArrayChoice::None, "1 ring, 2 cage" },
+    { 1, ArrayPlace::Rows, "Birth", 1, "length", ArrayChoice::None,
+      "radius of the balls at which it closes" },
+    { 1, ArrayPlace::Rows, "Death", 1, "length", ArrayChoice::None,
+      "radius at which it is filled" },
+    { 1, ArrayPlace::Rows, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
+  };
+  return table;
+}
+
 vtkFullereneStability::vtkFullereneStability()
 {
   this->SetNumberOfOutputPorts(2);

@@ -1,6 +1,6 @@
 /**
  * @class   vtkFullereneStability
- * @brief   rings and cages of molecules as balls grow round their atoms, and the indicator of it
+ * @brief   rings and cages of molecules as balls grow around their atoms
  *
  * Input: one or more molecules, each a vtkPointSet (Macromolecule Reader, XYZ) or a vtkMolecule;
  * only the positions of the atoms count (and `Radius`, with ScaleByRadius). Blocks of a composite
@@ -11,20 +11,8 @@
  * circumradius; a cage is closed by its last ring and is filled when its cavity is. The bars are
  * the intervals from closing to filling.
  *
- * Output 0 (vtkTable), a row for each molecule, lengths in the unit of the points (angstrom):
- *  - `Molecule`: its number among the inputs;
- *  - `Atoms`: their number, those at the same position counted once, with a warning;
- *  - `Bars`: classes of dimension 1 (rings) with Death - Birth of at least FilterDelta;
- *  - `Integral`: of beta_1 over the distance, that is the sum of the lengths of all bars of
- *    dimension 1;
- *  - `FilteredIntegral`: the same of those counted in Bars;
- *  - `Cavity`: length of the longest bar of dimension 2;
- *  - `BoxLength`: longest side of the box round the atoms; `IntegralPerAtom`,
- *    `FilteredIntegralPerAtom`, `FilteredIntegralPerBoxLength`;
- *  - `EnergyProxy` = -FilteredIntegral / Atoms, the thesis' indicator (section 6.5).
- *
- * Output 1 (vtkTable): the bars, longest first in each dimension: `Molecule`, `FeatureId` (from 0
- * in each molecule), `Dimension`, `Birth`, `Death`, `Persistence`.
+ * Outputs (vtkTable), whose columns OutputArrayTable() lists: 0, a row for each molecule; 1, the
+ * bars, longest first in each dimension. Lengths are in the unit of the points (angstrom).
  *
  * **How far to trust it.** Among isomers of one size, FilteredIntegral correlates with the energy
  * of the same geometry, but the number of adjacent pentagons correlates better. Between sizes,
@@ -41,6 +29,7 @@
 #define vtkFullereneStability_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Persistence/FullereneStability.h"
 #include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
@@ -98,6 +87,9 @@ public:
   /// then in units of it. Grid only. Default off.
   ISTHMUS_PARAMETER_SWITCH(ScaleByRadius);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkFullereneStability();

@@ -53,6 +53,73 @@ public:
   double End = 0.0; ///< where infinite deaths are drawn
 };
 
+const std::vector<isthmus::OutputArray>& vtkScalarPersistence::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Rows, "Level", 1, "value", ArrayChoice::None, "NumberOfLevels levels" },
+    { 0, ArrayPlace::Rows, "Beta0", 1, "", ArrayChoice::None, "number of components" },
+    { 0, ArrayPlace::Rows, "Beta1", 1, "", ArrayChoice::None, "number of tunnels" },
+    { 0, ArrayPlace::Rows, "Beta2", 1, "", ArrayChoice::None, "number of cavities" },
+    { 0, ArrayPlace::Rows, "FilteredBeta0", 1, "", ArrayChoice::None,
+      "number of components of the listed classes" },
+    { 0, ArrayPlace::Rows, "FilteredBeta1", 1, "", ArrayChoice::None,
+      "number of tunnels of the listed classes" },
+    { 0, ArrayPlace::Rows, "FilteredBeta2", 1, "", ArrayChoice::None,
+      "number of cavities of the listed classes" },
+    { 0, ArrayPlace::Rows, "EulerNumber", 1, "", ArrayChoice::None, "counted from cells" },
+    { 0, ArrayPlace::Rows, "IntegralBeta0", 1, "value", ArrayChoice::None,
+      "of Beta0 from the first level (superlevels: the highest) to this one" },
+    { 0, ArrayPlace::Rows, "IntegralBeta1", 1, "value", ArrayChoice::None,
+      "of Beta1 from the first level (superlevels: the highest) to this one" },
+    { 0, ArrayPlace::Rows, "IntegralBeta2", 1, "value", ArrayChoice::None,
+      "of Beta2 from the first level (superlevels: the highest) to this one" },
+    { 0, ArrayPlace::Rows, "IntegralFilteredBeta0", 1, "value", ArrayChoice::None,
+      "of FilteredBeta0" },
+    { 0, ArrayPlace::Rows, "IntegralFilteredBeta1", 1, "value", ArrayChoice::None,
+      "of FilteredBeta1" },
+    { 0, ArrayPlace::Rows, "IntegralFilteredBeta2", 1, "value", ArrayChoice::None,
+      "of FilteredBeta2" },
+    { 1, ArrayPlace::Rows, "FeatureId", 1, "", ArrayChoice::None,
+      "number of the class, the longest first; does not depend on the threshold" },
+    { 1, ArrayPlace::Rows, "Dimension", 1, "", ArrayChoice::None,
+      "0 component, 1 tunnel, 2 cavity" },
+    { 1, ArrayPlace::Rows, "Birth", 1, "value", ArrayChoice::None, "level at which it appears" },
+    { 1, ArrayPlace::Rows, "Death", 1, "value", ArrayChoice::None,
+      "level at which it disappears; infinite for the class that never does" },
+    { 1, ArrayPlace::Rows, "Persistence", 1, "value", ArrayChoice::None, "|Death - Birth|" },
+    { 1, ArrayPlace::Rows, "DeathShown", 1, "value", ArrayChoice::None,
+      "Death, cut at the end of the range, for charts" },
+    { 1, ArrayPlace::Rows, "Joins", 1, "", ArrayChoice::None,
+      "FeatureId of what a component or cavity becomes part of when it ends; -1: none" },
+    { 2, ArrayPlace::Points, "FeatureId", 1, "", ArrayChoice::None,
+      "number of the class, the longest first; does not depend on the threshold" },
+    { 2, ArrayPlace::Points, "Dimension", 1, "", ArrayChoice::None,
+      "0 component, 1 tunnel, 2 cavity" },
+    { 2, ArrayPlace::Points, "Birth", 1, "value", ArrayChoice::None, "level at which it appears" },
+    { 2, ArrayPlace::Points, "Death", 1, "value", ArrayChoice::None,
+      "level at which it disappears; infinite for the class that never does" },
+    { 2, ArrayPlace::Points, "Persistence", 1, "value", ArrayChoice::None, "|Death - Birth|" },
+    { 2, ArrayPlace::Points, "DeathShown", 1, "value", ArrayChoice::None,
+      "Death, cut at the end of the range, for charts" },
+    { 2, ArrayPlace::Points, "Joins", 1, "", ArrayChoice::None,
+      "FeatureId of what a component or cavity becomes part of when it ends; -1: none" },
+    { 2, ArrayPlace::Points, "Value", 1, "value", ArrayChoice::None, "of the node" },
+    { 2, ArrayPlace::Points, "CriticalIndex", 1, "", ArrayChoice::None,
+      "dimension of the critical cell: 0 components begin, 1 they meet or tunnels begin, 2 "
+      "tunnels are filled or cavities close, 3 cavities are filled" },
+    { 3, ArrayPlace::Cells, "FeatureId", 1, "", ArrayChoice::None,
+      "number of the class, the longest first; does not depend on the threshold" },
+    { 3, ArrayPlace::Cells, "Birth", 1, "value", ArrayChoice::None, "level at which it appears" },
+    { 3, ArrayPlace::Cells, "Death", 1, "value", ArrayChoice::None,
+      "level at which it disappears; infinite for the class that never does" },
+    { 3, ArrayPlace::Cells, "Persistence", 1, "value", ArrayChoice::None, "|Death - Birth|" },
+    { 3, ArrayPlace::Cells, "Length", 1, "length", ArrayChoice::None, "of the polyline" },
+  };
+  return table;
+}
+
 vtkScalarPersistence::vtkScalarPersistence()
   : Cache(std::make_unique<isthmus::PersistenceCache>())
 {

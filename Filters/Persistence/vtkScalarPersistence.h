@@ -12,24 +12,15 @@
  * corners (26). The box itself is solid: a tunnel or cavity that would be closed only by the space
  * beyond the border is not found, so leave a margin around an object.
  *
- * Outputs:
- *  - 0, *Betti Curves* (vtkTable): `Level`, `Beta0`, `Beta1`, `Beta2` at NumberOfLevels levels,
- *    `FilteredBeta0` ... of the classes kept, `EulerNumber` (counted from cells), and the integrals
- *    of each from the first level (superlevels: the highest) to this one, exact: `IntegralBeta0`
- *    ..., `IntegralFilteredBeta0` ...
- *  - 1, *Persistence Diagram* (vtkTable): one row for each class kept, the longest first:
- *    `FeatureId`, `Dimension` (0 component, 1 tunnel, 2 cavity), `Birth`, `Death` (infinite for the
- *    class that never dies; -infinite for superlevels), `Persistence`, `DeathShown` (finite: cut at
- *    the end of the range, for charts), `Joins` (FeatureId of what a component or cavity becomes
- *    part of when it ends; -1: none).
- *  - 2, *Saddles and Extrema* (vtkPolyData): the nodes where classes begin and end, with these
- *    columns as point arrays, `Value` and `CriticalIndex` (dimension of the critical cell in the
- *    filtration: 0 where components begin, 1 where they meet or tunnels begin, 2 where tunnels are
- *    filled or cavities close, 3 where cavities are filled). Point i is the saddle of row i of the
- *    diagram (the extremum, for the class that never dies), so that a selection link from the
- *    diagram shows it; the other ends follow.
- *  - 3, *Cycles* (vtkPolyData; with Cycles on): a closed polyline round each tunnel kept, on the
- *    grid's edges, short, with `FeatureId`, `Birth`, `Death`, `Persistence`, `Length` on cells.
+ * Outputs, whose arrays OutputArrayTable() lists:
+ *  - 0, *Betti Curves* (vtkTable) at NumberOfLevels levels: of all classes and of those listed, the
+ *    Euler number, and the exact integrals of the curves;
+ *  - 1, *Persistence Diagram* (vtkTable): one row for each listed class, the longest first;
+ *  - 2, *Saddles and Extrema* (vtkPolyData): the nodes where classes begin and end. Point i is the
+ *    saddle of row i of the diagram (the extremum, for the class that never dies), so that a
+ *    selection link from the diagram shows it; the other ends follow;
+ *  - 3, *Cycles* (vtkPolyData; with Cycles on): a short closed polyline around each listed tunnel,
+ *    on the edges of the grid;
  *  - 4, *Simplified* (vtkImageData; with Simplify on): the input with the minima and maxima of the
  *    dropped classes flattened (as TTK's topological simplification does).
  *
@@ -53,11 +44,13 @@
 #define vtkScalarPersistence_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Persistence/ScalarFeatures.h"
 #include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
 #include <memory> // for the cache
+#include <vector> // for the table of output arrays
 
 class vtkImageData;
 class vtkPolyData;
@@ -135,6 +128,9 @@ public:
   vtkPolyData* GetCycleLines();
   vtkImageData* GetSimplified();
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// The levels that are considered: classes without a part in Range are dropped, and persistence
   /// is the length of that part. Automatic unless given: all levels.

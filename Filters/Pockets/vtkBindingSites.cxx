@@ -47,6 +47,45 @@ double AmplitudeOf(double value, int mode)
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkBindingSites::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "BindingSite", 1, "", ArrayChoice::None,
+      "0, or the rank of the site" },
+    { 1, ArrayPlace::Rows, "Rank", 1, "", ArrayChoice::None, "1 is the best" },
+    { 1, ArrayPlace::Rows, "Score", 1, "", ArrayChoice::None,
+      "of a patch: integral of the amplitude over its area; of a pocket: its score times the "
+      "square root of the mean amplitude of its surface" },
+    { 1, ArrayPlace::Rows, "SiteClass", 1, "", ArrayChoice::None,
+      "that of the points; of a pocket 2 if the mean potential is positive, 4 if negative, 0 "
+      "without a potential" },
+    { 1, ArrayPlace::Rows, "Class", 1, "", ArrayChoice::None, "SiteClass in words" },
+    { 1, ArrayPlace::Rows, "Residues", 1, "", ArrayChoice::None,
+      "with atoms: residues within 4 angstrom, those with the most atoms first: A HIS 57 (5) "
+      "is chain, name, number and number of atoms" },
+    { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None, "of pockets" },
+    { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface of the site" },
+    { 1, ArrayPlace::Rows, "MeanDepth", 1, "length", ArrayChoice::None,
+      "below the convex hull of the surface" },
+    { 1, ArrayPlace::Rows, "MeanPotential", 1, "kT/e", ArrayChoice::None,
+      "NaN without a potential" },
+    { 1, ArrayPlace::Rows, "CenterX", 1, "length", ArrayChoice::None,
+      "mean of the points of a patch; center of a pocket" },
+    { 1, ArrayPlace::Rows, "CenterY", 1, "length", ArrayChoice::None,
+      "mean of the points of a patch; center of a pocket" },
+    { 1, ArrayPlace::Rows, "CenterZ", 1, "length", ArrayChoice::None,
+      "mean of the points of a patch; center of a pocket" },
+    { 1, ArrayPlace::Rows, "Points", 1, "", ArrayChoice::None, "number of points of the surface" },
+    { 1, ArrayPlace::Field, "Threshold", 1, "", ArrayChoice::None,
+      "the amplitude used; NaN for pockets" },
+    { 1, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "whether sites are pockets or patches, and which atoms were dropped" },
+  };
+  return table;
+}
+
 vtkBindingSites::vtkBindingSites()
 {
   this->SetNumberOfInputPorts(2);

@@ -6,27 +6,18 @@
  * (input array 0: `PolarizedCurvature`), with classes (input array 1: `SiteClass`) unless Classes
  * is AllPoints, and optionally with a potential for the means (input array 2: `Potential`).
  *
- * **With atoms** on input 1 (points with `Radius`), sites are the pockets of vtkMolecularPockets
- * (its defaults), ranked by their score x the square root of the mean |amplitude| of the surface
- * that lines them. `SiteClass` is then 2 if the mean potential of that surface is positive (a site
- * for a negatively charged ligand), 4 if it is negative, and 0 without a potential; `Area` and
- * `Points` are those of the surface; `MeanDepth` and the centre are those of the pocket. This finds
- * ligands far better (the guide's page on trust). The following describes patches, without atoms.
+ * **With atoms** on input 1 (points with `Radius`), sites are the pockets of
+ * vtkMolecularPockets (its defaults), ranked by their score x the square root of the mean
+ * |amplitude| of the surface that lines them. `Area` and `Points` are those of that surface;
+ * `MeanDepth` and the center are those of the pocket. This finds ligands far better: see
+ * Filters/Pockets/README.md. The following describes patches, without atoms.
  *
  * Points above the threshold that have the same class and are connected by edges form patches;
  * patches of the same class closer than MergeDistance are merged. Each patch has a rank; 1 is the
  * best.
  *
- * - **Output 0**, the surface with the point array `BindingSite` (int): 0, or the rank.
- * - **Output 1**, a table with one row per site: `Rank`, `Score` (integral of the amplitude over
- *   the patch: kT/e angstrom for the polarized curvature), `SiteClass` and, in words, `Class`; with
- *   atoms `Residues` (residues with atoms within 4 angstrom of the site, those with the most atoms
- *   first: "A HIS 57 (5)" gives chain, name, number and number of atoms) and, for pockets, `Volume`
- *   (angstrom^3); `Area` (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface),
- *   `MeanPotential` (kT/e; NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the
- *   patch's points), `Points`. The field array `Threshold` is the amplitude used; `Notes` says
- *   whether sites are pockets or patches and which atoms were dropped. The definitions are in
- *   BindingSites.h.
+ * Outputs, whose arrays OutputArrayTable() lists: 0, the surface; 1, a table with one row per site.
+ * The definitions are in BindingSites.h.
  *
  * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which reports
  * how well they predict.
@@ -45,9 +36,12 @@
 
 #include "Core/ArrayProperty.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Pockets/BindingSites.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <vector> // for the table of output arrays
 
 class vtkAlgorithmOutput;
 class vtkDataArray;
@@ -146,6 +140,9 @@ public:
 
   /// Output 1.
   vtkTable* GetSiteTable();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// Amplitude above which points belong to patches, in the array's unit. Automatic unless given:
   /// Quantile of the surface's area.

@@ -88,6 +88,35 @@ Array* NewPointArray(vtkPolyData* output, const char* name)
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkPolarizedCurvature::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Potential", 1, "kT/e", ArrayChoice::None,
+      "in the unit of the image; NaN at points off the grid" },
+    { 0, ArrayPlace::Points, "PositivePotentialKappa1", 1, "kT/(e length)", ArrayChoice::None,
+      "max(Phi, 0) kappa_1" },
+    { 0, ArrayPlace::Points, "PositivePotentialKappa2", 1, "kT/(e length)", ArrayChoice::None,
+      "max(Phi, 0) kappa_2" },
+    { 0, ArrayPlace::Points, "NegativePotentialKappa1", 1, "kT/(e length)", ArrayChoice::None,
+      "min(Phi, 0) kappa_1" },
+    { 0, ArrayPlace::Points, "NegativePotentialKappa2", 1, "kT/(e length)", ArrayChoice::None,
+      "min(Phi, 0) kappa_2" },
+    { 0, ArrayPlace::Points, "PolarizedCurvature", 1, "kT/(e length)", ArrayChoice::None,
+      "Phi kappa_2" },
+    { 0, ArrayPlace::Points, "SiteClass", 1, "", ArrayChoice::None,
+      "0 none; site for a negatively charged protein 1 (Phi > 0, kappa_1 > 0), a negatively "
+      "charged ligand 2 (Phi > 0, kappa_2 < 0), a positively charged protein 3 (Phi < 0, "
+      "kappa_1 > 0), a positively charged ligand 4 (Phi < 0, kappa_2 < 0); a saddle has the "
+      "class of its larger amplitude" },
+    { 0, ArrayPlace::Points, "PotentialValid", 1, "", ArrayChoice::None,
+      "0 if the point lies off the grid or a value around it is not finite" },
+    { 0, ArrayPlace::Field, "SiteClassNames", 1, "", ArrayChoice::None, "of SiteClass" },
+  };
+  return table;
+}
+
 vtkPolarizedCurvature::vtkPolarizedCurvature()
 {
   this->SetNumberOfInputPorts(2);

@@ -9,21 +9,9 @@
  * the points in world coordinates; without that input, from a point array of the surface (input
  * array 2: `Potential`).
  *
- * **Output**: the surface with its arrays and, on points, double:
- * - `Potential` (kT/e, or the unit of the image): NaN at points off the grid;
- * - `PositivePotentialKappa1`, `PositivePotentialKappa2`, `NegativePotentialKappa1`,
- *   `NegativePotentialKappa2`: max(Phi, 0) or min(Phi, 0) times kappa_1 or kappa_2 (kT/(e
- *   angstrom)), NaN where the potential is NaN;
- * - `PolarizedCurvature` = Phi kappa_2;
- * - `SiteClass` (unsigned char): names in the field array `SiteClassNames`; a saddle has the class
- *   of its larger amplitude:
- *   - 0: none;
- *   - 1: site for a negatively charged protein (Phi > 0, kappa_1 > 0);
- *   - 2: site for a negatively charged small ligand (Phi > 0, kappa_2 < 0);
- *   - 3: site for a positively charged protein (Phi < 0, kappa_1 > 0);
- *   - 4: site for a positively charged small ligand (Phi < 0, kappa_2 < 0);
- * - `PotentialValid` (unsigned char): 0 if the point lies off the grid or a value around it is not
- *   finite, otherwise 1.
+ * **Output**: the surface with its arrays and those of OutputArrayTable(): the potential Phi, its
+ * positive and negative part times kappa_1 and kappa_2, `PolarizedCurvature` = Phi kappa_2, and the
+ * class of binding site.
  *
  * At points that the curvature filters marked as not valid, the curvatures and therefore the
  * products are 0. Source: X. Feng's thesis, section 5.2.5, Table 5.7; PolarizedCurvature.h has the
@@ -42,10 +30,12 @@
 #define vtkPolarizedCurvature_h
 
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for the name of an array
+#include <vector> // for the table of output arrays
 
 class vtkAlgorithmOutput;
 class vtkDataArray;
@@ -81,6 +71,9 @@ public:
   vtkSetMacro(ClassThreshold, double);
   vtkGetMacro(ClassThreshold, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkPolarizedCurvature();

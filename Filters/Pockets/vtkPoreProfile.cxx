@@ -88,6 +88,56 @@ void Fill(const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationV
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None, "of the largest ball" },
+    { 0, ArrayPlace::Points, "ArcLength", 1, "length", ArrayChoice::None, "along the pore" },
+    { 0, ArrayPlace::Points, "NearestAtom", 1, "", ArrayChoice::None, "point of the input" },
+    { 0, ArrayPlace::Points, "NearestResidue", 1, "", ArrayChoice::None, "chain, name and number" },
+    { 0, ArrayPlace::Points, "WidthClass", 1, "", ArrayChoice::None,
+      "0 too narrow for water (radius below 1.15), 1 room for one water molecule, 2 for two "
+      "(from 2.30)" },
+    { 0, ArrayPlace::Points, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
+    { 1, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None, "of the largest ball" },
+    { 1, ArrayPlace::Rows, "ArcLength", 1, "length", ArrayChoice::None, "along the pore" },
+    { 1, ArrayPlace::Rows, "NearestAtom", 1, "", ArrayChoice::None, "point of the input" },
+    { 1, ArrayPlace::Rows, "NearestResidue", 1, "", ArrayChoice::None, "chain, name and number" },
+    { 1, ArrayPlace::Rows, "WidthClass", 1, "", ArrayChoice::None,
+      "0 too narrow for water (radius below 1.15), 1 room for one water molecule, 2 for two "
+      "(from 2.30)" },
+    { 1, ArrayPlace::Rows, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
+    { 0, ArrayPlace::Cells, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
+    { 1, ArrayPlace::Rows, "X", 1, "length", ArrayChoice::None, "center of the ball" },
+    { 1, ArrayPlace::Rows, "Y", 1, "length", ArrayChoice::None, "center of the ball" },
+    { 1, ArrayPlace::Rows, "Z", 1, "length", ArrayChoice::None, "center of the ball" },
+    { 2, ArrayPlace::Rows, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
+    { 2, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None, "the smallest" },
+    { 2, ArrayPlace::Rows, "Length", 1, "length", ArrayChoice::None, "of the pore" },
+    { 2, ArrayPlace::Rows, "Span", 1, "length", ArrayChoice::None, "PORESPAN" },
+    { 2, ArrayPlace::Rows, "Bottlenecks", 1, "", ArrayChoice::None, "their number" },
+    { 2, ArrayPlace::Rows, "BottleneckX", 1, "length", ArrayChoice::None,
+      "position of the narrowest place" },
+    { 2, ArrayPlace::Rows, "BottleneckY", 1, "length", ArrayChoice::None,
+      "position of the narrowest place" },
+    { 2, ArrayPlace::Rows, "BottleneckZ", 1, "length", ArrayChoice::None,
+      "position of the narrowest place" },
+    { 3, ArrayPlace::Points, "PoreId", 1, "", ArrayChoice::None, "of the pore" },
+    { 3, ArrayPlace::Points, "Rank", 1, "", ArrayChoice::None,
+      "1 is the narrowest bottleneck of the pore" },
+    { 3, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None, "of the largest ball" },
+    { 3, ArrayPlace::Points, "ArcLength", 1, "length", ArrayChoice::None, "along the pore" },
+    { 3, ArrayPlace::Points, "NearestAtom", 1, "", ArrayChoice::None, "point of the input" },
+    { 3, ArrayPlace::Points, "NearestResidue", 1, "", ArrayChoice::None, "chain, name and number" },
+    { 3, ArrayPlace::Points, "WidthClass", 1, "", ArrayChoice::None, "as on output 0" },
+    { 3, ArrayPlace::Points, "Residues", 1, "", ArrayChoice::None,
+      "those within 0.5 angstrom of touching the ball" },
+  };
+  return table;
+}
+
 vtkPoreProfile::vtkPoreProfile()
 {
   this->SetNumberOfOutputPorts(7);

@@ -16,22 +16,15 @@
  * Point2; PointAndDirection uses planes perpendicular to Direction, both ways from Point, as HOLE
  * does. The definitions are in PoreProfile.h and PoreChannels.h.
  *
- * - **Output 0**, vtkPolyData: one polyline per pore, through the centres of the largest balls.
- *   Point arrays `Radius`, `ArcLength` (angstrom), `NearestAtom` (point of the input),
- *   `NearestResidue`, `WidthClass` (0: too narrow for water, radius below 1.15; 1: room for one
- *   water molecule; 2: room for two, from 2.30; these are the classes of HOLE), `PoreId`; cell
- *   array `PoreId`. The longest pore has the number 1.
- * - **Output 1**, vtkTable: the same samples as rows, with X, Y, Z, for a chart.
- * - **Output 2**, vtkTable: one row per pore: `PoreId`, `Radius` (the smallest), `Length`, `Span`,
- *   `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
- * - **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`,
- *   `Rank` (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`, `Residues`
- *   (residues within 0.5 angstrom of touching the ball there).
- * - **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
- * - **Output 5**, vtkPolyData: tubes with the radii of the pores, with `Radius`, `WidthClass`,
- *   `PoreId`.
- * - **Output 6**, vtkPolyData: all atoms of the lining residues, with their bonds, the input's
- *   point arrays and `PoreId`.
+ * Outputs, whose arrays OutputArrayTable() lists:
+ *  - 0: vtkPolyData, one polyline per pore, through the centers of the largest balls;
+ *  - 1: vtkTable, the same samples as rows, for a chart;
+ *  - 2: vtkTable, one row per pore;
+ *  - 3: vtkPolyData, bottlenecks: points at local minima of the radius;
+ *  - 4: vtkTable, lining residues: `PoreId` and the columns of vtkMolecularPockets;
+ *  - 5: vtkPolyData, tubes with the radii of the pores;
+ *  - 6: vtkPolyData, all atoms of the lining residues, with their bonds, the input's point arrays
+ *    and `PoreId`.
  *
  * **Errors** (message, empty outputs): missing radii; radii, points or options out of range; no
  * path between the points. A molecule without channels is not an error.
@@ -44,11 +37,13 @@
 
 #include "Core/ArrayProperty.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Pockets/Pore.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for the properties
+#include <vector> // for the table of output arrays
 
 class vtkPointSet;
 class vtkTable;
@@ -143,6 +138,9 @@ public:
   vtkTable* GetLiningResidues();
   vtkPolyData* GetTubes();
   vtkPolyData* GetLiningAtoms();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkPoreProfile();

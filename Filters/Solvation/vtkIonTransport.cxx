@@ -7,6 +7,7 @@
 #include "Core/PipelineInputs.h"
 #include "Electrostatics/PoissonBoltzmannInput.h"
 #include "Solvation/ChannelSolution.h"
+#include "Solvation/IonTransportArrays.h"
 #include "Solvation/IonTransportOutput.h"
 
 #include <vtkImageData.h>
@@ -141,6 +142,16 @@ void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
       vtkWarningWithObjectMacro(this->Self, << warning);
     }
   }
+}
+
+const std::vector<isthmus::OutputArray>& vtkIonTransport::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_ION_TRANSPORT_ARRAY_ROWS,
+  };
+  return table;
 }
 
 vtkIonTransport::vtkIonTransport()

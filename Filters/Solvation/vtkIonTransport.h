@@ -14,15 +14,9 @@
  * atoms with a margin of Padding; its grid is turned so that one axis is that normal. Formulas and
  * sources: PoissonNernstPlanck.h, TransportGrid.h.
  *
- * Outputs (arrays by species have its name in place of NAME):
- *  - 0: vtkImageData with `Potential` (kT/e), `Concentration_NAME` (mol/l), `Flux_NAME` (ions per
- *    nanosecond and square angstrom), `CurrentDensity` (pA per square angstrom), `SignedDistance`
- *    to atoms and membrane (angstrom, negative within). Unless MembraneNormal is a coordinate axis,
- *    they are interpolated trilinearly from the grid. Field data: `Voltage` (mV), `Current` and
- *    `Current_NAME` (pA, positive along the normal), `CurrentSpread` (largest relative difference
- *    between sections), `Converged`, `Changes` (of the potential, by iteration),
- *    `BottleneckRadius`, at most 4.5 spacings, and `BottleneckPosition` (angstrom);
- *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`.
+ * Outputs, whose arrays OutputArrayTable() lists: 0, vtkImageData; unless MembraneNormal is a
+ * coordinate axis, its values are interpolated trilinearly from the grid. 1, vtkTable of
+ * cross-sections.
  *
  * Accuracy: rotating molecule and membrane together, or the molecule about the axis, changes the
  * current by up to 0.75 % at the default Spacing and 0.15 % at half of it.
@@ -45,12 +39,14 @@
 
 #include "Atoms/AtomProperties.h"
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "Solvation/IonTransportParameters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 
 #include <memory> // for the input that RequestInformation() needs
 #include <string> // for names
+#include <vector> // for the table of output arrays
 
 class vtkTable;
 
@@ -144,6 +140,9 @@ public:
 
   /// Output 1.
   vtkTable* GetSections();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.

@@ -3,6 +3,7 @@
 #include "Core/NumberText.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "Solvation/ChannelSolution.h"
+#include "Solvation/IonTransportArrays.h"
 #include "Solvation/IonTransportOutput.h"
 
 #include <vtkObjectFactory.h>
@@ -11,6 +12,31 @@
 #include <string>
 
 vtkStandardNewMacro(vtkIonTransportMovingSurface);
+
+const std::vector<isthmus::OutputArray>& vtkIonTransportMovingSurface::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_ION_TRANSPORT_ARRAY_ROWS,
+    { 0, ArrayPlace::Field, "ShownUpdate", 1, "", ArrayChoice::None,
+      "row of output 2 to which outputs 0 and 1 belong, from 1" },
+    { 2, ArrayPlace::Rows, "Update", 1, "", ArrayChoice::None, "from 1, the initial surface" },
+    { 2, ArrayPlace::Rows, "Time", 1, "angstrom^2", ArrayChoice::None, "of the flow" },
+    { 2, ArrayPlace::Rows, "AreaChange", 1, "angstrom^2", ArrayChoice::None, "since the start" },
+    { 2, ArrayPlace::Rows, "LumenVolume", 1, "angstrom^3", ArrayChoice::None,
+      "water within the thickness of the membrane" },
+    { 2, ArrayPlace::Rows, "EnergyChange", 1, "kcal/mol", ArrayChoice::None,
+      "of tension, pressure and dispersion since the start" },
+    { 2, ArrayPlace::Rows, "OnObstacle", 1, "", ArrayChoice::None,
+      "fraction of the surface that cannot recede" },
+    { 2, ArrayPlace::Rows, "BottleneckRadius", 1, "angstrom", ArrayChoice::None,
+      "of the widest way through the channel" },
+    { 2, ArrayPlace::Rows, "Current_NAME", 1, "pA", ArrayChoice::None, "of the species NAME" },
+    { 2, ArrayPlace::Rows, "Current", 1, "pA", ArrayChoice::None, "of all species" },
+  };
+  return table;
+}
 
 vtkIonTransportMovingSurface::vtkIonTransportMovingSurface()
 {

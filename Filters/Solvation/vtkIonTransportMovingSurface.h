@@ -9,13 +9,8 @@
  * PhD thesis, equations 4.25 to 4.28; see MovingChannel.h. The surface starts from that of the
  * atoms, or from input 1, and never recedes behind it. Well depths are as for vtkNonpolarSolvation.
  *
- * Outputs 0 and 1 are those of vtkIonTransport for the last surface. In the field data of output 0,
- * `Converged` is 1 only if the surface has converged as well; `ShownUpdate` is the row of output 2
- * for this surface. Output 2: vtkTable with a row for each update, the first for the initial
- * surface: `Update`, `Time` (of the flow, square angstrom), `AreaChange` (square angstrom),
- * `LumenVolume` (water within the membrane's thickness, cubic angstrom), `EnergyChange` (of
- * tension, pressure and dispersion, kcal/mol), `OnObstacle` (fraction of the surface that cannot
- * recede), `BottleneckRadius` (angstrom), `Current_NAME`, `Current` (pA).
+ * Outputs, whose arrays OutputArrayTable() lists: 0 and 1, those of vtkIonTransport for the last
+ * surface; 2, vtkTable with a row for each update, the first for the initial surface.
  *
  * Accuracy: rotations change the current by up to 1.4 %, and the first update differs from
  * vtkIonTransport by 0.7 % at Spacing 0.5 and 2 % at 0.8 (PermittivityMean in TransportGrid.h).
@@ -27,10 +22,13 @@
 #ifndef vtkIonTransportMovingSurface_h
 #define vtkIonTransportMovingSurface_h
 
+#include "Core/OutputArrays.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "Solvation/SolvationParameters.h"
 #include "vtkIonTransport.h"
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
+
+#include <vector> // for the table of output arrays
 
 class VTKISTHMUSFILTERSSOLVATION_EXPORT vtkIonTransportMovingSurface : public vtkIonTransport
 {
@@ -62,6 +60,9 @@ public:
 
   /// Output 2.
   vtkTable* GetUpdates();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// SurfaceTension, above 0, and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
   ISTHMUS_SOLVENT_PROPERTIES(Motion.Solvent);

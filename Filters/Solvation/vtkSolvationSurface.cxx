@@ -94,6 +94,49 @@ void vtkSolvationSurface::vtkInternals::Warn(
   }
 }
 
+const std::vector<isthmus::OutputArray>& vtkSolvationSurface::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "unit, outwards" },
+    { 0, ArrayPlace::Points, "Potential", 1, "kT/e", ArrayChoice::None, "electrostatic potential" },
+    { 0, ArrayPlace::Points, "NormalField", 1, "kT/(e angstrom)", ArrayChoice::None,
+      "of the solvent" },
+    { 0, ArrayPlace::Points, "SurfaceChargeDensity", 1, "e/angstrom^2", ArrayChoice::None,
+      "of the polarization" },
+    { 1, ArrayPlace::Points, "SignedDistance", 1, "angstrom", ArrayChoice::None,
+      "negative inside" },
+    { 1, ArrayPlace::Points, "S", 1, "", ArrayChoice::None, "from 0 to 1, 1/2 on the surface" },
+    { 1, ArrayPlace::Points, "Potential", 1, "kT/e", ArrayChoice::None, "electrostatic potential" },
+    { 1, ArrayPlace::Points, "ReactionPotential", 1, "kT/e", ArrayChoice::None,
+      "the potential minus that of the charges in a medium with SoluteDielectric everywhere" },
+    { 1, ArrayPlace::Points, "Side", 1, "", ArrayChoice::None, "1 inside the solute" },
+    { 0, ArrayPlace::Field, "Converged", 1, "", ArrayChoice::None,
+      "1 if the energy has converged" },
+    { 1, ArrayPlace::Field, "Converged", 1, "", ArrayChoice::None,
+      "1 if the energy has converged" },
+    { 2, ArrayPlace::Field, "Converged", 1, "", ArrayChoice::None,
+      "1 if the energy has converged" },
+    { 2, ArrayPlace::Rows, "Update", 1, "", ArrayChoice::None, "from 1" },
+    { 2, ArrayPlace::Rows, "Time", 1, "angstrom^2", ArrayChoice::None, "of the flow" },
+    { 2, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None, "of the surface" },
+    { 2, ArrayPlace::Rows, "Volume", 1, "angstrom^3", ArrayChoice::None, "enclosed" },
+    { 2, ArrayPlace::Rows, "SurfaceEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "SurfaceTension x Area" },
+    { 2, ArrayPlace::Rows, "VolumeEnergy", 1, "kcal/mol", ArrayChoice::None, "Pressure x Volume" },
+    { 2, ArrayPlace::Rows, "DispersionEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "attraction of the atoms and the solvent" },
+    { 2, ArrayPlace::Rows, "NonpolarEnergy", 1, "kcal/mol", ArrayChoice::None, "sum of the three" },
+    { 2, ArrayPlace::Rows, "PolarEnergy", 1, "kcal/mol", ArrayChoice::None,
+      "of the charges in the field of the solvent" },
+    { 2, ArrayPlace::Rows, "TotalEnergy", 1, "kcal/mol", ArrayChoice::None, "nonpolar + polar" },
+    { 2, ArrayPlace::Rows, "OnObstacle", 1, "", ArrayChoice::None,
+      "fraction of the surface that its obstacle holds" },
+  };
+  return table;
+}
+
 vtkSolvationSurface::vtkSolvationSurface()
   : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {

@@ -13,21 +13,15 @@
  * energy converges. This is the coupled Laplace-Beltrami and Poisson-Boltzmann model of the thesis
  * in sharp form. Formulas and sources: SolvationFlow.h, CoupledFlow.h.
  *
- * Outputs:
- *  - 0: vtkPolyData, the surface: closed, with `Normals`, `Potential` (kT/e), `NormalField`,
- *    `SurfaceChargeDensity`;
- *  - 1: vtkImageData with `SignedDistance`, `S`, `Potential`, `ReactionPotential` (kT/e) and
- *    `Side`;
- *  - 2: vtkTable, a row for each update: `Update`, `Time` (square angstrom), `Area`, `Volume`,
- *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy`, `NonpolarEnergy`, `PolarEnergy`,
- *    `TotalEnergy` (kcal/mol), `OnObstacle` (the part of the surface that its obstacle holds).
+ * Outputs, whose arrays OutputArrayTable() lists: 0, vtkPolyData, the surface, closed; 1,
+ * vtkImageData, distance and potential; 2, vtkTable, a row for each update.
  *
- * The field array `Converged` of outputs 0 and 1 is 1 if the energy has converged. Otherwise the
- * surface of the last update is returned, with a warning.
+ * If the energy has not converged, the field array `Converged` is 0 and the surface of the last
+ * update is returned, with a warning.
  *
- * **Obstacle.** ProbeRadius keeps the surface of a protein from collapsing. The field pulls many
- * times more strongly than the tension resists, so without a probe the surface ends on the atoms,
- * in clefts that water cannot enter; a warning says so.
+ * **ProbeRadius** keeps the surface of a protein from collapsing. The field pulls many times more
+ * strongly than the tension resists, so without a probe the surface ends on the atoms, in clefts
+ * that water cannot enter; a warning says so.
  *
  * **Errors** (message, empty outputs): those of the atoms, no charges, a charge outside all atoms,
  * parameters out of range, a grid that does not fit into memory. Cost: 3 to 10 solutions of the
@@ -38,12 +32,14 @@
 
 #include "Atoms/AtomProperties.h"
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "Solvation/SolvationParameters.h"
 #include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for the input that RequestInformation() needs
+#include <vector> // for the table of output arrays
 
 class vtkImageData;
 class vtkTable;
@@ -141,6 +137,9 @@ public:
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetUpdates();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   /// IncludeWaters and UnitedAtoms determine which atoms are used, and their radii; see
   /// AtomProperties.h. Default off and on.

@@ -78,6 +78,52 @@ void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Field, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
+    { 0, ArrayPlace::Field, "Volume", 1, "length^3", ArrayChoice::None,
+      "enclosed; NaN if the surface does not enclose a volume or crosses itself" },
+    { 0, ArrayPlace::Field, "Genus", 1, "", ArrayChoice::None,
+      "number of handles, with the boundary loops closed; -1 if there are irregular points" },
+    { 0, ArrayPlace::Field, "Components", 1, "", ArrayChoice::None, "parts that share no point" },
+    { 0, ArrayPlace::Field, "EulerNumber", 1, "", ArrayChoice::None, "points - edges + triangles" },
+    { 0, ArrayPlace::Field, "OpenEdges", 1, "", ArrayChoice::None,
+      "edges with more triangles on one side than on the other" },
+    { 0, ArrayPlace::Field, "BoundaryLoops", 1, "", ArrayChoice::None,
+      "closed curves of open edges" },
+    { 0, ArrayPlace::Field, "IrregularPoints", 1, "", ArrayChoice::None,
+      "points around which the triangles form neither a disc nor a half disc" },
+    { 0, ArrayPlace::Field, "SmearedArea", 1, "length^2", ArrayChoice::None,
+      "of images: from the scalars scaled to 0 outside and 1 inside" },
+    { 0, ArrayPlace::Field, "SmearedVolume", 1, "length^3", ArrayChoice::None,
+      "of images: from the scalars scaled to 0 outside and 1 inside" },
+    { 1, ArrayPlace::Rows, "Component", 1, "", ArrayChoice::None, "-1 for the whole surface" },
+    { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
+    { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None,
+      "enclosed; NaN if the surface does not enclose a volume or crosses itself" },
+    { 1, ArrayPlace::Rows, "Genus", 1, "", ArrayChoice::None,
+      "number of handles, with the boundary loops closed; -1 if there are irregular points" },
+    { 1, ArrayPlace::Rows, "EulerNumber", 1, "", ArrayChoice::None, "points - edges + triangles" },
+    { 1, ArrayPlace::Rows, "OpenEdges", 1, "", ArrayChoice::None,
+      "edges with more triangles on one side than on the other" },
+    { 1, ArrayPlace::Rows, "BoundaryLoops", 1, "", ArrayChoice::None,
+      "closed curves of open edges" },
+    { 1, ArrayPlace::Rows, "IrregularPoints", 1, "", ArrayChoice::None,
+      "points around which the triangles form neither a disc nor a half disc" },
+    { 1, ArrayPlace::Rows, "Points", 1, "", ArrayChoice::None, "their number" },
+    { 1, ArrayPlace::Rows, "Edges", 1, "", ArrayChoice::None, "their number" },
+    { 1, ArrayPlace::Rows, "Triangles", 1, "", ArrayChoice::None, "their number" },
+    { 1, ArrayPlace::Rows, "SmearedArea", 1, "length^2", ArrayChoice::None,
+      "of images: as on output 0" },
+    { 1, ArrayPlace::Rows, "SmearedVolume", 1, "length^3", ArrayChoice::None,
+      "of images: as on output 0" },
+  };
+  return table;
+}
+
 vtkSurfaceMeasures::vtkSurfaceMeasures()
 {
   this->SetNumberOfOutputPorts(2);

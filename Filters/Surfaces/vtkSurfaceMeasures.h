@@ -5,19 +5,17 @@
  * The input, a vtkPolyData or a vtkImageData, is passed on with its measures as field data; output
  * 1 is a vtkTable of the same. Lengths are in the unit of the data, angstrom for molecular data.
  *
- * **Surface** (polygons and strips are split into triangles; vertices and lines are ignored): field
- * data `Area`, `Volume`, `Genus`, `Components`, `EulerNumber`, `OpenEdges`, `BoundaryLoops`,
- * `IrregularPoints`; table: a row for the whole (`Component` -1) and one for each component, with
- * `Points`, `Edges` and `Triangles` too. Triangles that share a point are one component. `Volume`
- * is positive where triangles are counter-clockwise seen from outside, and the volume of cavities
- * is subtracted. Cracks between facets, flipped patches, and cavities that face the same way as the
- * shell around them are corrected first, with a warning (SurfaceMending.h). `Volume` is NaN, with a
- * warning, if the surface does not enclose a volume (OpenEdges are edges with more triangles on one
- * side than on the other), or if closed components cross each other; in this case the warning gives
- * the place (ShellCrossings.h), and the volumes of the components are those of each component
- * alone. `Genus` is the number of handles, with the BoundaryLoops closed. It is -1, with a warning,
- * if the surface has IrregularPoints, i.e. points around which the triangles form neither a disc
- * nor a half disc.
+ * The measures and columns are those of OutputArrayTable(); the table has a row for the whole
+ * (`Component` -1) and one for each component.
+ *
+ * **Surface**: polygons and strips are split into triangles; vertices and lines are ignored.
+ * Triangles that share a point are one component. `Volume` is positive where triangles are
+ * counter-clockwise seen from outside, and the volume of cavities is subtracted. Cracks between
+ * facets, flipped patches, and cavities that face the same way as the shell around them are
+ * corrected first, with a warning (SurfaceMending.h). `Volume` is NaN, with a warning, if the
+ * surface does not enclose a volume, or if closed components cross each other (ShellCrossings.h);
+ * the volumes of the components are then those of each component alone. `Genus` is -1, with a
+ * warning, if the surface has irregular points.
  *
  * **Image**: four measures of the isosurface at Level of its scalars: the sharp Area and Volume,
  * and SmearedArea and SmearedVolume of the scalars scaled to 0 outside and 1 inside. Float and
@@ -36,8 +34,11 @@
 #ifndef vtkSurfaceMeasures_h
 #define vtkSurfaceMeasures_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 #include "vtkPassInputTypeAlgorithm.h"
+
+#include <vector> // for the table of output arrays
 
 class vtkImageData;
 class vtkPolyData;
@@ -74,6 +75,9 @@ public:
 
   /// Output 1.
   vtkTable* GetTable();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkSurfaceMeasures();
