@@ -90,7 +90,7 @@ double AnalysisCost::Completion() const
       this->Triangulation / static_cast<double>(this->Samples);
 }
 
-AnalysisCost CostOf(const SurfaceView& samples)
+AnalysisCost EstimateCost(const SurfaceView& samples)
 {
   AnalysisCost cost;
   cost.Samples = samples.Points.size();
@@ -129,7 +129,7 @@ struct ChokingAnalysis
     this->Found.Membranes.resize(this->Found.Diagram.Features.size());
     for (const ShapeFeature& feature : this->Found.Diagram.Features)
     {
-      this->Found.Centres.push_back(this->Centre(feature));
+      this->Found.Centers.push_back(this->Center(feature));
     }
     this->MakeGeneratorLoops(Between(progress, 0.9, 1.0));
     times.Features += this->Watch.Lap();
@@ -178,13 +178,13 @@ struct ChokingAnalysis
     }
   }
 
-  Point3 Centre(const ShapeFeature& feature) const
+  Point3 Center(const ShapeFeature& feature) const
   {
     const auto t = this->Filtration.TrianglePoints(feature.Choke);
     const Point3& p = this->Filtration.Points[At(t[0])];
     const Point3& q = this->Filtration.Points[At(t[1])];
     const Point3& r = this->Filtration.Points[At(t[2])];
-    return this->Context.PointError.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcentre(p, q, r);
+    return this->Context.PointError.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcenter(p, q, r);
   }
 
   /// Voids this persistent, relative to the side's reference length, deserve refinement.
@@ -207,7 +207,7 @@ struct ChokingAnalysis
       {
         const double gap =
           std::sqrt(std::max(0.0, f.PairDeath * f.PairDeath - f.PairBirth * f.PairBirth));
-        wanted.push_back({ this->Found.Centres[i], 2.0 * f.Radius() + f.Error,
+        wanted.push_back({ this->Found.Centers[i], 2.0 * f.Radius() + f.Error,
           std::min(0.9 * gap, 0.7 * std::sqrt(3.0) * f.Error) });
       }
     }
@@ -252,7 +252,7 @@ bool IsInVain(std::size_t before, std::size_t left)
 AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   const ChokingLoopTimes& times, int round, std::size_t own)
 {
-  AnalysisCost cost = CostOf(samples);
+  AnalysisCost cost = EstimateCost(samples);
   const std::size_t unsettled = CountUnresolved(before.Found);
   cost.LearnFrom(before.Cost, times.LastRound);
   if (unsettled > (round < Rounds ? ManyPlaces : 0))
@@ -298,7 +298,7 @@ ChokingLoops::ChokingLoops(
   }
   std::optional<ConformingMesh> conforming; // made while a finer sampling is analysed
   std::size_t before = 0;                   // places that the previous round left unresolved
-  AnalysisCost cost = CostOf(samples);
+  AnalysisCost cost = EstimateCost(samples);
   MemoryBudget(parameters.MemoryLimit)
     .Require(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
       "raise SampleSpacing or simplify the surface");
@@ -464,7 +464,7 @@ std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection)
   return SelectFeatures(this->Diagram(), selection);
 }
 
-const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
+const Membrane& ChokingLoops::GetMembrane(std::size_t feature)
 {
   // That of a handle or tunnel is there already, so none is made that others would read meanwhile.
   ChokingAnalysis& state = *this->State;
@@ -486,7 +486,7 @@ const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
   return *membrane;
 }
 
-const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
+const Membrane& ChokingLoops::GetExistingMembrane(std::size_t feature) const
 {
   const std::optional<Membrane>& made = this->State->Found.Membranes[feature];
   if (!made)
@@ -496,7 +496,7 @@ const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
   return *made;
 }
 
-const Membrane* ChokingLoops::MinimumCutMembraneOf(
+const Membrane* ChokingLoops::GetMinimumCutMembrane(
   std::size_t feature, const ProgressCallback& progress, bool chords)
 {
   ChokingAnalysis& state = *this->State;
@@ -507,7 +507,7 @@ const Membrane* ChokingLoops::MinimumCutMembraneOf(
   {
     lock.unlock();
     std::optional<Membrane> membrane = MinimumCutMembrane(state.Context,
-      state.Found.Diagram.Features[feature], state.Found.Centres[feature], progress, chords);
+      state.Found.Diagram.Features[feature], state.Found.Centers[feature], progress, chords);
     if (membrane && !IsInterchangeable(state.Context, state.Found, feature, *membrane))
     {
       membrane.reset();
@@ -519,7 +519,7 @@ const Membrane* ChokingLoops::MinimumCutMembraneOf(
   return found ? &*found : nullptr;
 }
 
-std::optional<Membrane> ChokingLoops::GreedyMembraneOf(std::size_t feature) const
+std::optional<Membrane> ChokingLoops::ComputeGreedyMembrane(std::size_t feature) const
 {
   const ChokingAnalysis& state = *this->State;
   const ShapeFeature& f = state.Found.Diagram.Features[feature];
@@ -532,18 +532,19 @@ std::optional<Membrane> ChokingLoops::GreedyMembraneOf(std::size_t feature) cons
   return membrane;
 }
 
-std::vector<Membrane> ChokingLoops::EncirclingMembranesOf(
+std::vector<Membrane> ChokingLoops::ComputeEncirclingMembranes(
   std::size_t feature, double longest, std::size_t most) const
 {
   return EncirclingMembranes(this->State->Context, this->State->Found, feature, longest, most);
 }
 
-std::optional<Membrane> ChokingLoops::ContactMembraneOf(std::size_t feature, double longest) const
+std::optional<Membrane> ChokingLoops::ComputeContactMembrane(
+  std::size_t feature, double longest) const
 {
   return ContactMembrane(this->State->Context, this->State->Found, feature, longest);
 }
 
-std::vector<SimplexId> ChokingLoops::ContactsOf(std::size_t feature) const
+std::vector<SimplexId> ChokingLoops::GetContacts(std::size_t feature) const
 {
   const TriangleId choke = this->State->Found.Diagram.Features[feature].Choke;
   if (!choke.Exists())
@@ -561,7 +562,7 @@ const std::string& ChokingLoops::Remark() const
 
 Point3 ChokingLoops::ChokePoint(std::size_t feature) const
 {
-  return this->State->Found.Centres[feature];
+  return this->State->Found.Centers[feature];
 }
 
 }

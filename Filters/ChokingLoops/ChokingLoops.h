@@ -78,7 +78,7 @@ struct AnalysisCost
 };
 
 /// Cost of analysing the samples of a closed surface, without the times. O(n).
-AnalysisCost CostOf(const SurfaceView& samples);
+AnalysisCost EstimateCost(const SurfaceView& samples);
 
 class ConformingMesh;
 struct ChokingAnalysis;
@@ -147,30 +147,30 @@ public:
   std::vector<std::size_t> Select(const FeatureSelection& selection) const;
 
   /// Loops and membrane of a feature; computed on first use.
-  const Membrane& MembraneOf(std::size_t feature);
+  const Membrane& GetMembrane(std::size_t feature);
 
   /// The same for a feature whose membrane is already computed.
-  const Membrane& MembraneOfMade(std::size_t feature) const;
+  const Membrane& GetExistingMembrane(std::size_t feature) const;
 
   /// MinimumCutMembrane() of a feature, computed on first use; null if there is none, or if the
   /// feature is a handle or tunnel whose loops the cut cannot replace (IsInterchangeable()).
-  const Membrane* MinimumCutMembraneOf(
+  const Membrane* GetMinimumCutMembrane(
     std::size_t feature, const ProgressCallback& progress = {}, bool chords = false);
 
-  /// GreedyMembrane() of a feature; empty in those cases in which MinimumCutMembraneOf() is null.
-  std::optional<Membrane> GreedyMembraneOf(std::size_t feature) const;
+  /// GreedyMembrane() of a feature; empty in those cases in which GetMinimumCutMembrane() is null.
+  std::optional<Membrane> ComputeGreedyMembrane(std::size_t feature) const;
 
   /// EncirclingMembranes() of a feature.
-  std::vector<Membrane> EncirclingMembranesOf(
+  std::vector<Membrane> ComputeEncirclingMembranes(
     std::size_t feature, double longest, std::size_t most = SIZE_MAX) const;
 
   /// ContactMembrane() of a feature.
-  std::optional<Membrane> ContactMembraneOf(std::size_t feature, double longest) const;
+  std::optional<Membrane> ComputeContactMembrane(std::size_t feature, double longest) const;
 
   /// Points of the samples where the ball that gets stuck touches the surface.
-  std::vector<SimplexId> ContactsOf(std::size_t feature) const;
+  std::vector<SimplexId> GetContacts(std::size_t feature) const;
 
-  /// Centre of the ball that gets stuck.
+  /// Center of the ball that gets stuck.
   Point3 ChokePoint(std::size_t feature) const;
 
 private:

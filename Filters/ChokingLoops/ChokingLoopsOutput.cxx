@@ -46,7 +46,7 @@ struct Outline
   std::vector<Polygon> Loops;
 };
 
-Outline OutlineOf(const ChokingLoops& loops, const ShownFeature& shown)
+Outline MakeOutline(const ChokingLoops& loops, const ShownFeature& shown)
 {
   const ShapeFeature& f = loops.Diagram().Features[shown.Index];
   const LoopFeature& geometry = *shown.Geometry;
@@ -110,7 +110,7 @@ bool Coincide(const Outline& a, const Outline& b)
 
 /// True when some triangle of the membrane is within this distance.
 bool PassesNear(
-  const ChokingLoops& loops, const LoopFeature& geometry, const Point3& centre, double reach)
+  const ChokingLoops& loops, const LoopFeature& geometry, const Point3& center, double reach)
 {
   return std::any_of(geometry.Membrane.begin(), geometry.Membrane.end(),
     [&](const auto& t)
@@ -121,23 +121,23 @@ bool PassesNear(
       {
         corners.push_back(geometry.Point(p, loops.Samples()));
       }
-      return IsSurrounded(centre, reach, corners);
+      return IsSurrounded(center, reach, corners);
     });
 }
 
-/// The feature whose loops a feature without loops can share, or null. A feature with an encircling
-/// loop shares only with one before it and with no longer loops.
+/// The feature whose loop `borrower` can share if the surface holds no loop of its own, or null.
+/// With an encircling loop it shares only that of an earlier feature, if that is not longer.
 const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
-  const std::vector<char>& isFree, const ShownFeature& needy)
+  const std::vector<char>& isFree, const ShownFeature& borrower)
 {
-  const bool isEncircled = !needy.Geometry->Held && !needy.Geometry->Collapsed;
+  const bool isEncircled = !borrower.Geometry->Held && !borrower.Geometry->Collapsed;
   const auto end =
-    isEncircled ? static_cast<std::size_t>(&needy - features.data()) : features.size();
+    isEncircled ? static_cast<std::size_t>(&borrower - features.data()) : features.size();
   const double longest =
-    isEncircled ? (1.0 + SimilarLength) * needy.Geometry->LongestLength() : HUGE_VAL;
+    isEncircled ? (1.0 + SimilarLength) * borrower.Geometry->LongestLength() : HUGE_VAL;
   const auto& all = loops.Diagram().Features;
-  const ShapeFeature& f = all[needy.Index];
-  const Point3 centre = loops.ChokePoint(needy.Index);
+  const ShapeFeature& f = all[borrower.Index];
+  const Point3 center = loops.ChokePoint(borrower.Index);
   const ShownFeature* best = nullptr;
   for (std::size_t i = 0; i < end; ++i)
   {
@@ -145,8 +145,8 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
     if (!isFree[i] && features[i].SharedWith < 0 && other.LongestLength() <= longest &&
       all[features[i].Index].Side == f.Side &&
       (!best || other.LongestLength() < best->Geometry->LongestLength()) &&
-      BelongsToChokePoint(loops, needy.Index, other) &&
-      PassesNear(loops, other, centre, NearMembrane * f.Radius()))
+      BelongsToChokePoint(loops, borrower.Index, other) &&
+      PassesNear(loops, other, center, NearMembrane * f.Radius()))
     {
       best = &features[i];
     }
@@ -178,7 +178,7 @@ void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
   std::vector<Outline> outlines;
   for (ShownFeature& shown : features)
   {
-    outlines.push_back(OutlineOf(loops, shown));
+    outlines.push_back(MakeOutline(loops, shown));
     for (std::size_t i = 0; i + 1 < outlines.size() && !outlines.back().Loops.empty(); ++i)
     {
       if (shown.SharedWith < 0 && features[i].SharedWith < 0 &&
@@ -196,7 +196,7 @@ void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
 namespace
 {
 
-double LongestOf(const ShownFeature& feature)
+double LongestLoopLength(const ShownFeature& feature)
 {
   const std::vector<double>& lengths = feature.Geometry->Lengths;
   return lengths.empty() ? 0.0 : *std::max_element(lengths.begin(), lengths.end());
@@ -204,15 +204,15 @@ double LongestOf(const ShownFeature& feature)
 
 }
 
-double ReachOf(const ChokingLoops& loops, const ShownFeature& feature)
+double ComputeReach(const ChokingLoops& loops, const ShownFeature& feature)
 {
-  const Point3 centre = loops.ChokePoint(feature.Index);
+  const Point3 center = loops.ChokePoint(feature.Index);
   double farthest = 0.0;
   for (const std::vector<SimplexId>& loop : feature.Geometry->Loops)
   {
     for (const SimplexId p : loop)
     {
-      farthest = std::max(farthest, Distance(centre, feature.Geometry->Point(p, loops.Samples())));
+      farthest = std::max(farthest, Distance(center, feature.Geometry->Point(p, loops.Samples())));
     }
   }
   const double radius = loops.Diagram().Features[feature.Index].Radius();
@@ -225,8 +225,8 @@ void ApplyLimits(
   Check(limits);
   const auto isBeyond = [&](const ShownFeature& feature)
   {
-    return (limits.MaximumLength > 0.0 && LongestOf(feature) > limits.MaximumLength) ||
-      (limits.MaximumReach > 0.0 && ReachOf(loops, feature) > limits.MaximumReach);
+    return (limits.MaximumLength > 0.0 && LongestLoopLength(feature) > limits.MaximumLength) ||
+      (limits.MaximumReach > 0.0 && ComputeReach(loops, feature) > limits.MaximumReach);
   };
   const auto end = std::remove_if(features.begin(), features.end(), isBeyond);
   if (end != features.end())
@@ -242,7 +242,8 @@ void ApplyLimits(
   if (limits.LoopOrder == LoopOrder::ByLength)
   {
     std::stable_sort(features.begin(), features.end(),
-      [](const ShownFeature& a, const ShownFeature& b) { return LongestOf(a) < LongestOf(b); });
+      [](const ShownFeature& a, const ShownFeature& b)
+      { return LongestLoopLength(a) < LongestLoopLength(b); });
   }
 }
 
@@ -251,7 +252,7 @@ void ApplyLimits(
 namespace
 {
 
-const char* NameOf(FeatureKind kind)
+const char* GetKindName(FeatureKind kind)
 {
   switch (kind)
   {
@@ -368,7 +369,7 @@ void FillLoops(
       known->second = InsertLoops(shown, loops.Samples(), points);
     }
     const Cells& cells = known->second;
-    const double reach = ReachOf(loops, shown);
+    const double reach = ComputeReach(loops, shown);
     for (std::size_t k = 0; k < cells.size(); ++k)
     {
       lines->InsertNextCell(static_cast<vtkIdType>(cells[k].size()), cells[k].data());
@@ -381,13 +382,13 @@ void FillLoops(
   AddCommonColumns(data, rows);
   AddSide(data, rows);
   AddColumnOf<vtkStringArray>(
-    data, "KindName", rows, [](Row row) { return NameOf(row.Feature->Kind); });
+    data, "KindName", rows, [](Row row) { return GetKindName(row.Feature->Kind); });
   AddColumnOf<vtkIntArray>(data, "Trusted", rows, [](Row row) { return row.Feature->Trusted; });
   AddColumnOf<vtkIntArray>(data, "SharedWith", rows, [](Row row) { return row.Shown->SharedWith; });
   AddColumnOf<vtkIntArray>(data, "Component", rows,
-    [&](Row row) { return loops.Homology().ComponentOf(row.Shown->Geometry->Anchors[row.Loop]); });
+    [&](Row row) { return loops.Homology().GetComponent(row.Shown->Geometry->Anchors[row.Loop]); });
   AddColumnOf<vtkDoubleArray>(
-    data, "Uncertainty", rows, [](Row row) { return UncertaintyOf(*row.Feature); });
+    data, "Uncertainty", rows, [](Row row) { return ComputeUncertainty(*row.Feature); });
   AddColumnOf<vtkDoubleArray>(
     data, "Length", rows, [](Row row) { return row.Shown->Geometry->Lengths[row.Loop]; });
   AddColumnOf<vtkDoubleArray>(data, "Reach", rows, [](Row row) { return row.Reach; });

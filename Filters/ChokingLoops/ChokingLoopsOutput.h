@@ -46,7 +46,7 @@ void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features);
 
 /// Distance of the farthest point of a feature's loops from its choke point, in radii: slightly
 /// above 1 for a round neck, sqrt(1 + (a/b)^2) for a slot with sides a and b < a.
-double ReachOf(const ChokingLoops& loops, const ShownFeature& feature);
+double ComputeReach(const ChokingLoops& loops, const ShownFeature& feature);
 
 /// Drops the features beyond the limits and sorts the others. If the first of several features that
 /// share a loop is dropped, the next one takes its place in SharedWith. O(points of all loops).

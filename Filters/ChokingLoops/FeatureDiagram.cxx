@@ -126,7 +126,7 @@ std::vector<int> EnclosureTest::Enclosing(const Point3& point) const
       (area[0] * corner[0][0] + area[1] * corner[1][0] + area[2] * corner[2][0]) / sum;
     if (x > p[0])
     {
-      crossed.push_back(this->Homology.ComponentOf(static_cast<SimplexId>(t[0])));
+      crossed.push_back(this->Homology.GetComponent(static_cast<SimplexId>(t[0])));
     }
   }
   std::sort(crossed.begin(), crossed.end());
@@ -184,7 +184,7 @@ const std::vector<int>& SpaceRegions::Of(TetrahedronId cell)
   return known->second;
 }
 
-// In a Delaunay triangulation the circumcentre is what keeps its distance from M; in a mesh that
+// In a Delaunay triangulation the circumcenter is what keeps its distance from M; in a mesh that
 // conforms to M the tetrahedron itself lies on one side.
 Point3 SpaceRegions::Inner(TetrahedronId deepest) const
 {
@@ -194,10 +194,10 @@ Point3 SpaceRegions::Inner(TetrahedronId deepest) const
   const Point3& q = f.Points[At(t[1])];
   const Point3& r = f.Points[At(t[2])];
   const Point3& s = f.Points[At(t[3])];
-  return this->Context.PointError.empty() ? 0.25 * (p + q + r + s) : Circumcentre(p, q, r, s);
+  return this->Context.PointError.empty() ? 0.25 * (p + q + r + s) : Circumcenter(p, q, r, s);
 }
 
-Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r)
+Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r)
 {
   const Point3 a = q - p;
   const Point3 b = r - p;
@@ -206,7 +206,7 @@ Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r)
   return p + (0.5 / Dot(n, n)) * towards;
 }
 
-Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
 {
   const Point3 a = q - p;
   const Point3 b = r - p;
@@ -239,7 +239,7 @@ public:
     }
     for (const TetrahedronId cell : context.Filtration.Tetrahedra.Keys())
     {
-      const SpaceSide side = SpaceRegions::SideOf(regions.Of(cell));
+      const SpaceSide side = SpaceRegions::SideFrom(regions.Of(cell));
       this->Errors[static_cast<std::size_t>(side)].push_back(context.CellErrors[cell.Index()]);
     }
     for (std::vector<CellError>& side : this->Errors)
@@ -341,7 +341,7 @@ void Collector::AddVoids()
       continue;
     }
     const std::vector<int>& region = this->Regional.Of(filler);
-    ShapeFeature feature = this->Make(2, t, SpaceRegions::SideOf(region), birth, death, error2);
+    ShapeFeature feature = this->Make(2, t, SpaceRegions::SideFrom(region), birth, death, error2);
     feature.Death = feature.PairDeath;
     feature.Kind = feature.Trusted ? FeatureKind::Additional : FeatureKind::Noise;
     this->Found.emplace_back(feature, region);
@@ -387,7 +387,7 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
       continue;
     }
     const std::vector<int>& region = this->Regional.OfTriangle(t);
-    ShapeFeature feature = this->Make(1, t, SpaceRegions::SideOf(region), birth, death, error2);
+    ShapeFeature feature = this->Make(1, t, SpaceRegions::SideFrom(region), birth, death, error2);
     if (generator != byFiller.end())
     {
       feature.Kind = feature.Side == SpaceSide::Inside ? FeatureKind::Handle : FeatureKind::Tunnel;

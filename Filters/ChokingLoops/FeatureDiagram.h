@@ -99,11 +99,11 @@ struct FeatureContext
 
 /**
  * Tetrahedra grouped across triangles that are not walls (IsWall()); a group lies in one region,
- * the one that contains the circumcentre of its last tetrahedron in the filtration (or its
+ * the one that contains the circumcenter of its last tetrahedron in the filtration (or its
  * centroid, if M is part of the complex).
  *
  * The dual edge of a triangle that enters above the sampling error does not cross M, so the
- * circumcentres at its ends lie on the same side.
+ * circumcenters at its ends lie on the same side.
  */
 class SpaceRegions
 {
@@ -116,7 +116,7 @@ public:
   /// The same for a triangle that is not a wall.
   const std::vector<int>& OfTriangle(TriangleId triangle);
 
-  static SpaceSide SideOf(const std::vector<int>& enclosing)
+  static SpaceSide SideFrom(const std::vector<int>& enclosing)
   {
     return enclosing.size() % 2 == 1 ? SpaceSide::Inside : SpaceSide::Outside;
   }
@@ -130,9 +130,9 @@ private:
   std::map<TetrahedronId, std::vector<int>> Known;
 };
 
-/// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
-Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r);
-Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Point3& s);
+/// Center of the smallest sphere through the corners of a triangle or tetrahedron.
+Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r);
+Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r, const Point3& s);
 
 inline bool FeatureContext::IsWall(TriangleId t) const
 {

@@ -22,13 +22,13 @@ namespace
 {
 
 /// The points of a path of surface edges that starts at `from`.
-std::vector<SimplexId> PointsOf(
+std::vector<SimplexId> PathPoints(
   const SurfaceAdjacency& surface, const std::vector<SurfaceEdgeId>& path, SimplexId from)
 {
   std::vector<SimplexId> points{ from };
   for (const SurfaceEdgeId e : path)
   {
-    const HalfEdgeId h = surface.HalfEdgeOf(e);
+    const HalfEdgeId h = surface.GetHalfEdge(e);
     points.push_back(surface.From(h) == points.back() ? surface.To(h) : surface.From(h));
   }
   return points;
@@ -55,7 +55,7 @@ std::set<SurfaceEdgeId> OntoSurface(
     const double length =
       Distance(context.Filtration.Points[At(ends[0])], context.Filtration.Points[At(ends[1])]);
     membrane.OnSurface = membrane.OnSurface && length * length <= 4.0 * context.SquaredError(ends);
-    const auto part = [&context](SimplexId p) { return context.Homology.ComponentOf(p); };
+    const auto part = [&context](SimplexId p) { return context.Homology.GetComponent(p); };
     if (part(ends[0]) != part(ends[1]))
     {
       return {};
@@ -70,7 +70,7 @@ std::set<SurfaceEdgeId> OntoSurface(
     {
       Toggle(edges, step);
     }
-    AddFan(PointsOf(context.Surface, path, ends[0]), membrane.Triangles);
+    AddFan(PathPoints(context.Surface, path, ends[0]), membrane.Triangles);
   }
   return edges;
 }
@@ -101,7 +101,7 @@ std::vector<std::vector<SimplexId>> SimpleLoops(
   std::map<SimplexId, std::vector<HalfEdgeId>> around; // half edges that leave a point
   for (const SurfaceEdgeId e : edges)
   {
-    const HalfEdgeId h = surface.HalfEdgeOf(e);
+    const HalfEdgeId h = surface.GetHalfEdge(e);
     around[surface.From(h)].push_back(h);
     around[surface.To(h)].push_back(surface.Opposite(h));
   }
@@ -174,7 +174,7 @@ TriangleChain FillingOfSum(
     const auto last = TriangleRank::At(At(rank));
     for (const TriangleId t : context.Pairs.Filling(context.Filtration.TrianglesInOrder[last]))
     {
-      if (!context.IsWall(t) && SpaceRegions::SideOf(regions.OfTriangle(t)) == feature.Side)
+      if (!context.IsWall(t) && SpaceRegions::SideFrom(regions.OfTriangle(t)) == feature.Side)
       {
         Toggle(filling, t);
       }
@@ -204,12 +204,12 @@ Membrane SpanningMembrane(const FeatureContext& context, const TriangleChain& tr
   HomologyClass total;
   for (const std::vector<SimplexId>& loop : loops)
   {
-    const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
+    const HomologyClass c = context.Homology.GetClass(LoopEdges(context.Surface, loop));
     total.resize(c.size(), 0);
     std::transform(c.begin(), c.end(), total.begin(), total.begin(), std::bit_xor<>());
     // On another component, a loop that bounds there is a border as well: an annulus has two.
     const auto component = [&](const std::vector<SimplexId>& l)
-    { return context.Homology.ComponentOf(l.front()); };
+    { return context.Homology.GetComponent(l.front()); };
     if (membrane.Loops.empty() || !IsZero(c) ||
       component(loop) != component(membrane.Loops.front()))
     {
@@ -241,21 +241,23 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
     const TriangleChain filling = FillingOfSum(context, regions, feature);
     if (!filling.empty())
     {
-      membrane = SpanningMembrane(context, filling, BoundaryOf(context.Filtration, filling), span);
+      membrane =
+        SpanningMembrane(context, filling, ComputeBoundary(context.Filtration, filling), span);
     }
   }
   return membrane;
 }
 
 std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
-  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress, bool chords)
+  const ShapeFeature& feature, const Point3& center, const ProgressCallback& progress, bool chords)
 {
-  const TriangleChain cut = MinimumCutTriangles(context, feature, centre, progress, chords);
+  const TriangleChain cut = MinimumCutTriangles(context, feature, center, progress, chords);
   if (cut.empty())
   {
     return std::nullopt;
   }
-  Membrane membrane = SpanningMembrane(context, cut, BoundaryOf(context.Filtration, cut), nullptr);
+  Membrane membrane =
+    SpanningMembrane(context, cut, ComputeBoundary(context.Filtration, cut), nullptr);
   membrane.OnSurface = membrane.OnSurface || chords;
   if (!membrane.OnSurface || membrane.Loops.empty())
   {
@@ -265,12 +267,12 @@ std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
 }
 
 /// The sum of the classes of a membrane's loops.
-HomologyClass ClassOf(const FeatureContext& context, const Membrane& membrane)
+HomologyClass MembraneClass(const FeatureContext& context, const Membrane& membrane)
 {
-  HomologyClass sum = context.Homology.ClassOf({});
+  HomologyClass sum = context.Homology.GetClass({});
   for (const auto& loop : membrane.Loops)
   {
-    const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
+    const HomologyClass c = context.Homology.GetClass(LoopEdges(context.Surface, loop));
     std::transform(c.begin(), c.end(), sum.begin(), sum.begin(), std::bit_xor<>());
   }
   return sum;
@@ -284,8 +286,8 @@ bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& fea
   {
     return !IsGenerator(f);
   }
-  HomologyClass difference = ClassOf(context, *features.Membranes[feature]);
-  const HomologyClass c = ClassOf(context, other);
+  HomologyClass difference = MembraneClass(context, *features.Membranes[feature]);
+  const HomologyClass c = MembraneClass(context, other);
   std::transform(c.begin(), c.end(), difference.begin(), difference.begin(), std::bit_xor<>());
   HomologySpan before;
   for (std::size_t i = 0; i < feature; ++i)
@@ -293,7 +295,7 @@ bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& fea
     const ShapeFeature& earlier = features.Diagram.Features[i];
     if (IsGenerator(earlier) && earlier.Side == f.Side && features.Membranes[i])
     {
-      before.Add(ClassOf(context, *features.Membranes[i]));
+      before.Add(MembraneClass(context, *features.Membranes[i]));
     }
   }
   return before.Contains(difference);
@@ -308,7 +310,7 @@ HomologySpan BoundingClasses(
     const ShapeFeature& f = features.Diagram.Features[i];
     if (IsGenerator(f) && f.Side == side && features.Membranes[i])
     {
-      span.Add(ClassOf(context, *features.Membranes[i]));
+      span.Add(MembraneClass(context, *features.Membranes[i]));
     }
   }
   return span;
@@ -343,7 +345,7 @@ public:
   Tree(const FeatureContext& context, SimplexId base, double reach)
     : Context(context)
     , Base(base)
-    , Words(context.Homology.ClassOf({}).size())
+    , Words(context.Homology.GetClass({}).size())
     , Paths(context.Surface, base, reach)
   {
     this->AddClasses();
@@ -372,7 +374,7 @@ public:
   HomologyClass ClassTo(SimplexId p) const
   {
     HomologyClass c(this->Words, 0);
-    this->AddClassAt(static_cast<std::size_t>(this->Paths.PlaceOf(p)), c);
+    this->AddClassAt(static_cast<std::size_t>(this->Paths.GetPlace(p)), c);
     return c;
   }
 
@@ -409,7 +411,7 @@ void Tree::AddClasses()
     if (last.Exists())
     {
       const SimplexId before = this->Context.Surface.From(last);
-      this->AddClassAt(static_cast<std::size_t>(this->Paths.PlaceOf(before)), c);
+      this->AddClassAt(static_cast<std::size_t>(this->Paths.GetPlace(before)), c);
       this->Context.Homology.AddTo(c, this->Context.Surface.Edge(last));
     }
     this->Classes.insert(this->Classes.end(), c.begin(), c.end());
@@ -417,7 +419,7 @@ void Tree::AddClasses()
 }
 
 /// A closed walk whose last point is its first, as a loop; steps there and back are removed.
-std::vector<SimplexId> LoopOf(const std::vector<SimplexId>& walk)
+std::vector<SimplexId> WithoutDetours(const std::vector<SimplexId>& walk)
 {
   std::size_t tail = 0;
   while (2 * (tail + 1) + 1 < walk.size() && walk[tail + 1] == walk[walk.size() - tail - 2])
@@ -475,7 +477,7 @@ void LoopsThrough::Search(double longest)
     {
       const HalfEdgeId over = h;
       h = surface.Turn(h);
-      const std::ptrdiff_t place = other.PlaceOf(surface.To(over));
+      const std::ptrdiff_t place = other.GetPlace(surface.To(over));
       const auto k = static_cast<std::size_t>(place);
       if (place < 0 || (&one == &other && k < i)) // the latter: the same loop, reversed
       {
@@ -508,7 +510,7 @@ std::vector<SimplexId> LoopsThrough::Along(HalfEdgeId over) const
   walk.insert(walk.end(), on.rbegin(), on.rend());
   const std::vector<SimplexId> back = this->One.PathTo(this->Other.Root());
   walk.insert(walk.end(), back.rbegin() + 1, back.rend());
-  return LoopOf(walk);
+  return WithoutDetours(walk);
 }
 
 std::vector<Closed> LoopsThrough::Next(const HomologySpan& bounding, double longest)
@@ -531,10 +533,10 @@ std::vector<Closed> LoopsThrough::Next(const HomologySpan& bounding, double long
 }
 
 /// The fan that a loop bounds, seen from a point off M.
-Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vector<SimplexId> loop)
+Membrane FanFrom(const FeatureContext& context, const Point3& center, std::vector<SimplexId> loop)
 {
   Membrane membrane;
-  membrane.Extra.push_back(centre);
+  membrane.Extra.push_back(center);
   const auto apex = static_cast<SimplexId>(context.Surface.Mesh().Points.size());
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
@@ -545,7 +547,7 @@ Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vecto
 }
 
 /// What all searches find up to a length, ascending.
-std::vector<Closed> NextOf(
+std::vector<Closed> NextLoops(
   std::vector<LoopsThrough>& searches, const HomologySpan& bounding, double longest)
 {
   std::vector<Closed> loops;
@@ -565,7 +567,7 @@ void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
 {
   for (Closed& loop : loops)
   {
-    Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop.Points));
+    Membrane membrane = FanFrom(context, features.Centers[feature], std::move(loop.Points));
     if (IsInterchangeable(context, features, feature, membrane))
     {
       membranes.push_back(std::move(membrane));
@@ -573,7 +575,7 @@ void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
   }
 }
 
-std::deque<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
+std::deque<Tree> GrowTrees(const FeatureContext& context, const ShapeFeature& f, double reach)
 {
   std::deque<Tree> trees; // a deque does not move them
   for (const SimplexId p : context.Filtration.TrianglePoints(f.Choke))
@@ -598,7 +600,7 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
     return {};
   }
   double length = std::clamp(2.0 * Pi * f.Radius(), FirstPart * longest, longest);
-  std::deque<Tree> trees = TreesOf(context, f, 0.5 * length);
+  std::deque<Tree> trees = GrowTrees(context, f, 0.5 * length);
   std::vector<LoopsThrough> searches;
   for (std::size_t i = 0; i < trees.size(); ++i)
   {
@@ -608,7 +610,7 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
     }
   }
   std::vector<Membrane> membranes;
-  AddShortest(context, features, feature, NextOf(searches, bounding, length), membranes);
+  AddShortest(context, features, feature, NextLoops(searches, bounding, length), membranes);
   while (length < longest && membranes.size() < most)
   {
     length = std::min(longest, Growth * length);
@@ -616,7 +618,7 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
     {
       tree.Grow(0.5 * length);
     }
-    AddShortest(context, features, feature, NextOf(searches, bounding, length), membranes);
+    AddShortest(context, features, feature, NextLoops(searches, bounding, length), membranes);
   }
   membranes.resize(std::min(membranes.size(), most));
   return membranes;
@@ -626,9 +628,9 @@ std::optional<Membrane> ContactMembrane(const FeatureContext& context,
   const LocatedFeatures& features, std::size_t feature, double longest)
 {
   const ShapeFeature& f = features.Diagram.Features[feature];
-  const std::deque<Tree> trees = TreesOf(context, f, longest);
+  const std::deque<Tree> trees = GrowTrees(context, f, longest);
   std::vector<SimplexId> loop;
-  HomologyClass c = context.Homology.ClassOf({});
+  HomologyClass c = context.Homology.GetClass({});
   for (std::size_t i = 0; i < trees.size(); ++i)
   {
     const SimplexId next = trees[(i + 1) % trees.size()].Root();
@@ -640,7 +642,7 @@ std::optional<Membrane> ContactMembrane(const FeatureContext& context,
     loop.insert(loop.end(), path.begin(), path.end() - 1);
     Add(c, trees[i].ClassTo(next));
   }
-  Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop));
+  Membrane membrane = FanFrom(context, features.Centers[feature], std::move(loop));
   const bool holds = membrane.Loops[0].size() >= 3 &&
     BoundingClasses(context, features, f.Side).Contains(c) &&
     IsInterchangeable(context, features, feature, membrane);

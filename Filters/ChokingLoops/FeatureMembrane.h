@@ -47,7 +47,7 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
 /// The membrane from MinimumCutTriangles(), with all loops on M; empty if there is none. With
 /// `chords`, edges off M between points of M are replaced by the shortest paths on M.
 std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
-  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {},
+  const ShapeFeature& feature, const Point3& center, const ProgressCallback& progress = {},
   bool chords = false);
 
 /// The membrane of `triangles`, whose boundary is `cycle`, with the edges off M replaced by the
@@ -73,11 +73,11 @@ struct LocatedFeatures
   FeatureDiagram Diagram;
   std::vector<std::optional<Membrane>>
     Membranes;                 ///< computed at once for handles and tunnels, otherwise on first use
-  std::vector<Point3> Centres; ///< of the ball that gets stuck
+  std::vector<Point3> Centers; ///< of the ball that gets stuck
 };
 
 /// The sum of the classes of a membrane's loops.
-HomologyClass ClassOf(const FeatureContext& context, const Membrane& membrane);
+HomologyClass MembraneClass(const FeatureContext& context, const Membrane& membrane);
 
 /**
  * True if the loops of another membrane may replace those of a feature. For additional features

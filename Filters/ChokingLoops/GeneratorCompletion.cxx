@@ -33,17 +33,17 @@ double SquaredBall(const Point3& p, const Point3& q, const Point3& r)
   {
     return 0.25 * longest; // not an acute triangle: half the longest side
   }
-  const Point3 towards = Circumcentre(p, q, r) - p;
+  const Point3 towards = Circumcenter(p, q, r) - p;
   return Dot(towards, towards);
 }
 
-Point3 BallCentre(const Point3& p, const Point3& q, const Point3& r)
+Point3 BallCenter(const Point3& p, const Point3& q, const Point3& r)
 {
   const std::array<double, 3> s{ Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) };
   const auto longest = std::max_element(s.begin(), s.end());
   if (2.0 * *longest < s[0] + s[1] + s[2])
   {
-    return Circumcentre(p, q, r);
+    return Circumcenter(p, q, r);
   }
   return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
 }
@@ -211,13 +211,13 @@ std::vector<ConformingGenerator> ConformingGenerators(
     ShapeFeature feature;
     feature.Dimension = 1;
     feature.Choke = generator.Filler;
-    feature.Side = SpaceRegions::SideOf(regions.OfTriangle(generator.Filler));
+    feature.Side = SpaceRegions::SideFrom(regions.OfTriangle(generator.Filler));
     feature.Sum = generator.Sum;
     const auto t = f.TrianglePoints(generator.Filler);
     ConformingGenerator conforming;
     conforming.Side = feature.Side;
     conforming.Radius = std::sqrt(SquaredBall(f, t));
-    conforming.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
+    conforming.Center = BallCenter(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
     conforming.Shape = FeatureMembrane(context, regions, feature, &span);
     renamer.Rename(conforming.Shape);
     found.push_back(std::move(conforming));
@@ -305,7 +305,7 @@ bool IsResolved(const ShapeFeature& feature, const std::optional<Membrane>& memb
   return feature.Trusted && membrane && !membrane->Loops.empty();
 }
 
-ShapeFeature FeatureOf(const ConformingGenerator& generator, double reference)
+ShapeFeature MakeFeature(const ConformingGenerator& generator, double reference)
 {
   ShapeFeature feature;
   feature.Dimension = 1;
@@ -332,7 +332,7 @@ LocatedFeatures Sorted(const LocatedFeatures& features)
   {
     sorted.Diagram.Features.push_back(all[i]);
     sorted.Membranes.push_back(features.Membranes[i]);
-    sorted.Centres.push_back(features.Centres[i]);
+    sorted.Centers.push_back(features.Centers[i]);
   }
   return sorted;
 }
@@ -360,16 +360,16 @@ void CompleteGenerators(const FeatureContext& context, const SurfaceView& surfac
   for (const ConformingGenerator& generator : conforming)
   {
     shapes.push_back(split.Of(generator.Shape));
-    bounding[static_cast<std::size_t>(generator.Side)].Add(ClassOf(context, shapes.back()));
+    bounding[static_cast<std::size_t>(generator.Side)].Add(MembraneClass(context, shapes.back()));
   }
   LocatedFeatures kept;
   kept.Diagram.Reference = features.Diagram.Reference;
   kept.Diagram.ExpectedGenerators = features.Diagram.ExpectedGenerators;
-  const auto keep = [&kept](ShapeFeature f, std::optional<Membrane> membrane, const Point3& centre)
+  const auto keep = [&kept](ShapeFeature f, std::optional<Membrane> membrane, const Point3& center)
   {
     kept.Diagram.Features.push_back(std::move(f));
     kept.Membranes.push_back(std::move(membrane));
-    kept.Centres.push_back(centre);
+    kept.Centers.push_back(center);
   };
   std::array<HomologySpan, 2> spans;
   for (std::size_t i = 0; i < features.Membranes.size(); ++i)
@@ -379,21 +379,21 @@ void CompleteGenerators(const FeatureContext& context, const SurfaceView& surfac
     const auto side = static_cast<std::size_t>(f.Side);
     const auto isTrue = [&]
     {
-      const HomologyClass c = ClassOf(context, *membrane);
+      const HomologyClass c = MembraneClass(context, *membrane);
       return bounding[side].Contains(c) && spans[side].Add(c);
     };
     if (!IsGenerator(f) || (IsResolved(f, membrane) && isTrue()))
     {
-      keep(f, membrane, features.Centres[i]);
+      keep(f, membrane, features.Centers[i]);
     }
   }
   for (std::size_t i = 0; i < conforming.size(); ++i)
   {
     const auto side = static_cast<std::size_t>(conforming[i].Side);
-    if (spans[side].Add(ClassOf(context, shapes[i])))
+    if (spans[side].Add(MembraneClass(context, shapes[i])))
     {
-      keep(FeatureOf(conforming[i], kept.Diagram.Reference[side]), std::move(shapes[i]),
-        conforming[i].Centre);
+      keep(MakeFeature(conforming[i], kept.Diagram.Reference[side]), std::move(shapes[i]),
+        conforming[i].Center);
     }
   }
   features = Sorted(kept);

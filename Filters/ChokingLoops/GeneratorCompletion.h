@@ -25,7 +25,7 @@ struct ConformingGenerator
 {
   SpaceSide Side = SpaceSide::Inside;
   double Radius = 0.0; ///< upper bound of the true radius at which the loop is filled
-  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Center{ 0.0, 0.0, 0.0 };
   Membrane Shape; ///< ids of the surface's points, then Extra
 };
 

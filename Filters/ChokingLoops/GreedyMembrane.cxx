@@ -51,13 +51,13 @@ public:
   std::optional<GreedyPatches> Grow();
 
 private:
-  bool IsOnSurface(SimplexId p) const { return this->Context.Homology.ComponentOf(p) >= 0; }
+  bool IsOnSurface(SimplexId p) const { return this->Context.Homology.GetComponent(p) >= 0; }
   double Value(SimplexId p) const { return this->Context.PointValue[At(p)]; }
 
   bool TakeDeepest(std::size_t& walk, std::size_t& place) const;
   std::vector<TetrahedronId> Star(SimplexId v) const;
   bool IsOpen(TriangleId t) const;
-  Ring RingOf(SimplexId v, const std::vector<TetrahedronId>& star) const;
+  Ring CollectRing(SimplexId v, const std::vector<TetrahedronId>& star) const;
   std::vector<SimplexId> Path(const Ring& ring, SimplexId from, SimplexId to, bool avoid);
   bool FillRing(std::size_t walk, std::size_t place);
   bool Spread(SimplexId v, const std::vector<TetrahedronId>& star);
@@ -146,7 +146,7 @@ bool GreedyGrowth::IsOpen(TriangleId t) const
     (cluster(sides[0]) == Cluster::None || cluster(sides[0]) != cluster(sides[1]));
 }
 
-Ring GreedyGrowth::RingOf(SimplexId v, const std::vector<TetrahedronId>& star) const
+Ring GreedyGrowth::CollectRing(SimplexId v, const std::vector<TetrahedronId>& star) const
 {
   Ring ring;
   for (const TetrahedronId cell : star)
@@ -299,7 +299,7 @@ bool GreedyGrowth::FillRing(std::size_t walk, std::size_t place)
   const SimplexId before = loop[(place + loop.size() - 1) % loop.size()];
   const SimplexId after = loop[(place + 1) % loop.size()];
   const std::vector<TetrahedronId> star = this->Star(v);
-  const Ring ring = this->RingOf(v, star);
+  const Ring ring = this->CollectRing(v, star);
   std::vector<SimplexId> path = this->Path(ring, before, after, true);
   if (path.empty())
   {
@@ -357,7 +357,7 @@ std::optional<Membrane> GreedyMembrane(const FeatureContext& context, const Shap
   {
     return std::nullopt;
   }
-  const EdgeChain boundary = BoundaryOf(context.Filtration, patches->Triangles);
+  const EdgeChain boundary = ComputeBoundary(context.Filtration, patches->Triangles);
   Membrane membrane = SpanningMembrane(context, patches->Triangles, boundary, nullptr);
   if (membrane.Loops.empty())
   {

@@ -28,7 +28,7 @@ constexpr double MostPoints = 256.0;
 /// Each averages a direction with its two neighbours: over about two rims in all.
 constexpr int SmoothingRounds = 8;
 
-double LengthOf(const std::vector<Point3>& loop)
+double CurveLength(const std::vector<Point3>& loop)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -92,7 +92,7 @@ struct Frame
   std::vector<Point3> Outward;
 };
 
-Frame FrameOf(const std::vector<Point3>& loop, const std::vector<Triangle>& filling)
+Frame ComputeFrame(const std::vector<Point3>& loop, const std::vector<Triangle>& filling)
 {
   const std::size_t n = loop.size();
   Frame frame{ std::vector<Point3>(n, Point3{ 0, 0, 0 }),
@@ -124,7 +124,7 @@ Frame FrameOf(const std::vector<Point3>& loop, const std::vector<Triangle>& fill
 
 /// The filling of the rim, above and below, and a wall. Corners are off the loop, since many a wall
 /// is straight enough for theirs to lie on it but for rounding.
-TriangleMesh SolidOf(const MembranePlate& plate, const std::vector<Triangle>& filling,
+TriangleMesh MakeSolid(const MembranePlate& plate, const std::vector<Triangle>& filling,
   const Frame& frame, double rim, bool isAlong)
 {
   const std::size_t n = plate.Loop.size();
@@ -172,7 +172,7 @@ bool RunsAlong(const std::vector<Triangle>& filling, std::size_t n)
 
 std::optional<MembranePlate> PlateOn(const std::vector<Point3>& loop, double thickness, double rim)
 {
-  const double length = LengthOf(loop);
+  const double length = CurveLength(loop);
   if (loop.size() < 3 || !(length > 0.0))
   {
     return std::nullopt;
@@ -187,8 +187,8 @@ std::optional<MembranePlate> PlateOn(const std::vector<Point3>& loop, double thi
     return std::nullopt;
   }
   plate.Area = SurfaceArea({ plate.Loop, filling });
-  const Frame frame = FrameOf(plate.Loop, filling);
-  plate.Solid = SolidOf(plate, filling, frame, rim, RunsAlong(filling, plate.Loop.size()));
+  const Frame frame = ComputeFrame(plate.Loop, filling);
+  plate.Solid = MakeSolid(plate, filling, frame, rim, RunsAlong(filling, plate.Loop.size()));
   if (!SelfIntersections(plate.Solid).empty())
   {
     return std::nullopt;

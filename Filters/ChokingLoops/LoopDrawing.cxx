@@ -28,7 +28,7 @@ constexpr int Steps = 200;
 
 }
 
-double UncertaintyOf(const ShapeFeature& feature)
+double ComputeUncertainty(const ShapeFeature& feature)
 {
   if (feature.FunctionError > 0.0)
   {
@@ -40,23 +40,23 @@ double UncertaintyOf(const ShapeFeature& feature)
 
 double ShortestGirth(const ShapeFeature& feature)
 {
-  return 2.0 * Pi * std::max(0.0, feature.Radius() - UncertaintyOf(feature));
+  return 2.0 * Pi * std::max(0.0, feature.Radius() - ComputeUncertainty(feature));
 }
 
-bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>& points)
+bool IsSurrounded(const Point3& center, double reach, const std::vector<Point3>& points)
 {
   if (points.empty())
   {
     return false;
   }
-  Point3 nearest = points.front() - centre; // a point of the hull, moved towards the centre
+  Point3 nearest = points.front() - center; // a point of the hull, moved towards the center
   for (int step = 0; step < Steps && Length(nearest) > reach; ++step)
   {
-    const auto along = [&](const Point3& p) { return Dot(p - centre, nearest); };
+    const auto along = [&](const Point3& p) { return Dot(p - center, nearest); };
     const Point3 support =
       *std::min_element(points.begin(), points.end(),
         [&](const Point3& a, const Point3& b) { return along(a) < along(b); }) -
-      centre;
+      center;
     if (Dot(support, nearest) > reach * Length(nearest))
     {
       return false; // a plane separates the hull from the ball
@@ -161,7 +161,7 @@ std::vector<SimplexId> AddCurve(
   std::vector<SimplexId> loop;
   for (const SurfaceCurvePoint& c : curve.Crossings)
   {
-    const Point3 p = PositionOf(surface, c);
+    const Point3 p = ComputePosition(surface, c);
     // Edges crossed at one point, as around a corner of the surface, make one point of the curve.
     if (!loop.empty() &&
       Distance(feature.Point(loop.back(), surface.Mesh()), p) <= 1e-9 * curve.Length)
@@ -193,7 +193,7 @@ std::vector<SimplexId> PinsOn(
 void Follow(const SurfaceAdjacency& surface, const SurfaceCurve& tight, double cut,
   std::vector<SimplexId>& loop, LoopFeature& feature)
 {
-  const SurfaceCurve curve = CutCorners(surface, tight, SharpestKept, cut);
+  const SurfaceCurve curve = CutCorners(surface, tight, SharpestUncut, cut);
   const std::vector<SimplexId> shortened = AddCurve(surface, curve, feature);
   Zipper(feature, surface.Mesh()).Close(loop, shortened);
   loop = shortened;
@@ -293,7 +293,7 @@ constexpr double Roomy = 1.5;
 /// Of ShortestGirth(): by how much discretisation may shorten a loop.
 constexpr double Slack = 0.98;
 
-std::vector<Point3> PointsOf(
+std::vector<Point3> LoopPoints(
   const ChokingLoops& loops, const LoopFeature& feature, const std::vector<SimplexId>& loop)
 {
   std::vector<Point3> points;
@@ -314,7 +314,7 @@ bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t index, const Loo
   std::vector<Point3> points;
   for (const auto& loop : feature.Loops)
   {
-    const std::vector<Point3> polygon = PointsOf(loops, feature, loop);
+    const std::vector<Point3> polygon = LoopPoints(loops, feature, loop);
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
   return !feature.Collapsed && feature.LongestLength() >= Slack * ShortestGirth(f) &&
@@ -357,7 +357,7 @@ public:
     , Rounds(rounds)
     , Tolerances(tolerances)
     , Girth(ShortestGirth(loops.Diagram().Features[feature]))
-    , Contacts(loops.ContactsOf(feature))
+    , Contacts(loops.GetContacts(feature))
   {
   }
 
@@ -386,8 +386,8 @@ private:
     Fits
   };
 
-  Grade GradeOf(const LoopFeature& candidate) const;
-  double CostOf(const LoopFeature& candidate, Grade grade) const;
+  Grade ComputeGrade(const LoopFeature& candidate) const;
+  double EstimateCost(const LoopFeature& candidate, Grade grade) const;
   void Try(LoopFeature candidate, bool isEncircling);
 
   ChokingLoops& Loops;
@@ -401,7 +401,7 @@ private:
   double BestCost = 0.0;
 };
 
-TightestFit::Grade TightestFit::GradeOf(const LoopFeature& candidate) const
+TightestFit::Grade TightestFit::ComputeGrade(const LoopFeature& candidate) const
 {
   if (!isthmus::BelongsToChokePoint(this->Loops, this->Index, candidate, this->Tolerances))
   {
@@ -415,7 +415,7 @@ TightestFit::Grade TightestFit::GradeOf(const LoopFeature& candidate) const
                                                                  : Grade::Fits;
 }
 
-double TightestFit::CostOf(const LoopFeature& candidate, Grade grade) const
+double TightestFit::EstimateCost(const LoopFeature& candidate, Grade grade) const
 {
   switch (grade)
   {
@@ -433,8 +433,8 @@ double TightestFit::CostOf(const LoopFeature& candidate, Grade grade) const
 
 void TightestFit::Try(LoopFeature candidate, bool isEncircling)
 {
-  const Grade grade = this->GradeOf(candidate);
-  const double cost = this->CostOf(candidate, grade);
+  const Grade grade = this->ComputeGrade(candidate);
+  const double cost = this->EstimateCost(candidate, grade);
   if (grade > this->BestGrade || (grade == this->BestGrade && cost < this->BestCost))
   {
     candidate.Encircling = isEncircling;
@@ -455,7 +455,7 @@ void TightestFit::TryFree(
     if (isEncircling && !candidate.Converged)
     {
       candidate.SharpestBend = std::max(candidate.SharpestBend,
-        SharpestTurn(PointsOf(this->Loops, candidate, loop), 1e-6 * candidate.LongestLength()));
+        SharpestTurn(LoopPoints(this->Loops, candidate, loop), 1e-6 * candidate.LongestLength()));
     }
   }
   this->Try(std::move(candidate), isEncircling);
@@ -479,7 +479,7 @@ void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
     const std::vector<SurfaceCurve> tight = ShortenedLoops(surface, membrane, this->Rounds, pins);
     LoopFeature held = Drawn(surface, membrane, tight);
     held.Held = true;
-    const bool isCut = held.SharpestBend > SharpestKept;
+    const bool isCut = held.SharpestBend > SharpestUncut;
     this->Try(std::move(held), isEncircling);
     for (std::size_t i = 0; isCut && i < this->Tolerances.CornerCuts.size(); ++i)
     {
@@ -506,10 +506,10 @@ std::optional<LoopFeature> DrawnBy(MembraneMethod method, ChokingLoops& loops, s
   std::optional<Membrane> membrane;
   if (method == MembraneMethod::Greedy)
   {
-    membrane = loops.GreedyMembraneOf(index);
+    membrane = loops.ComputeGreedyMembrane(index);
   }
   else if (const Membrane* cut =
-             loops.MinimumCutMembraneOf(index, Between(progress, 0.0, 0.5), true))
+             loops.GetMinimumCutMembrane(index, Between(progress, 0.0, 0.5), true))
   {
     membrane = *cut;
   }
@@ -534,7 +534,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
     return std::move(*asked);
   }
   const ShapeFeature& f = loops.Diagram().Features[index];
-  const Membrane& pushed = loops.MembraneOf(index);
+  const Membrane& pushed = loops.GetMembrane(index);
   TightestFit fit(loops, index, rounds, tolerances);
   fit.TryFree(pushed, false, Between(progress, 0.0, 0.4));
   if (rounds == 0 || !f.Trusted || !f.Choke.Exists() ||
@@ -542,7 +542,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   {
     return fit.Take();
   }
-  const Membrane* tight = loops.MinimumCutMembraneOf(index, Between(progress, 0.4, 0.6));
+  const Membrane* tight = loops.GetMinimumCutMembrane(index, Between(progress, 0.4, 0.6));
   if (tight)
   {
     fit.TryFree(*tight, false, Between(progress, 0.6, 0.7));
@@ -562,7 +562,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   const double longest = std::min(
     fit.Fits() ? Freedom * fit.Length() : HUGE_VAL, MaxEncirclingLength * 2.0 * Pi * f.Radius());
   for (const Membrane& round :
-    loops.EncirclingMembranesOf(index, AlongEdges * longest, MaxEncirclingLoops))
+    loops.ComputeEncirclingMembranes(index, AlongEdges * longest, MaxEncirclingLoops))
   {
     fit.TryFree(round, true);
     if (!fit.Fits())
@@ -570,7 +570,8 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
       fit.TryHeld(round, true);
     }
   }
-  const auto last = fit.IsLongEnough() ? std::nullopt : loops.ContactMembraneOf(index, longest);
+  const auto last =
+    fit.IsLongEnough() ? std::nullopt : loops.ComputeContactMembrane(index, longest);
   if (last)
   {
     fit.TryHeld(*last, true);

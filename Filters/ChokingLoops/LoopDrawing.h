@@ -26,22 +26,22 @@ namespace isthmus
  * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S. With a function on a mesh: how
  * far it may lie below or above (ShapeFeature::FunctionError).
  */
-double UncertaintyOf(const ShapeFeature& feature);
+double ComputeUncertainty(const ShapeFeature& feature);
 
 /**
  * Lower bound for the length of a loop that surrounds a choke point: 2 pi (Radius() -
- * UncertaintyOf()).
+ * ComputeUncertainty()).
  *
- * M is at least r = Radius() - UncertaintyOf() away from the choke point c. Projected from c onto
- * the sphere of radius r, a loop on M does not get longer. If c lies in the convex hull of the
+ * M is at least r = Radius() - ComputeUncertainty() away from the choke point c. Projected from c
+ * onto the sphere of radius r, a loop on M does not get longer. If c lies in the convex hull of the
  * loop, the projection lies in no open hemisphere, and a closed curve on a unit sphere that lies in
  * no open hemisphere is at least 2 pi long (W. Fenchel, Math. Ann. 101 (1929) 238).
  */
 double ShortestGirth(const ShapeFeature& feature);
 
-/// True when `centre` is within `reach` of the convex hull of `points`. By Gilbert's algorithm (E.
+/// True when `center` is within `reach` of the convex hull of `points`. By Gilbert's algorithm (E.
 /// G. Gilbert, SIAM J. Control 4 (1966) 61); O(points) per iteration.
-bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>& points);
+bool IsSurrounded(const Point3& center, double reach, const std::vector<Point3>& points);
 
 /// Largest angle, in radians, by which a closed polygon turns at a point; points closer together
 /// than `least` count as one.
@@ -79,7 +79,7 @@ struct LoopFeature
 };
 
 /// Largest turning angle, in radians, of a loop at a fixed point; sharper corners are cut.
-constexpr double SharpestKept = 0.7853981633974483;
+constexpr double SharpestUncut = 0.7853981633974483;
 
 /// The loops of a membrane, shortened on M; loops through some of the `pins` stay fixed there.
 /// Empty with 0 `rounds`: the loops are not changed. @throws Cancelled.
@@ -87,7 +87,7 @@ std::vector<SurfaceCurve> ShortenedLoops(const SurfaceAdjacency& surface, const 
   int rounds, const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
 
 /// The feature with the shortened loops of its membrane, if there are any, and strips of triangles
-/// between the old and the new loops. Corners at pins that turn by more than SharpestKept are cut
+/// between the old and the new loops. Corners at pins that turn by more than SharpestUncut are cut
 /// at a distance of `cut`. If there are several loops, those that are contractible on M are filled
 /// instead.
 LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
@@ -108,7 +108,7 @@ struct LoopTolerances
   /// (with 0.35, one loop of skull_low_resolution.obj is replaced by another that is 6 % shorter).
   double Nearness = 0.3;
   /// Largest turning angle of a loop where it is fixed, in radians: 54 degrees. It must be above
-  /// SharpestKept (45 degrees), below which corners are not cut, and at most the 60 degrees that
+  /// SharpestUncut (45 degrees), below which corners are not cut, and at most the 60 degrees that
   /// are allowed anywhere on a loop.
   double SharpestHeld = 0.3 * Pi;
   /// Above this turning angle, in radians, a loop reverses its direction instead of surrounding the
@@ -131,13 +131,13 @@ bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t feature,
  *
  * A trusted feature's loops belong to its choke point: the longest is at least 0.98 ShortestGirth()
  * long, and the point lies within 0.3 of its radius of their convex hull. Of the loops of
- * MembraneOf() and, where those do not belong or are long, of MinimumCutMembraneOf(), the shorter
+ * GetMembrane() and, where those do not belong or are long, of GetMinimumCutMembrane(), the shorter
  * ones that belong are used. If neither loops belong, because there is no geodesic loop there, the
  * loops are fixed where the choking ball touches M, are geodesic between these points, and have
  * their corners cut. If they still turn sharply (by more than 54 degrees), or if a loop of another
- * class that bounds there (EncirclingMembranesOf()) is not longer, that loop is used. If all of
- * these are hairpins, a geodesic loop of the class elsewhere is used, which does not surround the
- * choke point.
+ * class that bounds there (ComputeEncirclingMembranes()) is not longer, that loop is used. If all
+ * of these are hairpins, a geodesic loop of the class elsewhere is used, which does not surround
+ * the choke point.
  *
  * With a `method` other than Automatic, its membrane is used and the loops are shortened, without
  * any of these choices. If the method finds no membrane, the automatic one is used and Method is

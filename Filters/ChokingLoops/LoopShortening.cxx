@@ -28,7 +28,7 @@ struct StripEdge
   std::array<double, 2> Sides; ///< from the third corner to the ends
 };
 
-StripEdge StripEdgeOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& c)
+StripEdge MakeStripEdge(const SurfaceAdjacency& s, const SurfaceCurvePoint& c)
 {
   return { c, s.Opposite(c.HalfEdge), { s.From(c.HalfEdge), s.To(c.HalfEdge) },
     { s.Length(SurfaceAdjacency::Previous(c.HalfEdge)),
@@ -48,8 +48,8 @@ public:
 
   std::size_t Size() const { return this->Order.size(); }
 
-  const StripEdge& operator[](std::size_t i) const { return this->Kept[this->Order[i]]; }
-  StripEdge& operator[](std::size_t i) { return this->Kept[this->Order[i]]; }
+  const StripEdge& operator[](std::size_t i) const { return this->Edges[this->Order[i]]; }
+  StripEdge& operator[](std::size_t i) { return this->Edges[this->Order[i]]; }
 
   void Replace(std::size_t first, std::size_t count, const EdgeStrip& others);
 
@@ -64,8 +64,8 @@ private:
   std::uint32_t Add(const SurfaceCurvePoint& c);
 
   const SurfaceAdjacency& Surface;
-  std::vector<StripEdge> Kept;
-  std::vector<std::uint32_t> Order; ///< places in Kept
+  std::vector<StripEdge> Edges;
+  std::vector<std::uint32_t> Order; ///< places in Edges
   std::vector<std::uint32_t> Free;
 };
 
@@ -73,12 +73,12 @@ std::uint32_t StripEdges::Add(const SurfaceCurvePoint& c)
 {
   if (this->Free.empty())
   {
-    this->Kept.push_back(StripEdgeOf(this->Surface, c));
-    return static_cast<std::uint32_t>(this->Kept.size() - 1);
+    this->Edges.push_back(MakeStripEdge(this->Surface, c));
+    return static_cast<std::uint32_t>(this->Edges.size() - 1);
   }
   const std::uint32_t place = this->Free.back();
   this->Free.pop_back();
-  this->Kept[place] = StripEdgeOf(this->Surface, c);
+  this->Edges[place] = MakeStripEdge(this->Surface, c);
   return place;
 }
 
@@ -101,14 +101,13 @@ void StripEdges::Replace(std::size_t first, std::size_t count, const EdgeStrip& 
   this->Order.insert(at(first + common), more.begin(), more.end());
 }
 
-Point3 PositionOf(const SurfaceAdjacency& s, const StripEdge& e)
+Point3 ComputePosition(const SurfaceAdjacency& s, const StripEdge& e)
 {
   const double u = e.Crossing.Fraction;
   return (1.0 - u) * s.Mesh().Points[At(e.Ends[0])] + u * s.Mesh().Points[At(e.Ends[1])];
 }
 
-/// Appends a crossing to a strip; cancels the last one if the curve turns back across the same
-/// edge.
+/// Appends a crossing to a strip, or removes the last one if the new one goes back over its edge.
 void AddReduced(const SurfaceAdjacency& s, const SurfaceCurvePoint& c, EdgeStrip& strip)
 {
   if (!strip.empty() && s.Opposite(strip.back().HalfEdge) == c.HalfEdge)
@@ -124,7 +123,7 @@ void AddReduced(const SurfaceAdjacency& s, const SurfaceCurvePoint& c, EdgeStrip
 /// The third corner of the triangle beyond an edge whose ends lie at `place` of the plane.
 Point2 ThirdCorner(const StripEdge& e, std::size_t place, const UnfoldedStrip& plane)
 {
-  return CornerOf(plane.From[place], plane.To[place], e.Sides[0], e.Sides[1]);
+  return UnfoldCorner(plane.From[place], plane.To[place], e.Sides[0], e.Sides[1]);
 }
 
 /// Lays down the triangle beyond an edge at `place` of the plane, up to the next edge.
@@ -201,11 +200,11 @@ double Shortener::Length() const
   {
     return length;
   }
-  const Point3 first = PositionOf(this->Surface, this->At(0));
+  const Point3 first = ComputePosition(this->Surface, this->At(0));
   Point3 here = first;
   for (std::size_t i = 1; i <= this->Size(); ++i)
   {
-    const Point3 next = i < this->Size() ? PositionOf(this->Surface, this->At(i)) : first;
+    const Point3 next = i < this->Size() ? ComputePosition(this->Surface, this->At(i)) : first;
     length += Distance(here, next);
     here = next;
   }
@@ -340,8 +339,8 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   const SurfaceTriangleId last =
     SurfaceAdjacency::Triangle(this->At((first + count - 1) % n).Crossing.HalfEdge);
   const EdgeStrip other = StripOnOtherSide(s, enter, last, p);
-  const Point3 before = PositionOf(s, this->At((first + n - 1) % n));
-  const Point3 after = PositionOf(s, this->At((first + count) % n));
+  const Point3 before = ComputePosition(s, this->At((first + n - 1) % n));
+  const Point3 after = ComputePosition(s, this->At((first + count) % n));
   if (AngleOnOtherSide(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
@@ -424,18 +423,18 @@ double LengthAlong(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop
 
 }
 
-double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings)
+double CurveLength(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings)
 {
   double length = 0.0;
   if (crossings.empty())
   {
     return length;
   }
-  const Point3 first = PositionOf(surface, crossings.front());
+  const Point3 first = ComputePosition(surface, crossings.front());
   Point3 here = first;
   for (std::size_t i = 1; i <= crossings.size(); ++i)
   {
-    const Point3 next = i < crossings.size() ? PositionOf(surface, crossings[i]) : first;
+    const Point3 next = i < crossings.size() ? ComputePosition(surface, crossings[i]) : first;
     length += Distance(here, next);
     here = next;
   }
@@ -448,7 +447,7 @@ SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<Simp
   Check(parameters);
   SurfaceCurve curve;
   curve.Length = LengthAlong(surface, loop);
-  Shortener shortener(surface, StripLeftOf(surface, loop));
+  Shortener shortener(surface, LeftStrip(surface, loop));
   double length = curve.Length;
   for (int round = 0; round < parameters.MaximumRounds && !curve.Converged; ++round)
   {
@@ -631,8 +630,9 @@ bool GeodesicArc::LeadRound(std::size_t first, std::size_t end, SimplexId p)
   const std::size_t n = this->Edges.Size();
   const EdgeStrip other = StripOnOtherSide(s, this->Edges[first].Crossing.HalfEdge,
     SurfaceAdjacency::Triangle(this->Edges[end - 1].Crossing.HalfEdge), p);
-  const Point3 before = first > 0 ? PositionOf(s, this->Edges[first - 1]) : this->At(this->From);
-  const Point3 after = end < n ? PositionOf(s, this->Edges[end]) : this->At(this->To);
+  const Point3 before =
+    first > 0 ? ComputePosition(s, this->Edges[first - 1]) : this->At(this->From);
+  const Point3 after = end < n ? ComputePosition(s, this->Edges[end]) : this->At(this->To);
   if (AngleOnOtherSide(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
@@ -674,7 +674,7 @@ bool GeodesicArc::LeadRound(std::size_t first, std::size_t end, SimplexId p)
 }
 
 /// The loop from each pin to the next.
-std::vector<std::vector<SimplexId>> PiecesOf(
+std::vector<std::vector<SimplexId>> SplitAtPins(
   const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins)
 {
   std::vector<std::size_t> at;
@@ -712,7 +712,7 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
   Check(parameters);
   SurfaceCurve curve;
   curve.Converged = true;
-  const auto pieces = PiecesOf(loop, pins);
+  const auto pieces = SplitAtPins(loop, pins);
   for (std::size_t k = 0; k < pieces.size(); ++k)
   {
     Report(progress, static_cast<double>(k) / static_cast<double>(pieces.size()));
@@ -729,7 +729,7 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
     const EdgeStrip crossings = arc.Crossings();
     curve.Crossings.insert(curve.Crossings.end(), crossings.begin(), crossings.end());
   }
-  curve.Length = LengthOf(surface, curve.Crossings);
+  curve.Length = CurveLength(surface, curve.Crossings);
   if (const double before = LengthAlong(surface, loop); curve.Length <= Vanishing * before)
   {
     curve = {};
@@ -778,8 +778,8 @@ bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
     }
     const EdgeStrip other = StripOnOtherSide(
       surface, strip[i].HalfEdge, SurfaceAdjacency::Triangle(strip[end - 1].HalfEdge), p);
-    if (AngleOnOtherSide(surface, other, p, PositionOf(surface, strip[i - 1]),
-          PositionOf(surface, strip[end])) >= Pi - 1e-9)
+    if (AngleOnOtherSide(surface, other, p, ComputePosition(surface, strip[i - 1]),
+          ComputePosition(surface, strip[end])) >= Pi - 1e-9)
     {
       continue;
     }
@@ -846,7 +846,7 @@ private:
   {
     return this->Curve.Crossings[this->Index(k)];
   }
-  Point3 Place(std::ptrdiff_t k) const { return PositionOf(this->Surface, this->At(k)); }
+  Point3 Place(std::ptrdiff_t k) const { return ComputePosition(this->Surface, this->At(k)); }
   const Bend* BendAt(std::ptrdiff_t k) const
   {
     const auto& bends = this->Curve.Bends;
@@ -1011,7 +1011,7 @@ SurfaceCurve CutCorners(
       curve.Pins.push_back(bend.Crossing);
     }
   }
-  curve.Length = LengthOf(surface, curve.Crossings);
+  curve.Length = CurveLength(surface, curve.Crossings);
   return curve;
 }
 

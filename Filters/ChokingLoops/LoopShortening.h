@@ -34,7 +34,8 @@ struct SurfaceCurve
 };
 
 /// The length of the closed curve through these points.
-double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings);
+double CurveLength(
+  const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings);
 
 /**
  * Shortens the closed curve through the points `loop`; an edge joins consecutive points.

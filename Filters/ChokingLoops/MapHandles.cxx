@@ -130,12 +130,12 @@ constexpr std::int64_t Window = 8; ///< nodes on both sides
 constexpr std::int64_t Block = 16;
 constexpr int Tries = 20; ///< for a block inside of the mask
 
-Index PlaceOf(std::int64_t node, const Index& n)
+Index GridPlace(std::int64_t node, const Index& n)
 {
   return { node % n[0], node / n[0] % n[1], node / (n[0] * n[1]) };
 }
 
-std::int64_t NodeOf(const Index& place, const Index& n)
+std::int64_t GridNode(const Index& place, const Index& n)
 {
   return place[0] + n[0] * (place[1] + n[1] * place[2]);
 }
@@ -190,13 +190,13 @@ std::vector<const MapHandle*> Match(
   for (std::size_t i = 0; i < handles.size(); ++i) // by FeatureId, thus by persistence
   {
     const MapHandle& handle = handles[i];
-    const Index a = PlaceOf(handle.Node, n);
+    const Index a = GridPlace(handle.Node, n);
     const auto first = std::lower_bound(found.begin(), found.end(), (a[2] - reach) * slice,
       [](const MapHandle& other, std::int64_t node) { return other.Node < node; });
     auto least = std::numeric_limits<double>::infinity();
     for (auto at = first; at != found.end() && at->Node < (a[2] + reach + 1) * slice; ++at)
     {
-      const Index b = PlaceOf(at->Node, n);
+      const Index b = GridPlace(at->Node, n);
       const double distance = std::hypot(static_cast<double>(a[0] - b[0]),
         static_cast<double>(a[1] - b[1]), static_cast<double>(a[2] - b[2]));
       const double difference = std::abs(at->Interval[0] - handle.Interval[0]) +
@@ -272,7 +272,7 @@ void NoiseBootstrap::AddTo(std::vector<T>& values, std::uint64_t seed) const
   }
   for (std::int64_t block = 0; block < count[0] * count[1] * count[2]; ++block)
   {
-    Index low = PlaceOf(block, count), high{}, from{}, best{};
+    Index low = GridPlace(block, count), high{}, from{}, best{};
     for (std::size_t a = 0; a < 3; ++a)
     {
       low[a] = low[a] * size[a] - offset[a];
@@ -296,14 +296,14 @@ void NoiseBootstrap::AddTo(std::vector<T>& values, std::uint64_t seed) const
         {
           at[a] += probe[a] * (size[a] - 1);
         }
-        known += this->Unit[static_cast<std::size_t>(NodeOf(at, n))] != 0.0F ? 1 : 0;
+        known += this->Unit[static_cast<std::size_t>(GridNode(at, n))] != 0.0F ? 1 : 0;
       }
       Index middle = from;
       for (std::size_t a = 0; a < 3; ++a)
       {
         middle[a] += size[a] / 2;
       }
-      known += this->Unit[static_cast<std::size_t>(NodeOf(middle, n))] != 0.0F ? 1 : 0;
+      known += this->Unit[static_cast<std::size_t>(GridNode(middle, n))] != 0.0F ? 1 : 0;
       if (known > most)
       {
         most = known;
@@ -317,9 +317,9 @@ void NoiseBootstrap::AddTo(std::vector<T>& values, std::uint64_t seed) const
       {
         for (std::int64_t x = std::max<std::int64_t>(low[0], 0); x < high[0]; ++x)
         {
-          const auto to = static_cast<std::size_t>(NodeOf({ x, y, z }, n));
+          const auto to = static_cast<std::size_t>(GridNode({ x, y, z }, n));
           const auto source = static_cast<std::size_t>(
-            NodeOf({ best[0] + x - low[0], best[1] + y - low[1], best[2] + z - low[2] }, n));
+            GridNode({ best[0] + x - low[0], best[1] + y - low[1], best[2] + z - low[2] }, n));
           values[to] += sign * this->Deviation[to] * this->Unit[source];
         }
       }
@@ -333,7 +333,7 @@ template void NoiseBootstrap::AddTo(std::vector<double>&, std::uint64_t) const;
 namespace
 {
 
-/// SupportOf(), with resamples of type T.
+/// ComputeSupport(), with resamples of type T.
 template <typename T>
 HandleSupport SupportAs(const std::vector<MapHandle>& handles, const VolumeView& volume,
   const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
@@ -383,7 +383,7 @@ HandleSupport SupportAs(const std::vector<MapHandle>& handles, const VolumeView&
 
 }
 
-HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView& volume,
+HandleSupport ComputeSupport(const std::vector<MapHandle>& handles, const VolumeView& volume,
   const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
   const SupportParameters& bootstrap, const ProgressCallback& progress)
 {

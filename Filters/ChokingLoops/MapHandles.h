@@ -97,7 +97,7 @@ private:
  * noise, with the same range and `threshold` (in units of the values), in each resample. Cost: that
  * of CubicalPersistence for each resample. @throws Cancelled
  */
-HandleSupport SupportOf(const std::vector<MapHandle>& handles, const VolumeView& volume,
+HandleSupport ComputeSupport(const std::vector<MapHandle>& handles, const VolumeView& volume,
   const FeatureParameters& parameters, double threshold, const std::vector<float>& noise,
   const SupportParameters& bootstrap, const ProgressCallback& progress = {});
 

@@ -136,7 +136,7 @@ Point3 ChokeSurroundings::Middle(TetrahedronId cell) const
   const auto& c = this->F.Tetrahedra[cell];
   const auto p = [&](std::size_t k) -> const Point3& { return this->F.Points[At(c[k])]; };
   return this->Context.PointError.empty() ? 0.25 * (p(0) + p(1) + p(2) + p(3))
-                                          : Circumcentre(p(0), p(1), p(2), p(3));
+                                          : Circumcenter(p(0), p(1), p(2), p(3));
 }
 
 double ChokeSurroundings::Area(TriangleId triangle) const
@@ -171,7 +171,7 @@ void ChokeSurroundings::Pass(CellPlace own)
   for (std::size_t corner = 0; cell.Exists() && corner < 4; ++corner)
   {
     const TetrahedronId beyond = this->F.Neighbours[cell][corner];
-    const CellPlace place = beyond.Exists() ? this->PlaceOf(beyond) : CellPlace::None();
+    const CellPlace place = beyond.Exists() ? this->GetPlace(beyond) : CellPlace::None();
     if (place.Exists() && place < own)
     {
       continue;
@@ -219,13 +219,13 @@ class ChokeFlow
 {
 public:
   ChokeFlow(
-    const FeatureContext& context, const ShapeFeature& feature, const Point3& centre, bool byRank)
+    const FeatureContext& context, const ShapeFeature& feature, const Point3& center, bool byRank)
     : F(context.Filtration)
     , ByRank(byRank)
     , Choke(feature.Choke)
-    , Centre(centre)
+    , Center(center)
     , Radius(feature.Radius())
-    , Around(context, feature, centre)
+    , Around(context, feature, center)
   {
   }
 
@@ -243,12 +243,12 @@ private:
   std::array<std::vector<CellPlace>, 2> Ends() const;
   NodeByCell Nodes(std::int32_t& count) const;
   std::vector<FlowLink> Merged(const NodeByCell& nodes) const;
-  std::array<std::int64_t, 3> CubeOf(CellPlace place, bool& isNowhere) const;
+  std::array<std::int64_t, 3> FindCube(CellPlace place, bool& isNowhere) const;
 
   const CellFiltration& F;
   bool ByRank; ///< what opens is what enters after the choke, of equal values too
   TriangleId Choke;
-  Point3 Centre;
+  Point3 Center;
   double Radius;
   ChokeSurroundings Around;
 };
@@ -263,7 +263,7 @@ std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
   const auto chokeSides = this->F.TriangleSides(this->Choke);
   for (std::size_t s = 0; s < 2; ++s)
   {
-    queue.push_back(this->Around.PlaceOf(chokeSides[s]));
+    queue.push_back(this->Around.GetPlace(chokeSides[s]));
     side[queue.back()] = static_cast<char>(s + 1);
   }
   std::array<std::vector<CellPlace>, 2> ends;
@@ -282,7 +282,7 @@ std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
         {
           return;
         }
-        const CellPlace other = this->Around.PlaceOf(cell);
+        const CellPlace other = this->Around.GetPlace(cell);
         if (side[other] == 0)
         {
           side[other] = ownSide;
@@ -295,7 +295,7 @@ std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
 
 /// The small cube that the middle of a cell lies in; what lies beyond the complex, and flat cells,
 /// whose middle is nowhere, have none.
-std::array<std::int64_t, 3> ChokeFlow::CubeOf(CellPlace place, bool& isNowhere) const
+std::array<std::int64_t, 3> ChokeFlow::FindCube(CellPlace place, bool& isNowhere) const
 {
   std::array<std::int64_t, 3> cube{};
   const TetrahedronId cell = this->Around.Cells()[place];
@@ -303,7 +303,7 @@ std::array<std::int64_t, 3> ChokeFlow::CubeOf(CellPlace place, bool& isNowhere) 
   if (!isNowhere)
   {
     const Point3 middle =
-      (1.0 / (Grain * this->Radius)) * (this->Around.Middle(cell) - this->Centre);
+      (1.0 / (Grain * this->Radius)) * (this->Around.Middle(cell) - this->Center);
     isNowhere = !std::isfinite(Dot(middle, middle));
     for (std::size_t k = 0; !isNowhere && k < 3; ++k)
     {
@@ -334,7 +334,7 @@ ChokeFlow::NodeByCell ChokeFlow::Nodes(std::int32_t& count) const
     bool isNowhere = false;
     if (nodes[c] < 0)
     {
-      cubes.emplace_back(this->CubeOf(c, isNowhere), c);
+      cubes.emplace_back(this->FindCube(c, isNowhere), c);
     }
     if (isNowhere)
     {
@@ -399,15 +399,15 @@ std::set<TriangleId> ChokeFlow::Cut(const ProgressCallback& progress) const
 /// True where the boundary runs along edges that are neither on M nor as short as the error.
 bool EndsInSpace(const FeatureContext& context, const TriangleChain& triangles, bool chords)
 {
-  const EdgeChain boundary = BoundaryOf(context.Filtration, triangles);
+  const EdgeChain boundary = ComputeBoundary(context.Filtration, triangles);
   return std::any_of(boundary.begin(), boundary.end(),
     [&](EdgeId e)
     {
       const auto& ends = context.Filtration.Edges[e];
       const Point3 d =
         context.Filtration.Points[At(ends[1])] - context.Filtration.Points[At(ends[0])];
-      const bool isChord = chords && context.Homology.ComponentOf(ends[0]) >= 0 &&
-        context.Homology.ComponentOf(ends[1]) >= 0;
+      const bool isChord = chords && context.Homology.GetComponent(ends[0]) >= 0 &&
+        context.Homology.GetComponent(ends[1]) >= 0;
       return !context.Embedding.SurfaceEdge(e).Exists() && !isChord &&
         Dot(d, d) > 4.0 * context.SquaredError(ends);
     });
@@ -416,7 +416,7 @@ bool EndsInSpace(const FeatureContext& context, const TriangleChain& triangles, 
 }
 
 TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeature& feature,
-  const Point3& centre, const ProgressCallback& progress, bool chords)
+  const Point3& center, const ProgressCallback& progress, bool chords)
 {
   const auto sides = context.Filtration.TriangleSides(feature.Choke);
   // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
@@ -426,7 +426,7 @@ TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeat
     return {};
   }
   // The function of a mesh has the value of the choke on all triangles of its last vertex.
-  ChokeFlow around(context, feature, centre, chords);
+  ChokeFlow around(context, feature, center, chords);
   for (const double radii : Reaches)
   {
     const bool isPart = around.Collect(radii * feature.Radius());

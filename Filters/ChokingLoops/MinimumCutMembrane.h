@@ -68,17 +68,17 @@ class ChokeSurroundings
 public:
   /// @pre `feature.Choke` is a triangle of the complex, `feature.Radius()` is above 0.
   ChokeSurroundings(
-    const FeatureContext& context, const ShapeFeature& feature, const Point3& centre)
+    const FeatureContext& context, const ShapeFeature& feature, const Point3& center)
     : Context(context)
     , F(context.Filtration)
     , Choke(feature.Choke)
-    , Centre(centre)
+    , Center(center)
     , Radius(feature.Radius())
   {
   }
 
   /// Collects the cells that a search from the choke reaches across triangles with a corner within
-  /// `reach` of the centre, and stops after slightly more than `most`; returns false if there are
+  /// `reach` of the center, and stops after slightly more than `most`; returns false if there are
   /// no more cells. The space beyond the complex is recorded but not crossed, since it leads only
   /// to dead ends. Another call continues the search. @pre `reach` is not less than before.
   bool Collect(double reach, std::size_t most);
@@ -88,7 +88,7 @@ public:
   const std::vector<CellLink>& Links() const { return this->All; }
 
   /// @pre The cell is one of Cells().
-  CellPlace PlaceOf(TetrahedronId cell) const { return this->Places[cell]; }
+  CellPlace GetPlace(TetrahedronId cell) const { return this->Places[cell]; }
 
   /// Calls visit(triangle, cell beyond) for the faces that link a cell.
   template <typename Visit>
@@ -96,7 +96,7 @@ public:
 
   bool IsWithin(const Point3& p, double reach) const
   {
-    return Dot(p - this->Centre, p - this->Centre) < reach * reach;
+    return Dot(p - this->Center, p - this->Center) < reach * reach;
   }
 
   /// The position of a tetrahedron: its Voronoi vertex on a complex of samples, otherwise its
@@ -123,7 +123,7 @@ private:
   const FeatureContext& Context;
   const CellFiltration& F;
   TriangleId Choke;
-  Point3 Centre;
+  Point3 Center;
   double Radius;
   double Reach = 0.0;
   IdMap<TetrahedronId, CellPlace> Places{ CellPlace::None() };
@@ -169,11 +169,11 @@ struct ShapeFeature;
 /**
  * The set of triangles of least area that separates the spaces on the two sides of a feature's
  * choke triangle, restricted to its part connected with the choke triangle. The wider space on
- * either side (deeper than the radius of the choke and within 1.5 radii of `centre`) is not cut, so
+ * either side (deeper than the radius of the choke and within 1.5 radii of `center`) is not cut, so
  * the membrane runs through the choke point instead of wrapping around the passage.
  *
  * It replaces the cycle that an edge closed in the filtration, which may run around the whole
- * shape. The search begins within 3 radii of `centre` and is extended to 6 if the membrane requires
+ * shape. The search begins within 3 radii of `center` and is extended to 6 if the membrane requires
  * it. The boundary lies on M, except for edges as short as the sampling error. The result is empty
  * if nothing separates the sides there, or if there are more than 50,000 tetrahedra within reach.
  * Cost: that of MinimumCut() on the tetrahedra within reach.
@@ -186,7 +186,7 @@ struct ShapeFeature;
  * @throws Cancelled.
  */
 TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeature& feature,
-  const Point3& centre, const ProgressCallback& progress = {}, bool chords = false);
+  const Point3& center, const ProgressCallback& progress = {}, bool chords = false);
 
 }
 

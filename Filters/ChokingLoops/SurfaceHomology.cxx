@@ -88,7 +88,7 @@ SurfaceHomology::Cotree SurfaceHomology::GrowCotree()
     depth[seed] = 0;
     for (std::size_t i = 0; i < queue.size(); ++i)
     {
-      for (const HalfEdgeId h : SurfaceAdjacency::HalfEdgesOf(queue[i]))
+      for (const HalfEdgeId h : SurfaceAdjacency::GetHalfEdges(queue[i]))
       {
         const SurfaceTriangleId other = SurfaceAdjacency::Triangle(this->Surface.Opposite(h));
         if (!this->InTree[this->Surface.Edge(h)] && depth[other] < 0)
@@ -121,7 +121,7 @@ void SurfaceHomology::MarkDualLoops(const Cotree& cotree)
       this->Crossings[this->Words * this->Surface.Edge(h).Index() + i / 64] ^= std::uint64_t{ 1 }
         << (i % 64);
     };
-    const HalfEdgeId h = this->Surface.HalfEdgeOf(this->Generators[i]);
+    const HalfEdgeId h = this->Surface.GetHalfEdge(this->Generators[i]);
     mark(h);
     SurfaceTriangleId a = SurfaceAdjacency::Triangle(h);
     SurfaceTriangleId b = SurfaceAdjacency::Triangle(this->Surface.Opposite(h));
@@ -137,7 +137,7 @@ void SurfaceHomology::MarkDualLoops(const Cotree& cotree)
 
 SurfaceChain SurfaceHomology::Loop(std::size_t i) const
 {
-  const HalfEdgeId h = this->Surface.HalfEdgeOf(this->Generators[i]);
+  const HalfEdgeId h = this->Surface.GetHalfEdge(this->Generators[i]);
   SurfaceChain edges{ this->Generators[i] };
   for (SimplexId p : { this->Surface.From(h), this->Surface.To(h) })
   {
@@ -161,7 +161,7 @@ SurfaceChain SurfaceHomology::Loop(std::size_t i) const
   return odd;
 }
 
-HomologyClass SurfaceHomology::ClassOf(const SurfaceChain& edges) const
+HomologyClass SurfaceHomology::GetClass(const SurfaceChain& edges) const
 {
   HomologyClass c(this->Words, 0);
   for (const SurfaceEdgeId e : edges)
@@ -218,7 +218,7 @@ SurfaceInComplex::SurfaceInComplex(
       Report(
         progress, 0.7 * static_cast<double>(e.Index()) / static_cast<double>(surface.EdgeCount()));
     }
-    const HalfEdgeId h = surface.HalfEdgeOf(e);
+    const HalfEdgeId h = surface.GetHalfEdge(e);
     const EdgeId image = f.FindEdge(surface.From(h), surface.To(h));
     if (!image.Exists())
     {
@@ -259,7 +259,7 @@ EdgeChain SurfaceInComplex::Image(SurfaceEdgeId surfaceEdge) const
   {
     return { this->InComplex[surfaceEdge] };
   }
-  const HalfEdgeId h = this->Surface.HalfEdgeOf(surfaceEdge);
+  const HalfEdgeId h = this->Surface.GetHalfEdge(surfaceEdge);
   const SimplexId end = this->Surface.To(h);
   const Point3& start = this->F.Points[At(this->Surface.From(h))];
   const Point3 direction = this->F.Points[At(end)] - start;
@@ -315,7 +315,7 @@ std::vector<SurfaceEdgeId> SurfaceInComplex::ShortestPath(
 
 // ------------------------------------------------------------------------------------------
 // ChainPieces
-EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles)
+EdgeChain ComputeBoundary(const CellFiltration& f, const TriangleChain& triangles)
 {
   std::set<EdgeId> edges;
   for (const TriangleId t : triangles)

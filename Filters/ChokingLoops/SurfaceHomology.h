@@ -38,7 +38,7 @@ public:
 
   /// Connected components, and the component of each point (-1 for a point no triangle uses).
   int Components() const { return this->ComponentCount; }
-  int ComponentOf(SimplexId point) const
+  int GetComponent(SimplexId point) const
   {
     return this->Component[static_cast<std::size_t>(point)];
   }
@@ -47,9 +47,9 @@ public:
   SurfaceChain Loop(std::size_t i) const;
 
   /// The class of a cycle of edges. Its coordinates are with respect to the loops above.
-  HomologyClass ClassOf(const SurfaceChain& edges) const;
+  HomologyClass GetClass(const SurfaceChain& edges) const;
 
-  /// Adds an edge to the class of a chain. The class starts at zero and equals ClassOf() once the
+  /// Adds an edge to the class of a chain. The class starts at zero and equals GetClass() once the
   /// chain is a cycle.
   void AddTo(HomologyClass& c, SurfaceEdgeId edge) const
   {
@@ -151,7 +151,7 @@ void Toggle(std::set<Id>& chain, Id e)
 }
 
 /// Boundary of a set of triangles, over Z/2, ascending.
-EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles);
+EdgeChain ComputeBoundary(const CellFiltration& f, const TriangleChain& triangles);
 
 /// Those of the `triangles` that are connected with `seed` across edges that are not on M.
 TriangleChain ConnectedPiece(const CellFiltration& f, const SurfaceInComplex& surface,

@@ -139,7 +139,7 @@ void SurfacePaths::Settle(const Entry& entry)
 // ------------------------------------------------------------------------------------------
 // EdgeStrip
 
-Point3 PositionOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& p)
+Point3 ComputePosition(const SurfaceAdjacency& s, const SurfaceCurvePoint& p)
 {
   const Point3& a = s.Mesh().Points[static_cast<std::size_t>(s.From(p.HalfEdge))];
   const Point3& b = s.Mesh().Points[static_cast<std::size_t>(s.To(p.HalfEdge))];
@@ -167,7 +167,7 @@ namespace
 {
 
 /// The edges at path[i] left of the way from path[i - 1] to path[i + 1], added to the strip.
-void AddLeftOf(
+void AddLeftCrossings(
   const SurfaceAdjacency& s, const std::vector<SimplexId>& path, std::size_t i, EdgeStrip& strip)
 {
   const std::size_t n = path.size();
@@ -211,12 +211,12 @@ void RemoveBacktracking(const SurfaceAdjacency& s, EdgeStrip& strip, SimplexId f
   strip.assign(first, last.base());
 }
 
-EdgeStrip StripLeftOf(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
+EdgeStrip LeftStrip(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
 {
   EdgeStrip strip;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    AddLeftOf(s, loop, i, strip);
+    AddLeftCrossings(s, loop, i, strip);
   }
   RemoveBacktracking(s, strip);
   return strip;
@@ -227,7 +227,7 @@ EdgeStrip StripLeftOfPath(const SurfaceAdjacency& s, const std::vector<SimplexId
   EdgeStrip strip;
   for (std::size_t i = 1; i + 1 < path.size(); ++i)
   {
-    AddLeftOf(s, path, i, strip);
+    AddLeftCrossings(s, path, i, strip);
   }
   RemoveBacktracking(s, strip, path.front(), path.back());
   return strip;
@@ -242,7 +242,8 @@ void UnfoldOver(const SurfaceAdjacency& s, HalfEdgeId h, HalfEdgeId next, Unfold
   const HalfEdgeId second = SurfaceAdjacency::Next(h);
   const Point2 from = plane.From.back();
   const Point2 to = plane.To.back();
-  const Point2 apex = CornerOf(from, to, s.Length(SurfaceAdjacency::Previous(h)), s.Length(second));
+  const Point2 apex =
+    UnfoldCorner(from, to, s.Length(SurfaceAdjacency::Previous(h)), s.Length(second));
   const bool keepsTo = s.Opposite(next) == second;
   plane.From.push_back(keepsTo ? apex : from);
   plane.To.push_back(keepsTo ? to : apex);
@@ -256,7 +257,7 @@ UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
   const HalfEdgeId behind = s.Opposite(first);
   const Point2 from{ 0.0, 0.0 };
   const Point2 to{ s.Length(first), 0.0 };
-  const Point2 start = CornerOf(to, from, s.Length(SurfaceAdjacency::Previous(behind)),
+  const Point2 start = UnfoldCorner(to, from, s.Length(SurfaceAdjacency::Previous(behind)),
     s.Length(SurfaceAdjacency::Next(behind)));
   UnfoldedStrip plane{ { start, from }, { start, to } };
   for (std::size_t i = 0; i + 1 < strip.size(); ++i)
@@ -264,7 +265,7 @@ UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
     UnfoldOver(s, strip[i].HalfEdge, strip[i + 1].HalfEdge, plane);
   }
   const HalfEdgeId last = strip.back().HalfEdge;
-  const Point2 end = CornerOf(plane.From.back(), plane.To.back(),
+  const Point2 end = UnfoldCorner(plane.From.back(), plane.To.back(),
     s.Length(SurfaceAdjacency::Previous(last)), s.Length(SurfaceAdjacency::Next(last)));
   plane.From.push_back(end);
   plane.To.push_back(end);
@@ -371,8 +372,8 @@ std::vector<FunnelTurn> Funnel(const UnfoldedStrip& plane, const Point2& p, cons
 }
 
 /// Where the polyline p, bends, q crosses each edge, as fractions from From to To.
-void CrossingsOf(const UnfoldedStrip& plane, const std::vector<FunnelTurn>& bends, const Point2& p,
-  const Point2& q, std::vector<double>& fraction)
+void ComputeCrossings(const UnfoldedStrip& plane, const std::vector<FunnelTurn>& bends,
+  const Point2& p, const Point2& q, std::vector<double>& fraction)
 {
   const std::size_t n = plane.From.size() - 1;
   fraction.assign(n, 0.0);
@@ -402,7 +403,7 @@ void CrossingsOf(const UnfoldedStrip& plane, const std::vector<FunnelTurn>& bend
 void FunnelCrossings(
   const UnfoldedStrip& plane, const Point2& p, const Point2& q, std::vector<double>& fraction)
 {
-  CrossingsOf(plane, Funnel(plane, p, q), p, q, fraction);
+  ComputeCrossings(plane, Funnel(plane, p, q), p, q, fraction);
 }
 
 std::vector<double> FunnelCrossings(const UnfoldedStrip& plane, const Point2& p, const Point2& q)
@@ -451,11 +452,11 @@ EdgeStrip StripOnOtherSide(
 double AngleOnOtherSide(const SurfaceAdjacency& s, const EdgeStrip& other, SimplexId p,
   const Point3& before, const Point3& after)
 {
-  const Point3& centre = PointAt(s, p);
-  const auto between = [&centre](const Point3& x, const Point3& y)
+  const Point3& center = PointAt(s, p);
+  const auto between = [&center](const Point3& x, const Point3& y)
   {
-    const Point3 c = Cross(x - centre, y - centre);
-    return std::atan2(Length(c), Dot(x - centre, y - centre));
+    const Point3 c = Cross(x - center, y - center);
+    return std::atan2(Length(c), Dot(x - center, y - center));
   };
   if (other.empty())
   {

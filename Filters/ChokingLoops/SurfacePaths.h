@@ -65,7 +65,7 @@ public:
     return HalfEdgeId(h.Value % 3 == 0 ? h.Value + 2 : h.Value - 1);
   }
 
-  static HandleRange<HalfEdgeId> HalfEdgesOf(SurfaceTriangleId t)
+  static HandleRange<HalfEdgeId> GetHalfEdges(SurfaceTriangleId t)
   {
     return { 3 * t.Index(), 3 * t.Index() + 3 };
   }
@@ -74,7 +74,7 @@ public:
   /// The edge that h and its opposite share, numbered from 0.
   SurfaceEdgeId Edge(HalfEdgeId h) const { return this->EdgeIds[h]; }
   /// One of the two half edges of an edge.
-  HalfEdgeId HalfEdgeOf(SurfaceEdgeId edge) const { return this->Halves[edge]; }
+  HalfEdgeId GetHalfEdge(SurfaceEdgeId edge) const { return this->Halves[edge]; }
   SimplexId From(HalfEdgeId h) const;
   SimplexId To(HalfEdgeId h) const { return this->From(Next(h)); }
   /// Some half edge that leaves point p; None when no triangle uses it.
@@ -175,7 +175,7 @@ public:
   const std::vector<SimplexId>& Points() const { return this->Settled; }
 
   /// The index of a point in Points(); -1: there is no path to it.
-  std::ptrdiff_t PlaceOf(SimplexId p) const { return this->Places[p]; }
+  std::ptrdiff_t GetPlace(SimplexId p) const { return this->Places[p]; }
   double LengthAt(std::size_t place) const { return this->Lengths[place]; }
   HalfEdgeId LastAt(std::size_t place) const { return this->Lasts[place]; }
 
@@ -237,7 +237,7 @@ struct SurfaceCurvePoint
 };
 
 /// Where a point of a curve lies.
-Point3 PositionOf(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+Point3 ComputePosition(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
 
 /// The edges that a closed curve crosses, each as half edge of the triangle that the curve enters
 /// there: seen along the curve, From is on the left and To on the right.
@@ -252,7 +252,7 @@ EdgeStrip WithoutBacktracking(const SurfaceAdjacency& surface, const EdgeStrip& 
 /// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
 /// point, the edges between the ways in and out. Throws std::invalid_argument where no edge joins
 /// two of them.
-EdgeStrip StripLeftOf(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
+EdgeStrip LeftStrip(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
 /// The same for an open path of points, from the first to the last: neither end is passed.
 EdgeStrip StripLeftOfPath(const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
@@ -271,7 +271,7 @@ inline double Cross2(const Point2& o, const Point2& a, const Point2& b)
 }
 
 /// The corner left of (a, b), at these distances from both.
-inline Point2 CornerOf(const Point2& a, const Point2& b, double toA, double toB)
+inline Point2 UnfoldCorner(const Point2& a, const Point2& b, double toA, double toB)
 {
   const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
   const double x = (toA * toA - toB * toB + c * c) / (2.0 * c);

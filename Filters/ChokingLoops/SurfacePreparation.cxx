@@ -80,7 +80,7 @@ double VolumeOf(const SurfaceView& mesh)
 }
 
 /// Corners of a triangle in their cyclic order, starting with the smallest.
-std::array<Point3, 3> PlacesOf(const SurfaceView& mesh, const Triangle& t)
+std::array<Point3, 3> CornerPositions(const SurfaceView& mesh, const Triangle& t)
 {
   std::array<Point3, 3> p{ mesh.Points[At(t[0])], mesh.Points[At(t[1])], mesh.Points[At(t[2])] };
   std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
@@ -93,11 +93,11 @@ void ReportChanges(const SurfaceView& before, const SurfaceView& after, RepairRe
   std::map<std::array<Point3, 3>, int> left;
   for (const Triangle& t : after.Triangles)
   {
-    ++left[PlacesOf(after, t)];
+    ++left[CornerPositions(after, t)];
   }
   for (const Triangle& t : before.Triangles)
   {
-    const std::array<Point3, 3> places = PlacesOf(before, t);
+    const std::array<Point3, 3> places = CornerPositions(before, t);
     const auto found = left.find(places);
     if (found != left.end() && found->second > 0)
     {
@@ -570,7 +570,7 @@ constexpr std::size_t MorePoints = 100000;
 
 /// Twice the volume divided by the area of a closed surface: the thickness of a plate, or the
 /// radius of a rod.
-double ThicknessOf(const SurfaceView& surface)
+double ComputeThickness(const SurfaceView& surface)
 {
   return 2.0 * std::abs(SignedVolume(surface)) / SurfaceArea(surface);
 }
@@ -615,7 +615,7 @@ TriangleMesh Refined(const SurfaceView& mesh, const std::vector<Refinement>& wan
       const double half2 = 0.25 * Dot(b - a, b - a);
       for (const Refinement& r : wanted)
       {
-        const Point3 d = middle - r.Centre;
+        const Point3 d = middle - r.Center;
         const double reach = r.Radius + std::sqrt(half2);
         limit = Dot(d, d) < reach * reach ? std::min(limit, r.EdgeLength) : limit;
       }
@@ -664,7 +664,7 @@ TriangleMesh FirstSamples(
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
   // Needles take far more points than their area suggests. If everything is thinner than refined
   // samples could resolve, refinement is useless.
-  const double share = ThicknessOf(surface) < Telling * spacing ? 1.0 : 5.0;
+  const double share = ComputeThickness(surface) < Telling * spacing ? 1.0 : 5.0;
   const std::size_t most =
     4 * surface.Points.size() + static_cast<std::size_t>(share * UsualSamples);
   // Edges are split to this length whatever the area: needles have almost none.

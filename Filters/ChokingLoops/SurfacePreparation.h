@@ -21,7 +21,7 @@ namespace isthmus
 struct RepairReport
 {
   std::int64_t Changed = 0;   ///< number of triangles of the input that were removed
-  std::vector<Point3> Places; ///< their centres
+  std::vector<Point3> Places; ///< their centers
   std::string Message;        ///< message to the user; empty if nothing was repaired
 };
 
@@ -87,7 +87,7 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh,
 /// A place where the samples should be denser, and the spacing wanted there.
 struct Refinement
 {
-  Point3 Centre;
+  Point3 Center;
   double Radius;
   double EdgeLength;
 };

@@ -152,7 +152,7 @@ const std::vector<isthmus::OutputArray>& vtkChokingLoops::OutputArrayTable()
       "the gap, 0 if there is none" },
     { 0, ArrayPlace::Field, "Repaired", 1, "", ArrayChoice::None,
       "number of triangles changed by a repair; missing without one" },
-    { 0, ArrayPlace::Field, "RepairedPlaces", 3, "length", ArrayChoice::None, "their centres" },
+    { 0, ArrayPlace::Field, "RepairedPlaces", 3, "length", ArrayChoice::None, "their centers" },
     { 1, ArrayPlace::Cells, "FeatureId", 1, "", ArrayChoice::None, "of the loop" },
     { 1, ArrayPlace::Cells, "Area", 1, "length^2", ArrayChoice::None, "of the membrane" },
     { 1, ArrayPlace::Cells, "Radius", 1, "length", ArrayChoice::None,

@@ -74,7 +74,7 @@ std::vector<SimplexId> PathBetween(const SurfaceAdjacency& s, SimplexId from, Si
 }
 
 /// A polyline as a closed walk along edges, without steps there and back.
-std::vector<SimplexId> WalkOf(const SurfaceAdjacency& s, const std::vector<SimplexId>& corners)
+std::vector<SimplexId> WalkThrough(const SurfaceAdjacency& s, const std::vector<SimplexId>& corners)
 {
   std::vector<SimplexId> walk;
   const auto push = [&walk](SimplexId p)
@@ -134,7 +134,7 @@ struct Surface
     std::vector<SimplexId> walk;
     if (!nearest.empty())
     {
-      walk = WalkOf(this->Adjacency, nearest);
+      walk = WalkThrough(this->Adjacency, nearest);
     }
     if (walk.size() < 3)
     {
@@ -166,7 +166,7 @@ struct ShortenedLoops
     for (const isthmus::SurfaceCurvePoint& p : curve.Crossings)
     {
       this->Lines->InsertCellPoint(
-        this->Points->InsertNextPoint(isthmus::PositionOf(surface, p).data()));
+        this->Points->InsertNextPoint(isthmus::ComputePosition(surface, p).data()));
     }
     this->Lines->InsertCellPoint(start);
     this->Lengths->InsertNextValue(curve.Length);

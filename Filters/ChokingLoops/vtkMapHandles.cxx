@@ -170,7 +170,7 @@ enum Port
 
 /// The mean of both half maps, as an image, and half their difference, 0 where that is not a
 /// number.
-vtkSmartPointer<vtkImageData> MeanOf(
+vtkSmartPointer<vtkImageData> ComputeMean(
   vtkImageData* one, vtkDataArray* scalars, vtkDataArray* others, std::vector<float>& noise)
 {
   const vtkIdType count = scalars->GetNumberOfTuples();
@@ -203,7 +203,7 @@ vtkSmartPointer<vtkImageData> MeanOf(
 /// have in common even where the noise of single nodes is higher. Nodes where the maps are equal
 /// (outside of a mask) or not finite do not count, nor blocks with fewer than half of their nodes.
 /// NaN with fewer than three blocks, or if one map is the same everywhere.
-double CorrelationOf(vtkImageData* image, vtkDataArray* one, vtkDataArray* other)
+double ComputeCorrelation(vtkImageData* image, vtkDataArray* one, vtkDataArray* other)
 {
   constexpr int side = 4;
   int n[3];
@@ -345,8 +345,8 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
     }
     isthmus::RequireUsualValues(others);
     isthmus::RequireSameNodes(work.Image, other);
-    work.Mean = MeanOf(work.Image, work.Scalars, others, work.Noise);
-    work.Correlation = CorrelationOf(work.Image, work.Scalars, others);
+    work.Mean = ComputeMean(work.Image, work.Scalars, others, work.Noise);
+    work.Correlation = ComputeCorrelation(work.Image, work.Scalars, others);
     if (work.Correlation < LeastCorrelation)
     {
       vtkWarningMacro(<< isthmus::TextOf("The half maps have a correlation of only ",
@@ -412,9 +412,9 @@ void vtkMapHandles::FillTables(const vtkInternals& work, vtkInformationVector* o
   {
     isthmus::SupportParameters bootstrap = this->Parameters;
     bootstrap.Level = work.Level.Level;
-    support =
-      isthmus::SupportOf(handles, work.Volume, work.Parameters, work.Features.Threshold, work.Noise,
-        bootstrap, isthmus::Between(isthmus::ProgressOf(this), 0.3, this->Loops ? 0.6 : 0.95));
+    support = isthmus::ComputeSupport(handles, work.Volume, work.Parameters,
+      work.Features.Threshold, work.Noise, bootstrap,
+      isthmus::Between(isthmus::ProgressOf(this), 0.3, this->Loops ? 0.6 : 0.95));
   }
   for (const int port : { BridgesPort, WindowsPort })
   {

@@ -1,7 +1,7 @@
 /**
  * @class vtkOffsetSurface
  * @brief Computes the points at a given distance from a surface: the boundary of the region
- * accessible to the centre of a ball.
+ * accessible to the center of a ball.
  *
  * Shows what "choked at d" means (thesis, Fig. 6.4): at a distance equal to the `Radius` of a
  * choking loop, the offset surface pinches off there. The distance to the triangles is sampled on a

@@ -111,10 +111,16 @@ const std::vector<isthmus::OutputArray>& vtkScalarPersistence::OutputArrayTable(
       "tunnels are filled or cavities close, 3 cavities are filled" },
     { 3, ArrayPlace::Cells, "FeatureId", 1, "", ArrayChoice::None,
       "number of the class, the longest first; does not depend on the threshold" },
+    { 3, ArrayPlace::Cells, "Dimension", 1, "", ArrayChoice::None,
+      "0 component, 1 tunnel, 2 cavity" },
     { 3, ArrayPlace::Cells, "Birth", 1, "value", ArrayChoice::None, "level at which it appears" },
     { 3, ArrayPlace::Cells, "Death", 1, "value", ArrayChoice::None,
       "level at which it disappears; infinite for the class that never does" },
     { 3, ArrayPlace::Cells, "Persistence", 1, "value", ArrayChoice::None, "|Death - Birth|" },
+    { 3, ArrayPlace::Cells, "DeathShown", 1, "value", ArrayChoice::None,
+      "Death, cut at the end of the range, for charts" },
+    { 3, ArrayPlace::Cells, "Joins", 1, "", ArrayChoice::None,
+      "FeatureId of what a component or cavity becomes part of when it ends; -1: none" },
     { 3, ArrayPlace::Cells, "Length", 1, "length", ArrayChoice::None, "of the polyline" },
   };
   return table;

@@ -52,7 +52,7 @@ inline std::size_t RankOfBits(Bits rows)
 /// Loops are closed walks along edges of M, simple, and the boundary of their membrane.
 inline void ExpectSound(ChokingLoops& loops, std::size_t feature)
 {
-  const Membrane& membrane = loops.MembraneOf(feature);
+  const Membrane& membrane = loops.GetMembrane(feature);
   ASSERT_FALSE(membrane.Loops.empty());
   std::map<std::pair<SimplexId, SimplexId>, int> boundary;
   const auto toggle = [&boundary](SimplexId a, SimplexId b) {
@@ -237,7 +237,7 @@ inline Bits Intersections(ChokingLoops& loops, const std::vector<std::size_t>& r
   for (const std::size_t r : rows)
   {
     std::map<SurfaceEdgeId, int> left;
-    for (const auto& loop : loops.MembraneOf(r).Loops)
+    for (const auto& loop : loops.GetMembrane(r).Loops)
     {
       for (const auto& [edge, odd] : CrossedOnTheLeft(loops.Adjacency(), loop))
       {
@@ -248,7 +248,7 @@ inline Bits Intersections(ChokingLoops& loops, const std::vector<std::size_t>& r
     for (const std::size_t c : columns)
     {
       int number = 0;
-      for (const auto& loop : loops.MembraneOf(c).Loops)
+      for (const auto& loop : loops.GetMembrane(c).Loops)
       {
         for (const SurfaceEdgeId e : LoopEdges(loops.Adjacency(), loop))
         {
@@ -287,7 +287,7 @@ inline void ExpectGenerators(ChokingLoops& loops, std::size_t genus)
   {
     inward.emplace_back();
     outward.emplace_back();
-    for (const auto& loop : loops.MembraneOf(i).Loops)
+    for (const auto& loop : loops.GetMembrane(i).Loops)
     {
       inward.back().push_back(pushed.Of(loop, -1.0));
       outward.back().push_back(pushed.Of(loop, 1.0));

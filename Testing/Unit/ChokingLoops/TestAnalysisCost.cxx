@@ -39,15 +39,15 @@ TEST(AnalysisCost, RankIsTwiceTheGenusOfAllParts)
 {
   const TriangleMesh ball =
     LevelSet([](double x, double y, double z) { return x * x + y * y + z * z - 1.0; }, 1.3, 12);
-  EXPECT_EQ(CostOf(ball).Rank, 0U);
-  EXPECT_EQ(CostOf(Torus(1.0, 0.3, 30, 20)).Rank, 2U);
-  EXPECT_EQ(CostOf(Twice(Torus(1.0, 0.3, 30, 20))).Rank, 4U);
-  EXPECT_EQ(CostOf(TangleCube(30)).Rank, 10U);
+  EXPECT_EQ(EstimateCost(ball).Rank, 0U);
+  EXPECT_EQ(EstimateCost(Torus(1.0, 0.3, 30, 20)).Rank, 2U);
+  EXPECT_EQ(EstimateCost(Twice(Torus(1.0, 0.3, 30, 20))).Rank, 4U);
+  EXPECT_EQ(EstimateCost(TangleCube(30)).Rank, 10U);
 }
 
 TEST(AnalysisCost, TimeIsAMultipleOfTheTriangulation)
 {
-  const AnalysisCost cost = CostOf(Torus(1.0, 0.3, 30, 20));
+  const AnalysisCost cost = EstimateCost(Torus(1.0, 0.3, 30, 20));
   EXPECT_LT(cost.Seconds, 0.0); // not known before
   EXPECT_GT(cost.After(1.0).Seconds, 1.0);
   EXPECT_DOUBLE_EQ(cost.After(4.0).Seconds, 4.0 * cost.After(1.0).Seconds);
@@ -56,21 +56,21 @@ TEST(AnalysisCost, TimeIsAMultipleOfTheTriangulation)
 
 TEST(AnalysisCost, TakesOverWhatTheRoundBeforeTook)
 {
-  const AnalysisCost first = CostOf(Torus(1.0, 0.3, 30, 20)).After(2.0);
-  AnalysisCost second = CostOf(Torus(1.0, 0.3, 60, 40));
+  const AnalysisCost first = EstimateCost(Torus(1.0, 0.3, 30, 20)).After(2.0);
+  AnalysisCost second = EstimateCost(Torus(1.0, 0.3, 60, 40));
   const AnalysisCost usual = second;
   second.LearnFrom(first, 9.0); // 4.5 triangulations
   EXPECT_DOUBLE_EQ(second.After(4.0).Seconds, 18.0);
   EXPECT_EQ(second.Bytes, usual.Bytes);
   // From one that was not even triangulated there is nothing to learn.
   AnalysisCost third = usual;
-  third.LearnFrom(CostOf(Torus(1.0, 0.3, 30, 20)), 9.0);
+  third.LearnFrom(EstimateCost(Torus(1.0, 0.3, 30, 20)), 9.0);
   EXPECT_EQ(third.After(1.0).Seconds, usual.After(1.0).Seconds);
 }
 
 TEST(AnalysisCost, OwnPointsOfTheSurfaceCostMore)
 {
-  const AnalysisCost cost = CostOf(Torus(1.0, 0.3, 30, 20)).After(1.0);
+  const AnalysisCost cost = EstimateCost(Torus(1.0, 0.3, 30, 20)).After(1.0);
   EXPECT_EQ(cost.Completion(), 0.0);
   AnalysisCost more = cost;
   more.ExpectCompletion(300);

@@ -246,7 +246,7 @@ TEST(ChokingLoopsFilter, WhereTheFirstOfTwoThatShareGoesTheOtherStandsAlone)
   // The same loop, seen from the middle of the ring as well: 1.3 away, that is 1.86 radii of 0.7.
   const ShownFeature first{ tunnel, &loop, -1 };
   std::vector<ShownFeature> shown{ first, { handle, &loop, static_cast<std::ptrdiff_t>(tunnel) } };
-  EXPECT_NEAR(ReachOf(loops, first), 1.3 / 0.7, 0.05);
+  EXPECT_NEAR(ComputeReach(loops, first), 1.3 / 0.7, 0.05);
   ApplyLimits(loops, { 0.0, 2.0 }, shown);
   EXPECT_EQ(shown.size(), 2U);
   ApplyLimits(loops, { 0.0, 1.5 }, shown);

@@ -129,14 +129,14 @@ void ExpectOnSurface(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
 {
   for (std::size_t i = 0; i < curve.Crossings.size(); ++i)
   {
-    const Point3 p = PositionOf(surface, curve.Crossings[i]);
+    const Point3 p = ComputePosition(surface, curve.Crossings[i]);
     EXPECT_LE(std::hypot(p[0], p[1]), 1.0 + 1e-12);
-    const Point3 next = PositionOf(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]);
+    const Point3 next = ComputePosition(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]);
     const Point3 middle = 0.5 * (p + next);
     // A chord within a facet: no point of the polyhedron is nearer to the axis than its edges are.
     EXPECT_GT(std::hypot(middle[0], middle[1]), 0.98) << i;
   }
-  EXPECT_NEAR(LengthOf(surface, curve.Crossings), curve.Length, 1e-12);
+  EXPECT_NEAR(CurveLength(surface, curve.Crossings), curve.Length, 1e-12);
 }
 
 double WayRound(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
@@ -144,8 +144,8 @@ double WayRound(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.Crossings.size(); ++i)
   {
-    const Point3 p = PositionOf(surface, curve.Crossings[i]);
-    const Point3 q = PositionOf(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]);
+    const Point3 p = ComputePosition(surface, curve.Crossings[i]);
+    const Point3 q = ComputePosition(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]);
     sum += std::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
   }
   return sum;

@@ -182,10 +182,10 @@ TEST(EncirclingLoops, AreTheShortestOfTheirClass)
   {
     const std::size_t axis = kind == FeatureKind::Handle ? 1 : 0;
     const std::size_t feature = FeatureOf(loops, kind);
-    const std::vector<Membrane> found = loops.EncirclingMembranesOf(feature, 20.0);
+    const std::vector<Membrane> found = loops.ComputeEncirclingMembranes(feature, 20.0);
     ASSERT_FALSE(found.empty());
     double shortest = HUGE_VAL;
-    for (const SimplexId contact : loops.ContactsOf(feature))
+    for (const SimplexId contact : loops.GetContacts(feature))
     {
       shortest = std::min(shortest, ShortestWinding(torus, contact, axis));
     }
@@ -196,7 +196,7 @@ TEST(EncirclingLoops, AreTheShortestOfTheirClass)
       const auto windings = torus.WindingsOf(membrane.Loops[0]);
       EXPECT_EQ(std::abs(windings[axis]) % 2, 1);
       EXPECT_EQ(windings[1 - axis] % 2, 0) << "does not bound on that side";
-      const auto contacts = loops.ContactsOf(feature);
+      const auto contacts = loops.GetContacts(feature);
       EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(),
         [&](SimplexId c)
         {
@@ -212,7 +212,7 @@ TEST(EncirclingLoops, AreNoLongerThanAskedShortestFirst)
   const RoughTorus torus;
   const ChokingLoops loops = torus.Analysed();
   const std::size_t handle = FeatureOf(loops, FeatureKind::Handle);
-  const std::vector<Membrane> all = loops.EncirclingMembranesOf(handle, 20.0);
+  const std::vector<Membrane> all = loops.ComputeEncirclingMembranes(handle, 20.0);
   ASSERT_GE(all.size(), 2U);
   std::vector<double> lengths;
   for (const Membrane& membrane : all)
@@ -222,14 +222,15 @@ TEST(EncirclingLoops, AreNoLongerThanAskedShortestFirst)
   // What goes to and fro at the ends of a walk is taken off it, so that it is shorter than it was
   // when it was put in order.
   EXPECT_LE(lengths.front(), *std::min_element(lengths.begin(), lengths.end()) + 1e-12);
-  EXPECT_TRUE(loops.EncirclingMembranesOf(handle, 0.99 * lengths.front()).empty());
-  const std::vector<Membrane> some = loops.EncirclingMembranesOf(handle, 1.01 * lengths.front());
+  EXPECT_TRUE(loops.ComputeEncirclingMembranes(handle, 0.99 * lengths.front()).empty());
+  const std::vector<Membrane> some =
+    loops.ComputeEncirclingMembranes(handle, 1.01 * lengths.front());
   ASSERT_FALSE(some.empty());
   for (const Membrane& membrane : some)
   {
     EXPECT_LE(LengthOfLoop(loops.Samples(), membrane.Loops[0]), 1.01 * lengths.front());
   }
-  EXPECT_TRUE(loops.EncirclingMembranesOf(handle, 0.0).empty());
+  EXPECT_TRUE(loops.ComputeEncirclingMembranes(handle, 0.0).empty());
 }
 
 TEST(EncirclingLoops, AreTheFirstOfAllWhereFewAreAsked)
@@ -239,11 +240,11 @@ TEST(EncirclingLoops, AreTheFirstOfAllWhereFewAreAsked)
   for (const FeatureKind kind : { FeatureKind::Handle, FeatureKind::Tunnel })
   {
     const std::size_t feature = FeatureOf(loops, kind);
-    const std::vector<Membrane> all = loops.EncirclingMembranesOf(feature, 20.0);
+    const std::vector<Membrane> all = loops.ComputeEncirclingMembranes(feature, 20.0);
     ASSERT_GE(all.size(), 2U);
     for (std::size_t most = 0; most <= all.size() + 1; ++most)
     {
-      const std::vector<Membrane> some = loops.EncirclingMembranesOf(feature, 20.0, most);
+      const std::vector<Membrane> some = loops.ComputeEncirclingMembranes(feature, 20.0, most);
       ASSERT_EQ(some.size(), std::min(most, all.size()));
       for (std::size_t i = 0; i < some.size(); ++i)
       {
@@ -261,8 +262,8 @@ TEST(EncirclingLoops, DoNotDependOnPlaceOrUnit)
   const ChokingLoops otherLoops = other.Analysed();
   for (const FeatureKind kind : { FeatureKind::Handle, FeatureKind::Tunnel })
   {
-    const auto found = loops.EncirclingMembranesOf(FeatureOf(loops, kind), 20.0);
-    const auto others = otherLoops.EncirclingMembranesOf(FeatureOf(otherLoops, kind), 80.0);
+    const auto found = loops.ComputeEncirclingMembranes(FeatureOf(loops, kind), 20.0);
+    const auto others = otherLoops.ComputeEncirclingMembranes(FeatureOf(otherLoops, kind), 80.0);
     ASSERT_FALSE(found.empty());
     ASSERT_FALSE(others.empty());
     EXPECT_NEAR(LengthOfLoop(otherLoops.Samples(), others[0].Loops[0]),
@@ -275,7 +276,7 @@ TEST(EncirclingLoops, AreNoneWhereNothingBounds)
   const ChokingLoops loops{ Revolution(
     [](double z) { return DumbbellRadius(z, 0.4); }, -2.0, 2.0, 30, 60) };
   const std::size_t neck = FeatureOf(loops, FeatureKind::Additional);
-  EXPECT_TRUE(loops.EncirclingMembranesOf(neck, 100.0).empty());
+  EXPECT_TRUE(loops.ComputeEncirclingMembranes(neck, 100.0).empty());
 }
 
 // Straight from each contact to the next, where the ball touches all round.
@@ -284,17 +285,17 @@ TEST(ContactLoop, PassesAllPointsWhereTheBallTouches)
   const RoughTorus torus;
   const ChokingLoops loops = torus.Analysed();
   const std::size_t handle = FeatureOf(loops, FeatureKind::Handle);
-  const auto membrane = loops.ContactMembraneOf(handle, 20.0);
+  const auto membrane = loops.ComputeContactMembrane(handle, 20.0);
   ASSERT_TRUE(membrane);
   ExpectFan(loops, handle, *membrane);
   const auto& loop = membrane->Loops[0];
-  for (const SimplexId c : loops.ContactsOf(handle))
+  for (const SimplexId c : loops.GetContacts(handle))
   {
     EXPECT_NE(std::find(loop.begin(), loop.end(), c), loop.end());
   }
   EXPECT_EQ(std::abs(torus.WindingsOf(loop)[1]), 1);
   EXPECT_EQ(torus.WindingsOf(loop)[0], 0);
-  EXPECT_FALSE(loops.ContactMembraneOf(handle, 1e-3)) << "paths are no longer than asked";
+  EXPECT_FALSE(loops.ComputeContactMembrane(handle, 1e-3)) << "paths are no longer than asked";
 }
 
 }

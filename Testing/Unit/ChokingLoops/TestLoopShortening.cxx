@@ -77,8 +77,8 @@ double Sum(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
   double length = 0.0;
   for (std::size_t i = 0; i < curve.Crossings.size(); ++i)
   {
-    const Point3 d = PositionOf(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]) -
-      PositionOf(surface, curve.Crossings[i]);
+    const Point3 d = ComputePosition(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]) -
+      ComputePosition(surface, curve.Crossings[i]);
     length += std::sqrt(Dot(d, d));
   }
   return length;

@@ -31,7 +31,7 @@ std::vector<FlowLink> RandomLinks(std::mt19937& random, std::int32_t nodes, std:
 }
 
 /// What is cut between the nodes of a set, a bit each, and the others.
-std::int64_t CostOf(const std::vector<FlowLink>& links, unsigned set)
+std::int64_t EstimateCost(const std::vector<FlowLink>& links, unsigned set)
 {
   std::int64_t cost = 0;
   for (const FlowLink& link : links)
@@ -64,14 +64,14 @@ TEST(MinimumCut, IsTheSmallestOfTheCheapest)
     const unsigned found = SetOf(MinimumCut(nodes, links, { 0, 1 }, { nodes - 1 }));
     ASSERT_EQ(found & 3U, 3U);
     ASSERT_EQ(found >> (nodes - 1), 0U);
-    const std::int64_t cost = CostOf(links, found);
+    const std::int64_t cost = EstimateCost(links, found);
     for (unsigned set = 3U; set < 1U << (nodes - 1); ++set)
     {
       if ((set & 3U) != 3U)
       {
         continue;
       }
-      const std::int64_t other = CostOf(links, set);
+      const std::int64_t other = EstimateCost(links, set);
       ASSERT_GE(other, cost) << "trial " << trial;
       ASSERT_TRUE(other > cost || (found & ~set) == 0U) << "trial " << trial;
     }
