@@ -108,6 +108,7 @@ CellType::LocalDarts CellType::NumberEdges() const
         dartOf[std::minmax(a, b)] = 0;
       });
   }
+  // Local numbers of darts have 16 bits.
   if (2 * dartOf.size() + 1 > 65535)
   {
     this->Refuse("has more than 32,767 edges");

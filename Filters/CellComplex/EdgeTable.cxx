@@ -50,6 +50,7 @@ auto EdgeTable<Id>::LeadingDarts(const ProgressCallback& progress) const
 {
   constexpr std::size_t CellsPerChunk = 1u << 15;
   const std::size_t cells = this->Mesh.NumberOfCells();
+  // A list for each chunk, read in the order of chunks: the table does not depend on the threads.
   std::vector<std::vector<Dart>> leaders((cells + CellsPerChunk - 1) / CellsPerChunk);
   ParallelFor(
     0, static_cast<std::int64_t>(leaders.size()), 1,

@@ -21,8 +21,8 @@
 namespace isthmus
 {
 
-/// Like AppendLevelCrossings (LevelCrossings.h), but from more nodes: O(layer), and about 1 us for
-/// each crossing. T is float or double.
+/// Like AppendLevelCrossings (LevelCrossings.h), but from more nodes: O(nodes of the layer). T is
+/// float or double.
 template <typename T>
 void AppendENOCrossings(
   const LevelView<T>& level, std::int64_t k, std::vector<GridCrossing>& crossings);

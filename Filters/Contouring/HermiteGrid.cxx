@@ -58,6 +58,7 @@ std::vector<Side> SidesOf(const SurfaceView& surface)
     const Point3& first = surface.Point(t[0]);
     const Point3 n = Cross(surface.Point(t[1]) - first, surface.Point(t[2]) - first);
     const double length = Length(n);
+    // A triangle without area has no normal to compare.
     for (std::size_t c = 0; c < 3 && length > 0.0; ++c)
     {
       const vtkIdType a = t[c], b = t[(c + 1) % 3];
@@ -187,6 +188,7 @@ SharpFeatureGrid::SharpFeatureGrid(const SharpEdges& sharp, const GridShape& gri
 void SharpFeatureGrid::AddPieces(const std::array<Point3, 2>& segment, const GridShape& grid)
 {
   const Point3 along = segment[1] - segment[0];
+  // Cut at the planes of the grid, since a cell only sees the pieces in it.
   std::vector<double> stops{ 0.0, 1.0 };
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -227,6 +229,7 @@ std::optional<Point3> SharpFeatureGrid::NearestCorner(
 std::optional<Point3> SharpFeatureGrid::NearestOnEdge(
   std::int64_t cell, const Point3& x, Part part, const Filter& isMine) const
 {
+  // A tenth next to each face is left to the neighbour, so that no two cells use the same point.
   const double beside = part == Part::Middle ? 0.1 : 0.0;
   Nearest nearest{ x };
   const auto [first, last] = RangeOf(this->Pieces, cell);

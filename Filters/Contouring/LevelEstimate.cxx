@@ -72,8 +72,10 @@ double EstimateLevel(std::vector<double>& values)
     // Less than a thousandth of the values differ from the rest: assume that these are the object.
     return values.front() / 2.0 + values.back() / 2.0;
   }
+  // Noise or solvent that fills the box has no two classes: Otsu's threshold would lie within it.
   const double background = Quantile(values, 0.5) + 3.0 * LowerDeviation(values);
   const double top = Quantile(values, 0.99);
+  // A few hot voxels would draw the threshold to them.
   for (double& value : values)
   {
     value = std::clamp(value, low, high);
@@ -132,6 +134,7 @@ MapContrast ContrastOf(const GridView<const T>& grid)
     return contrast;
   }
   contrast.Skewness = cubes / count / (deviation * deviation * deviation);
+  // Dark density stays away from the border; a mask whose outside is set low lies along it.
   const double low = mean - 2.0 * deviation;
   contrast.LowShare = static_cast<double>(std::count_if(values.begin(), values.end(),
                         [low](double value) { return value < low; })) /

@@ -85,8 +85,7 @@ VTKISTHMUSFILTERSCORE_EXPORT Extent Covering(vtkImageData* image, const double b
 
 /**
  * Crops `image` to `extent`: nodes, cells and all arrays as by vtkImageData::Crop; empty if
- * `extent` contains none of it. Linear in the number of remaining values; VTK copies value by
- * value, which took ten times as long as the curvature of a volume in two pieces.
+ * `extent` contains none of it. Linear in the number of remaining values.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void CropTo(vtkImageData* image, const Extent& extent);
 

@@ -66,13 +66,13 @@ struct SecondOrderTaylor
   }
 };
 
-/// sum q / |x - r| and its derivatives; about a nanosecond for each charge.
+/// sum q / |x - r| and its derivatives. O(charges).
 SecondOrderTaylor CoulombSum(const ChargeList& charges, const Point3& x);
 
 /// sum q / max(|x - r|, nearest).
 double CoulombValue(const ChargeList& charges, const Point3& x, double nearest);
 
-/// sum q exp(-kappa |x - r|) / |x - r| over charges [first, last); a nanosecond or two for each.
+/// sum q exp(-kappa |x - r|) / |x - r| over charges [first, last).
 double ScreenedSum(
   const ChargeList& charges, double kappa, const Point3& x, std::size_t first, std::size_t last);
 

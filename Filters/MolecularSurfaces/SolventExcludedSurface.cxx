@@ -112,6 +112,7 @@ private:
 
   std::vector<Ball> CircleBalls() const
   {
+    // At most half a step from the nearest point of a circle: an error of (step / 2)^2 / (2 probe).
     constexpr double step = 0.25; // spacings
     std::vector<Ball> balls;
     for (const auto& place : FreeCirclePoints(this->Rolled, this->Neighbours, step))

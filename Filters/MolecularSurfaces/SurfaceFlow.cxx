@@ -147,6 +147,7 @@ void AddCoarseField(const FlowField& coarse, FlowField& fine)
             between(between(at[0], at[1], t), between(at[row], at[row + 1], t), y.Part[j]);
           const float high = between(between(at[plane], at[plane + 1], t),
             between(at[plane + row], at[plane + row + 1], t), y.Part[j]);
+          // The union with the start, since coarse nodes miss small atoms.
           to[i] = std::min(to[i], scale * between(low, high, z.Part[k]));
         }
       }

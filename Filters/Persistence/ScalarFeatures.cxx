@@ -90,6 +90,7 @@ struct Passed
     if (i < this->Levels.size())
     {
       ++this->Counts[i];
+      // Relative to the first level, where the integrals start.
       this->Offsets[i] += std::max(place, this->Levels.front()) - this->Levels.front();
     }
   }

@@ -195,6 +195,7 @@ StarMatching MatchStar(std::uint32_t mask)
   // The node goes with the first edge; after that, edges count as having no facet.
   while (open != 0)
   {
+    // Any order is optimal, as the link is a part of the surface of an octahedron.
     if (!Expand(matching, open))
     {
       const std::uint8_t cell = LowestBit(open);

@@ -36,7 +36,8 @@ struct WidestPath
   TetrahedronId Cell;
   TriangleId Triangle;
 
-  /// The widest comes first, then the one whose triangles enter later, then the lowest ids.
+  /// The widest comes first, then the one whose triangles enter later, so that paths agree with the
+  /// pairs of the filtration, then the lowest ids.
   bool operator<(const WidestPath& other) const
   {
     if (this->Width != other.Width)
@@ -68,6 +69,7 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
   for (const TriangleId t : c.Triangles())
   {
     access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
+    // Triangles with one side only are the ways out: paths start there.
     const auto sides = c.TriangleSides(t);
     if (!sides[0].Exists() || !sides[1].Exists())
     {

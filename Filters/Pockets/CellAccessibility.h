@@ -30,9 +30,8 @@ struct CellAccessibility
 };
 
 /// `probe` is the length by which the radii of `f` have been enlarged. O(n log n): one pass of
-/// Dijkstra's algorithm, 1 us per tetrahedron. Symmetric molecules have equally wide paths. Of
-/// these, the path whose earliest triangle enters the filtration last is chosen, so that paths
-/// agree with the pairs of the filtration; then the lower id decides. @throws Cancelled
+/// Dijkstra's algorithm. Of equally wide paths (symmetric molecules), the one whose earliest
+/// triangle enters the filtration last is chosen; then the lower id decides. @throws Cancelled
 CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe,
   const ProgressCallback& progress = {});
 

@@ -25,6 +25,7 @@ HullDepth::HullDepth(const SurfaceView& mesh, const ProgressCallback& progress)
   : Directions(directionCount)
   , Heights(directionCount, -std::numeric_limits<double>::infinity())
 {
+  // Fibonacci lattice: turning by the golden angle spreads the directions evenly over the sphere.
   const double golden = Pi * (3.0 - std::sqrt(5.0));
   for (int d = 0; d < directionCount; ++d)
   {
@@ -33,6 +34,7 @@ HullDepth::HullDepth(const SurfaceView& mesh, const ProgressCallback& progress)
     this->Directions[static_cast<std::size_t>(d)] = { r * std::cos(golden * d),
       r * std::sin(golden * d), z };
   }
+  // Points that no triangle uses would enlarge the hull.
   std::vector<vtkIdType> used;
   used.reserve(3 * mesh.Triangles.size());
   for (const Triangle& t : mesh.Triangles)
@@ -59,6 +61,7 @@ HullDepth::HullDepth(const SurfaceView& mesh, const ProgressCallback& progress)
 
 double HullDepth::operator()(const double* point) const
 {
+  // The intersection of the half spaces contains the hull, so the depth is never too small.
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t d = 0; d < this->Directions.size(); ++d)
   {

@@ -88,6 +88,7 @@ std::size_t FillHoles(SurfaceMesh& mesh)
   std::size_t filled = 0;
   for (const auto border : cgal::BorderCycles(mesh))
   {
+    // A hole that stays is found afterwards, by the check that the result is closed.
     filled += cgal::FillHole(mesh, border).empty() ? 0 : 1;
   }
   return filled;

@@ -179,6 +179,7 @@ public:
     , Parameters(std::move(parameters))
     , Progress(progress)
   {
+    // TetGen may run twice, and what follows it takes time too.
     this->Parameters.TetGen.Limits.TimeLimit *= 0.25;
   }
 
@@ -243,6 +244,7 @@ private:
         RequireCleanSurface(this->Repaired->Mesh, {}, true);
         const TriangleMesh sound = SoundPart(this->Surface);
         const double lost = OneSidedDistance(sound, this->Repaired->Mesh);
+        // Without parts that repair drops, the mesh would be of another body.
         if (!(lost <= 0.02 * BoundsOf(sound).Diagonal()))
         {
           throw std::runtime_error("it would lose parts that are " + Text(lost) + " away.");

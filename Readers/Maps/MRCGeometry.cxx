@@ -67,6 +67,7 @@ MRCStack StackOf(MRCHeader& header, const std::string& path)
   }
   const std::string name = NameWithoutCompression(path);
   const bool tilts = EndsWith(name, ".st") || EndsWith(name, ".ali");
+  // Space group 0 alone does not mean images: ChimeraX and cryoSPARC write volumes with it.
   const bool imagesByHeader = header.SpaceGroup == 0 && header.Sampling[2] == 1 && sections > 1;
   if (imagesByHeader || EndsWith(name, ".mrcs") || (tilts && header.SpaceGroup == 0))
   {
@@ -104,6 +105,7 @@ VoxelLattice LatticeOf(const MRCHeader& header, int sections, bool keepCellAxes)
   }
   const bool stated = std::any_of(
     header.Origin.begin(), header.Origin.end(), [](double position) { return position != 0.0; });
+  // ChimeraX's rule: ORIGIN and start are alternatives, never added up.
   lattice.Origin = stated ? header.Origin : Times(lattice.Steps, start);
   if (header.Skewed)
   {

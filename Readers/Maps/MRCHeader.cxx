@@ -468,6 +468,7 @@ MRCHeader DecodeMRCHeader(const MRCHeaderBytes& bytes, const MRCHeaderWords& wor
 void CheckSize(MRCHeader& header, const std::string& path, std::uint64_t contentBytes, bool exact)
 {
   const std::uint64_t data = header.DataBytes();
+  // The sizes fit without the extended header: it was announced, but never written.
   if (header.FileBytes() > contentBytes && exact && data <= contentBytes &&
     mrcHeaderBytes + data == contentBytes)
   {
@@ -526,6 +527,7 @@ bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes)
 {
   const MRCHeaderWords words = ChooseMRCByteOrder(bytes, contentBytes);
   constexpr int everything = 10;
+  // Without the word "MAP " a file of any other format could pass by chance: everything has to fit.
   return words.Possible() && (words.HasMapWord() || words.Plausibility(contentBytes) == everything);
 }
 

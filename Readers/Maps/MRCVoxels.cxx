@@ -42,6 +42,7 @@ void DecodeHalves(const unsigned char* from, float* to, std::size_t voxels)
 void DecodeNibbles(
   const unsigned char* from, unsigned char* to, std::size_t voxels, std::size_t skip)
 {
+  // The first voxel wanted is the high half of its byte.
   if (skip > 0 && voxels > 0)
   {
     *to++ = static_cast<unsigned char>(*from++ >> 4);

@@ -307,6 +307,7 @@ CombinatorialMesh ParseCombinatorialMesh(std::string_view contents)
   {
     mesh.Types.push_back(ParseType(scanner));
   }
+  // Types are text in binary files, too; numbers come as bytes from here on.
   scanner.Binary = coding == "binary";
   ParseCoordinates(scanner, mesh);
   ParseCells(scanner, mesh);

@@ -83,6 +83,7 @@ public:
         continue;
       }
       row = NumbersOf(text);
+      // A vertex has nine numbers and a face five: a first row of four is the line of counts.
       const bool counts = this->First && row.size() == 4;
       this->First = false;
       if (counts)

@@ -172,6 +172,7 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
         ? std::string("binary OFF files are not read: write it as text.")
         : "the number of points should be an integer, but is '" + Printable(first) + "'.");
   }
+  // A point takes three digits and three blanks at least.
   if (points < 0 || static_cast<std::uint64_t>(points) > source->MostBytes() / 6)
   {
     words.Refuse("the file is too short for " + std::to_string(points) +
