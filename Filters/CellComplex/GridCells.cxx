@@ -148,7 +148,9 @@ private:
         " points, but a " + type.Type.Name() + " needs " + std::to_string(corners) +
         ": the grid is damaged.");
     }
-    const bool turn = this->ByVolume && this->SixVolumes(type.Type.Faces(), points) < 0.0;
+    const double sixVolumes = this->ByVolume ? this->SixVolumes(type.Type.Faces(), points) : 0.0;
+    this->Cells.Inverted.Add(id, sixVolumes);
+    const bool turn = sixVolumes < 0.0;
     if (this->LinearNumbers[known] == None)
     {
       this->LinearNumbers[known] = this->Cells.Types.size();
@@ -317,7 +319,7 @@ std::string GridCells::Remark() const
     remark += std::to_string(this->LeftOut) +
       " cells that are points, lines or surfaces are dropped: only volume cells are used here. ";
   }
-  return remark;
+  return remark + this->Inverted.Message();
 }
 
 }

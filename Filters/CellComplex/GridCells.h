@@ -6,6 +6,7 @@
 #define isthmus_GridCells_h
 
 #include "CellComplex/CellType.h"
+#include "Core/InvertedCells.h"
 #include "Core/Progress.h"
 
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
@@ -55,7 +56,8 @@ public:
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }
   /// The number in the grid of cell `cell` of the list.
   vtkIdType GridId(std::size_t cell) const { return this->GridIds[cell]; }
-  /// A message about cells that were simplified or dropped; empty if there are none.
+  /// A message about cells that were simplified or dropped or, with ByVolume, are inverted; empty
+  /// if there are none.
   std::string Remark() const;
 
 private:
@@ -67,6 +69,7 @@ private:
   std::vector<std::int64_t> Vertices;
   std::vector<vtkIdType> GridIds;
   std::int64_t Simplified = 0, LeftOut = 0;
+  InvertedCells Inverted;
 };
 
 }

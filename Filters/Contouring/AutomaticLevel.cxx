@@ -9,7 +9,9 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,13 +51,21 @@ const char* SourceText(LevelSource source)
 double Estimate(vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher)
 {
   std::vector<double> values;
-  UseScalars(image, scalars, [&](const auto& grid) { values = SampleValues(grid); });
+  UseScalars(
+    image, scalars, [&](const auto& grid) { values = SampleValues(grid, NoDataMask(image)); });
   const double sign = insideIsHigher ? 1.0 : -1.0;
   std::transform(
     values.begin(), values.end(), values.begin(), [sign](double value) { return sign * value; });
   return sign * EstimateLevel(values);
 }
 
+}
+
+const unsigned char* NoDataMask(vtkImageData* image)
+{
+  auto* mask = vtkArrayDownCast<vtkUnsignedCharArray>(image->GetPointData()->GetArray("NoData"));
+  return mask && mask->GetNumberOfValues() == image->GetNumberOfPoints() ? mask->GetPointer(0)
+                                                                         : nullptr;
 }
 
 std::optional<double> RecommendedLevel(vtkImageData* image)

@@ -38,11 +38,15 @@ struct ChosenLevel
  *
  * Quantities with a natural level are known by the names under which the filters of Isthmus write
  * them: 0 for `SignedDistance`, 1/2 for `S`, `Inside` and `Side`. The estimate costs one sample of
- * at most 2^20 values.
+ * at most 2^20 values, without those of nodes that have no data.
  * @throws std::invalid_argument if the level is not finite, or no value of the volume is.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT ChosenLevel ChooseLevel(
   bool isAutomatic, double level, vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher);
+
+/// The flags of nodes without data, the array `NoData` that vtkMRCMapReader adds; null: all have
+/// data.
+const unsigned char* NoDataMask(vtkImageData* image);
 
 /// The level that the depositors of the map recommend: field data `RecommendedLevel`.
 VTKISTHMUSFILTERSCONTOURING_EXPORT std::optional<double> RecommendedLevel(vtkImageData* image);

@@ -89,7 +89,7 @@ double EstimateLevel(std::vector<double>& values)
 }
 
 template <typename T>
-std::vector<double> SampleValues(const GridView<const T>& grid)
+std::vector<double> SampleValues(const GridView<const T>& grid, const unsigned char* noData)
 {
   // An odd step without a common factor with the rows or layers passes over all columns alike.
   std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
@@ -106,7 +106,7 @@ std::vector<double> SampleValues(const GridView<const T>& grid)
   for (std::int64_t n = 0; n < grid.Size(); n += step)
   {
     const auto value = static_cast<double>(grid.Data[n]);
-    if (std::isfinite(value))
+    if (std::isfinite(value) && (!noData || noData[n] == 0))
     {
       values.push_back(value);
     }
@@ -115,10 +115,10 @@ std::vector<double> SampleValues(const GridView<const T>& grid)
 }
 
 template <typename T>
-MapContrast ContrastOf(const GridView<const T>& grid)
+MapContrast ContrastOf(const GridView<const T>& grid, const unsigned char* noData)
 {
   MapContrast contrast;
-  const std::vector<double> values = SampleValues(grid);
+  const std::vector<double> values = SampleValues(grid, noData);
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double squares = 0.0, cubes = 0.0;
@@ -158,9 +158,9 @@ MapContrast ContrastOf(const GridView<const T>& grid)
   return contrast;
 }
 
-template std::vector<double> SampleValues(const GridView<const float>&);
-template MapContrast ContrastOf(const GridView<const float>&);
-template MapContrast ContrastOf(const GridView<const double>&);
-template std::vector<double> SampleValues(const GridView<const double>&);
+template std::vector<double> SampleValues(const GridView<const float>&, const unsigned char*);
+template MapContrast ContrastOf(const GridView<const float>&, const unsigned char*);
+template MapContrast ContrastOf(const GridView<const double>&, const unsigned char*);
+template std::vector<double> SampleValues(const GridView<const double>&, const unsigned char*);
 
 }

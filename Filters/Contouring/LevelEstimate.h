@@ -29,8 +29,10 @@ namespace isthmus
 double EstimateLevel(std::vector<double>& values);
 
 /// A representative sample of at most 2^20 of the finite values of the grid, for EstimateLevel.
+/// `noData` is null or has a flag for each node: those with flags other than 0 are left out.
 template <typename T>
-std::vector<double> SampleValues(const GridView<const T>& grid);
+std::vector<double> SampleValues(
+  const GridView<const T>& grid, const unsigned char* noData = nullptr);
 
 /// Statistics of the finite values of a map by which its contrast is judged.
 struct MapContrast
@@ -54,7 +56,7 @@ struct MapContrast
 /// The contrast computed from SampleValues() and the nodes on the six faces: O(nodes^(2/3)) in
 /// addition to the sample.
 template <typename T>
-MapContrast ContrastOf(const GridView<const T>& grid);
+MapContrast ContrastOf(const GridView<const T>& grid, const unsigned char* noData = nullptr);
 
 }
 

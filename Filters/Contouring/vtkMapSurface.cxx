@@ -132,8 +132,8 @@ int vtkMapSurface::RequestUpdateExtent(
 bool vtkMapSurface::IsInverted(vtkImageData* image, vtkDataArray* scalars)
 {
   isthmus::MapContrast contrast;
-  isthmus::UseScalars(
-    image, scalars, [&](const auto& grid) { contrast = isthmus::ContrastOf(grid); });
+  isthmus::UseScalars(image, scalars,
+    [&](const auto& grid) { contrast = isthmus::ContrastOf(grid, isthmus::NoDataMask(image)); });
   if (contrast.IsInverted())
   {
     vtkWarningMacro(<< isthmus::TextOf(

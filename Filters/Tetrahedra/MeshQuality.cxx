@@ -2,6 +2,7 @@
 
 #include "Core/Geometry.h"
 #include "Core/Index.h"
+#include "Core/InvertedCells.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
@@ -79,7 +80,7 @@ Measured<6> Measure(std::array<Point3, 4> p)
   p = { Point3{}, scale * (p[1] - p[0]), scale * (p[2] - p[0]), scale * (p[3] - p[0]) };
   const Point3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
   const double six = Dot(Cross(u, v), w);
-  result.Cell.Size = std::abs(six) / 6.0 / scale / scale / scale;
+  result.Cell.Size = six / 6.0 / scale / scale / scale;
   if (six == 0.0)
   {
     return result;
@@ -141,6 +142,7 @@ QualitySummary MeasureAll(const View<Point3>& points,
       }
     },
     progress);
+  InvertedCells orientation;
   // In order, so that the sum is the same on any number of threads.
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
@@ -152,10 +154,13 @@ QualitySummary MeasureAll(const View<Point3>& points,
     summary.SmallestAngle = std::min(summary.SmallestAngle, cell.Smallest);
     summary.LargestAngle = std::max(summary.LargestAngle, cell.Largest);
     summary.LargestRadiusEdge = std::max(summary.LargestRadiusEdge, cell.RadiusEdge);
-    summary.TotalSize += cell.Size;
+    orientation.Add(static_cast<vtkIdType>(i), cell.Size);
     summary.Slivers += Corners == 4 && cell.Smallest < 5.0 ? 1 : 0;
     ++summary.Cells;
   }
+  summary.TotalSize = orientation.Volume();
+  summary.Inverted = orientation.Count();
+  summary.InvertedCellsMessage = orientation.Message();
   return summary;
 }
 

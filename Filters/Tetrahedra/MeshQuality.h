@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace isthmus
@@ -23,7 +24,7 @@ struct CellAngles
   double Smallest = 0.0; ///< of a triangle; dihedral of a tetrahedron
   double Largest = 0.0;
   double RadiusEdge = std::numeric_limits<double>::infinity(); ///< circumradius / shortest edge
-  double Size = 0.0;                                           ///< area or volume
+  double Size = 0.0; ///< area, or signed volume, positive in VTK's order of the corners
 };
 
 /// Counts of all angles (three for a triangle, six for a tetrahedron) in equal bins over [0, 180]
@@ -34,9 +35,11 @@ struct QualitySummary
   double SmallestAngle = 180.0;
   double LargestAngle = 0.0;
   double LargestRadiusEdge = 0.0;
-  double TotalSize = 0.0;
+  double TotalSize = 0.0; ///< inverted tetrahedra counted as negative
   std::int64_t Cells = 0;
-  std::int64_t Slivers = 0; ///< tetrahedra with a dihedral angle below 5 degrees
+  std::int64_t Slivers = 0;         ///< tetrahedra with a dihedral angle below 5 degrees
+  std::int64_t Inverted = 0;        ///< tetrahedra whose corners are ordered opposite to the others
+  std::string InvertedCellsMessage; ///< a warning that names them, or empty
 };
 
 /// Radius-edge ratio is at least 1/sqrt(3) = 0.577 (equilateral).

@@ -102,7 +102,8 @@ std::string Line(const isthmus::QualitySummary& s, bool tetrahedra)
     isthmus::FormatNumber(s.TotalSize, 8), tetrahedra ? ", dihedral angles " : ", angles ",
     FixedNumber(s.SmallestAngle, 2), " to ", FixedNumber(s.LargestAngle, 2),
     " degrees, radius-edge ratio up to ", FixedNumber(s.LargestRadiusEdge, 3),
-    tetrahedra ? isthmus::TextOf(", ", s.Slivers, " slivers") : std::string());
+    tetrahedra ? isthmus::TextOf(", ", s.Slivers, " slivers, ", s.Inverted, " inverted")
+               : std::string());
 }
 
 void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
@@ -129,13 +130,14 @@ isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySu
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   isthmus::QualitySummary all = own;
   std::vector<vtkIdType> mine(own.Bins.begin(), own.Bins.end());
-  mine.insert(mine.end(), { own.Cells, own.Slivers });
+  mine.insert(mine.end(), { own.Cells, own.Slivers, own.Inverted });
   std::vector<vtkIdType> counts(mine.size());
   controller->AllReduce(
     mine.data(), counts.data(), static_cast<vtkIdType>(mine.size()), vtkCommunicator::SUM_OP);
-  all.Slivers = counts.back();
-  all.Cells = counts[counts.size() - 2];
-  all.Bins.assign(counts.begin(), counts.end() - 2);
+  all.Inverted = counts.back();
+  all.Slivers = counts[counts.size() - 2];
+  all.Cells = counts[counts.size() - 3];
+  all.Bins.assign(counts.begin(), counts.end() - 3);
   controller->AllReduce(&own.TotalSize, &all.TotalSize, 1, vtkCommunicator::SUM_OP);
   controller->AllReduce(&own.SmallestAngle, &all.SmallestAngle, 1, vtkCommunicator::MIN_OP);
   controller->AllReduce(&own.LargestAngle, &all.LargestAngle, 1, vtkCommunicator::MAX_OP);
@@ -147,11 +149,11 @@ void AddSummary(const isthmus::QualitySummary& s, const std::string& line, vtkFi
 {
   isthmus::AddColumn<vtkStringArray>(data, "QualitySummary", { line });
   auto* numbers = isthmus::AddTuple<vtkDoubleArray>(data, "QualityMeasures",
-    std::array<double, 4>{
-      s.SmallestAngle, s.LargestAngle, s.LargestRadiusEdge, static_cast<double>(s.Slivers) });
+    std::array<double, 5>{ s.SmallestAngle, s.LargestAngle, s.LargestRadiusEdge,
+      static_cast<double>(s.Slivers), static_cast<double>(s.Inverted) });
   const char* const names[] = { "SmallestAngle", "LargestAngle", "LargestRadiusEdgeRatio",
-    "Slivers" };
-  for (int c = 0; c < 4; ++c)
+    "Slivers", "Inverted" };
+  for (int c = 0; c < 5; ++c)
   {
     numbers->SetComponentName(c, names[c]);
   }
@@ -214,6 +216,10 @@ int vtkMeshQualityReport::RequestData(
             points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress, ghosts)
         : isthmus::MeasureQuality({ points, CellsOf<3>(mesh, VTK_TRIANGLE) }, this->NumberOfBins,
             cells, progress, ghosts);
+      if (!own.InvertedCellsMessage.empty())
+      {
+        vtkWarningMacro(<< own.InvertedCellsMessage);
+      }
       const isthmus::QualitySummary summary = OverRanks(this, own);
       marked->ShallowCopy(mesh);
       if (summary.Cells == 0)
@@ -229,6 +235,10 @@ int vtkMeshQualityReport::RequestData(
       add("SmallestAngle", &isthmus::CellAngles::Smallest);
       add("LargestAngle", &isthmus::CellAngles::Largest);
       add("RadiusEdgeRatio", &isthmus::CellAngles::RadiusEdge);
+      if (tetrahedra)
+      {
+        add("Volume", &isthmus::CellAngles::Size);
+      }
       marked->GetCellData()->SetActiveScalars("SmallestAngle");
       AddSummary(summary, this->Summary, marked->GetFieldData());
       if (isthmus::OnFirstRank())

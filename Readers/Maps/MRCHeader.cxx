@@ -314,20 +314,23 @@ private:
     const std::array<double, 3> lengths = this->Words.Floats(11);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      this->Out.Sampling[i] = sampling[i];
-      this->Out.CellLengths[i] = lengths[i];
-      // Beyond these bounds spacings would over- or underflow, whatever the writer meant.
-      if (sampling[i] > 0 && lengths[i] > 1e-6 && lengths[i] < 1e12)
-      {
-        continue;
-      }
       const char axis = "xyz"[i];
-      this->Repair(
-        (sampling[i] <= 0 ? Field("The sampling M", "XYZ"[i], 8 + i) + Text(sampling[i])
-                          : Field("The cell length along ", axis, 11 + i) + Text(lengths[i])) +
-        ": spacing 1 angstrom along " + axis + ".");
-      this->Out.Sampling[i] = std::max(1, sampling[i]);
-      this->Out.CellLengths[i] = this->Out.Sampling[i];
+      const int nodes = this->NodesAlong(i);
+      const bool sampled = sampling[i] > 0;
+      // Beyond these bounds spacings would over- or underflow, whatever the writer meant.
+      const bool measured = lengths[i] > 1e-6 && lengths[i] < 1e12;
+      this->Out.Sampling[i] = sampled ? sampling[i] : nodes;
+      this->Out.CellLengths[i] = measured ? lengths[i] : this->Out.Sampling[i];
+      if (!sampled)
+      {
+        this->Repair(Field("The sampling M", "XYZ"[i], 8 + i) + Text(sampling[i]) + ": taken as " +
+          Text(nodes) + ", the number of nodes along " + axis + ", so that the cell is the map.");
+      }
+      if (!measured)
+      {
+        this->Repair(Field("The cell length along ", axis, 11 + i) + Text(lengths[i]) +
+          ": spacing 1 angstrom along " + axis + ".");
+      }
     }
     this->Out.CellAngles = this->Words.Floats(14);
     if (!AnglesSpanAVolume(this->Out.CellAngles))
@@ -336,6 +339,14 @@ private:
         ", which no cell has: taken as 90, 90, 90 degrees.");
       this->Out.CellAngles = { 90.0, 90.0, 90.0 };
     }
+  }
+
+  /// Number of nodes along the cell's axis x, y or z.
+  int NodesAlong(std::size_t axis) const
+  {
+    const auto& order = this->Out.AxisOrder;
+    const auto at = std::find(order.begin(), order.end(), static_cast<int>(axis) + 1);
+    return this->Out.Counts[static_cast<std::size_t>(at - order.begin())];
   }
 
   void Position()
@@ -445,6 +456,12 @@ MRCHeader DecodeMRCHeader(const MRCHeaderBytes& bytes, const MRCHeaderWords& wor
   return Decoder(bytes, words).Decode();
 }
 
+/// MRCZ (doi 10.1016/j.jsb.2017.11.012) adds 1000 times the number of the compression to the mode.
+bool IsMRCZMode(int mode)
+{
+  return mode >= 1000 && mode < 10000 && IsKnownMRCMode(mode % 1000);
+}
+
 [[noreturn]] void RefuseImpossible(const MRCHeaderWords& words, const std::string& path)
 {
   if (!words.HasMapWord())
@@ -455,10 +472,20 @@ MRCHeader DecodeMRCHeader(const MRCHeaderBytes& bytes, const MRCHeaderWords& wor
         " (words 1-4) are not plausible in either byte order, and the word "
         "\"MAP \" is missing. Choose another file.");
   }
-  const bool badMode = !IsKnownMRCMode(words.Int(4));
+  const int mode = words.Int(4);
+  const bool badMode = !IsKnownMRCMode(mode);
+  if (IsMRCZMode(mode))
+  {
+    throw ReaderError(ReaderFailure::ForeignFormat,
+      path + ": this is an MRCZ file: its voxels are compressed (mode " + std::to_string(mode) +
+        " is 1000 times the number of the compression, plus mode " + std::to_string(mode % 1000) +
+        "), which is not read. Write it without compression, in Python: "
+        "mrcz.writeMRC(mrcz.readMRC(" +
+        "name)[0], \"map.mrc\", compressor=None), with the package mrcz.");
+  }
   throw ReaderError(ReaderFailure::ForeignFormat,
     path + ": the header is damaged: " +
-      (badMode ? "mode (word 4) is " + std::to_string(words.Int(4)) +
+      (badMode ? "mode (word 4) is " + std::to_string(mode) +
             ", known are 0, 1, 2, 3, 4, 6, 12, 16 and 101"
                : "the grid NX, NY, NZ (words 1-3) is " + Text(words.Ints(1)) +
             ", which must be positive") +
@@ -527,8 +554,10 @@ bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes)
 {
   const MRCHeaderWords words = ChooseMRCByteOrder(bytes, contentBytes);
   constexpr int everything = 10;
-  // Without the word "MAP " a file of any other format could pass by chance: everything has to fit.
-  return words.Possible() && (words.HasMapWord() || words.Plausibility(contentBytes) == everything);
+  const bool isMap =
+    words.Possible() && (words.HasMapWord() || words.Plausibility(contentBytes) == everything);
+  // A map that is compressed in a foreign way is opened, so that the user reads why it is refused.
+  return isMap || (words.HasMapWord() && IsMRCZMode(words.Int(4)));
 }
 
 }

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
+#include <regex>
+#include <string_view>
 #include <system_error>
 
 namespace isthmus
@@ -42,6 +44,23 @@ struct Element
   std::size_t End = std::string::npos; ///< behind it in the text
 };
 
+/// Where "</name" begins, from `from` on: not that of a longer name.
+std::size_t FindClosingTag(const std::string& text, const std::string& close, std::size_t from)
+{
+  std::size_t at = text.find(close, from);
+  while (at != std::string::npos)
+  {
+    const std::size_t behind = at + close.size();
+    if (behind < text.size() &&
+      (text[behind] == '>' || std::isspace(static_cast<unsigned char>(text[behind]))))
+    {
+      return at;
+    }
+    at = text.find(close, behind);
+  }
+  return at;
+}
+
 /// The first element `name` of `text` from `from` on; its End is npos where there is none.
 Element FindElement(const std::string& text, const std::string& name, std::size_t from)
 {
@@ -56,10 +75,15 @@ Element FindElement(const std::string& text, const std::string& name, std::size_
     {
       return element;
     }
+    if (text[bracket - 1] == '/' && bracket == text.find_first_of("<>", behind))
+    {
+      at = text.find(open, bracket); // <contour_list/> has no content
+      continue;
+    }
     // Not <contour_list> for <contour>.
     if (bracket == behind || std::isspace(static_cast<unsigned char>(text[behind])))
     {
-      const std::size_t end = text.find(close, bracket);
+      const std::size_t end = FindClosingTag(text, close, bracket);
       if (end != std::string::npos)
       {
         element.Attributes = text.substr(behind, bracket - behind);
@@ -84,38 +108,23 @@ std::optional<double> Number(const std::string& text)
   return value;
 }
 
-/// NNNN of a file name that begins with emd_NNNN, or nothing.
-std::string EntryOf(const std::string& name)
+std::string LowerCase(std::string text)
 {
-  std::string start = name.substr(0, 4);
-  std::transform(start.begin(), start.end(), start.begin(),
+  std::transform(text.begin(), text.end(), text.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (start != "emd_" && start != "emd-")
-  {
-    return {};
-  }
-  const std::size_t end = name.find_first_not_of("0123456789", 4);
-  return name.substr(4, end == std::string::npos ? end : end - 4);
+  return text;
 }
 
-std::optional<double> LevelOfFile(const std::filesystem::path& path)
+/// Whether the header names the file `name` for the map of `content`.
+bool NamesFile(const std::string& content, const EntryMap& map)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error) ||
-    std::filesystem::file_size(path, error) > LargestHeader)
-  {
-    return std::nullopt;
-  }
-  std::ifstream file(path, std::ios::binary);
-  return LevelOfHeader(
-    std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
+  const EntryMap named = ParseEntryMap(FindElement(content, "file", 0).Content);
+  return named.Entry == map.Entry && named.Element == map.Element && named.Number == map.Number;
 }
 
-}
-
-std::optional<double> LevelOfHeader(const std::string& xml)
+/// The level in the description of one map.
+std::optional<double> ContourLevel(const std::string& text)
 {
-  const std::string text = WithoutComments(xml);
   std::optional<double> level;
   for (Element contour = FindElement(text, "contour", 0); contour.End != std::string::npos;
        contour = FindElement(text, "contour", contour.End))
@@ -135,11 +144,65 @@ std::optional<double> LevelOfHeader(const std::string& xml)
   return level ? level : Number(FindElement(text, "contourLevel", 0).Content);
 }
 
+std::optional<double> LevelOfFile(const std::filesystem::path& path, const EntryMap& map)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) ||
+    std::filesystem::file_size(path, error) > LargestHeader)
+  {
+    return std::nullopt;
+  }
+  std::ifstream file(path, std::ios::binary);
+  return HeaderLevel(
+    std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()), map);
+}
+
+}
+
+EntryMap ParseEntryMap(const std::string& name)
+{
+  static const std::regex form("emd[-_](\\d+)(?:_(half_map|additional)_(\\d{1,3}))?"
+                               "(?:\\.(?:map|mrc|ccp4))?(?:\\.(?:gz|bz2))?");
+  std::smatch parts;
+  const std::string lower = LowerCase(name);
+  if (!std::regex_match(lower, parts, form))
+  {
+    return {};
+  }
+  const std::string kind = parts[2];
+  return { parts[1],
+    kind == "additional" ? "additional_map"
+      : kind.empty()     ? "map"
+                         : kind,
+    kind.empty() ? 0 : std::stoi(parts[3]) };
+}
+
+std::optional<double> HeaderLevel(const std::string& xml, const EntryMap& map)
+{
+  const std::string text = WithoutComments(xml);
+  // Half maps and additional maps are described in the order of their numbers; a file name in the
+  // description, which old headers lack, is the better evidence.
+  std::string content;
+  int number = 0;
+  for (Element found = FindElement(text, map.Element, 0); found.End != std::string::npos;
+       found = FindElement(text, map.Element, found.End))
+  {
+    ++number;
+    const bool hasFile = FindElement(found.Content, "file", 0).End != std::string::npos;
+    if (map.Number == 0 || (hasFile ? NamesFile(found.Content, map) : number == map.Number))
+    {
+      content = found.Content;
+      break;
+    }
+  }
+  return ContourLevel(content);
+}
+
 std::optional<double> RecommendedLevel(const std::string& fileName)
 {
   const std::filesystem::path path(fileName);
-  const std::string entry = EntryOf(path.filename().string());
-  if (entry.empty())
+  const EntryMap map = ParseEntryMap(path.filename().string());
+  if (map.Entry.empty())
   {
     return std::nullopt;
   }
@@ -148,7 +211,7 @@ std::optional<double> RecommendedLevel(const std::string& fileName)
   {
     for (const char* start : { "emd-", "emd_", "EMD-", "EMD_" })
     {
-      if (const auto level = LevelOfFile(folder / (start + entry + ".xml")))
+      if (const auto level = LevelOfFile(folder / (start + map.Entry + ".xml"), map))
       {
         return level;
       }

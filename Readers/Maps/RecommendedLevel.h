@@ -14,16 +14,28 @@
 namespace isthmus
 {
 
-/// The level in the text of an EMDB header: that of the primary (or the first) contour in
-/// map/contour_list/contour/level, format 3, or map/contourLevel, format 1.9. Empty if the text has
-/// no level that is a finite number.
-std::optional<double> LevelOfHeader(const std::string& xml);
+/// Which map of an entry a file name stands for.
+struct EntryMap
+{
+  std::string Entry;   ///< NNNN of emd_NNNN; empty: the name is not that of a map of an entry
+  std::string Element; ///< of its description in the header: map, half_map, additional_map
+  int Number = 0;      ///< from 1, of half maps and additional maps
+};
+
+/// The map of the file `name`: emd_NNNN.map, emd_NNNN_half_map_1.map, emd_NNNN_additional_1.map,
+/// with a hyphen or an underscore, and the ending of a map. Any other name, a mask's for example,
+/// is none.
+EntryMap ParseEntryMap(const std::string& name);
+
+/// The contour level that the text of an EMDB header states for one map of the entry and no other:
+/// the primary (or the first) contour in contour_list/contour/level, format 3, or contourLevel,
+/// format 1.9. Empty if that map has no level that is a finite number.
+std::optional<double> HeaderLevel(const std::string& xml, const EntryMap& map);
 
 /**
- * The level for the map `fileName`, whose name begins with emd_NNNN (or emd-NNNN, EMD-NNNN):
- * from emd-NNNN.xml, with a hyphen or an underscore and in upper or lower case, beside the map or
- * in the folder ../header of the archive. Empty if there is no such file, or no level in it; this
- * does not throw.
+ * The level for the map `fileName` by ParseEntryMap() and HeaderLevel(), from emd-NNNN.xml, with a
+ * hyphen or an underscore and in upper or lower case, beside the map or in the folder ../header of
+ * the archive. Empty if there is no such file, or no level of this map in it; this does not throw.
  */
 VTKISTHMUSREADERSMAPS_EXPORT std::optional<double> RecommendedLevel(const std::string& fileName);
 

@@ -8,6 +8,7 @@
 #include "Files/ReaderError.h"
 #include "Files/ReaderGuard.h"
 #include "Maps/MRCMap.h"
+#include "Maps/NoData.h"
 #include "Maps/RecommendedLevel.h"
 
 #include <vtkDataArray.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -138,6 +140,52 @@ catch (const std::bad_alloc&)
   throw std::runtime_error("There is no memory for the array " + std::string(name) + " of " +
     std::to_string(bytes >> 20) +
     " MiB. Read a part of the map (CropExtent) or every n-th node (SampleRate).");
+}
+
+void AddNote(vtkFieldData* fields, const std::string& note)
+{
+  vtkStringArray::SafeDownCast(fields->GetAbstractArray("Notes"))->InsertNextValue(note);
+}
+
+/// Replaces a value that stands for "no data", if there is one, and adds the mask `NoData`.
+void MarkNoData(vtkDataArray* density, vtkImageData* output)
+{
+  const auto as = [&](auto type)
+  {
+    using T = decltype(type);
+    T* values = static_cast<T*>(density->GetVoidPointer(0));
+    const vtkIdType nodes = density->GetNumberOfTuples();
+    const std::optional<T> noData = isthmus::FindNoDataValue(values, nodes);
+    if (!noData)
+    {
+      return;
+    }
+    const auto mask = VoxelArray("NoData", VTK_UNSIGNED_CHAR, 1, nodes);
+    const isthmus::NoDataReplacement done = isthmus::ReplaceNoData(
+      values, nodes, *noData, static_cast<unsigned char*>(mask->GetVoidPointer(0)));
+    output->GetPointData()->AddArray(mask);
+    AddColumn<vtkDoubleArray>(
+      output->GetFieldData(), "NoDataValue", { static_cast<double>(*noData) });
+    AddNote(output->GetFieldData(),
+      isthmus::TextOf(done.Voxels, " of ", nodes, " voxels have the value ",
+        isthmus::FormatNumber(static_cast<double>(*noData), 6),
+        ", far from all others, which stands for \"no data\": they "
+        "are marked in the array NoData, and their value is ",
+        done.By, " here."));
+  };
+  switch (density->GetDataType())
+  {
+    case VTK_SIGNED_CHAR:
+      return as(static_cast<signed char>(0));
+    case VTK_UNSIGNED_CHAR:
+      return as(static_cast<unsigned char>(0));
+    case VTK_SHORT:
+      return as(short(0));
+    case VTK_UNSIGNED_SHORT:
+      return as(static_cast<unsigned short>(0));
+    default:
+      return as(0.0f);
+  }
 }
 
 /// The direction matrix and origin that place `grid` in the world.
@@ -262,7 +310,11 @@ int vtkMRCMapReader::RequestData(
       AddMRCFieldData(map, this->Parameters.VolumeIndex, output->GetFieldData());
       if (const auto level = isthmus::RecommendedLevel(this->FileName))
       {
-        AddColumn<vtkDoubleArray>(output->GetFieldData(), "RecommendedLevel", { *level });
+        vtkFieldData* fields = output->GetFieldData();
+        AddColumn<vtkDoubleArray>(fields, "RecommendedLevel", { *level });
+        AddNote(fields,
+          isthmus::TextOf("Level ", *level,
+            " is recommended for this map by its depositors, in the header file of its entry."));
       }
       isthmus::StartImage(info, output);
       if (output->GetNumberOfPoints() > 0)
@@ -301,6 +353,10 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
   map.Read(box, density->GetVoidPointer(0),
     inside ? static_cast<unsigned char*>(inside->GetVoidPointer(0)) : nullptr,
     isthmus::Between(progress, counted ? 0.5 : 0.0, 1.0));
+  if (voxel.Components == 1)
+  {
+    MarkNoData(density, output);
+  }
   output->GetPointData()->SetScalars(density);
   if (inside)
   {

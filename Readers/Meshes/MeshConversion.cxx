@@ -1,5 +1,6 @@
 #include "Meshes/MeshConversion.h"
 #include "Core/ArrayMemory.h"
+#include "Core/InvertedCells.h"
 #include "Core/NamedColumns.h"
 
 #include <vtkCellArray.h>
@@ -358,6 +359,29 @@ void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data)
   {
     AddColumn<vtkStringArray>(data->GetFieldData(), "Notes", notes);
   }
+}
+
+std::string InvertedTetrahedra(const CellMesh& mesh)
+{
+  InvertedCells cells;
+  const auto corner = [&mesh](std::int64_t at)
+  {
+    const auto point = 3 * static_cast<std::size_t>(mesh.Vertices[static_cast<std::size_t>(at)]);
+    return Point3{ mesh.Coordinates[point], mesh.Coordinates[point + 1],
+      mesh.Coordinates[point + 2] };
+  };
+  for (std::size_t cell = 0; cell < mesh.Shapes.size(); ++cell)
+  {
+    // The corners of a quadratic one come first.
+    if (mesh.Shapes[cell] == CellShape::Tetrahedron ||
+      mesh.Shapes[cell] == CellShape::QuadraticTetrahedron)
+    {
+      const std::int64_t first = mesh.Offsets[cell];
+      cells.Add(static_cast<vtkIdType>(cell),
+        SixSignedVolumes(corner(first), corner(first + 1), corner(first + 2), corner(first + 3)));
+    }
+  }
+  return cells.Message();
 }
 
 void ToGrid(const CellMesh& mesh, vtkUnstructuredGrid* grid)

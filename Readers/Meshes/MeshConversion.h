@@ -33,6 +33,10 @@ void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* dat
 /// Adds the sentences as the field data array Notes, unless there are none.
 void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data);
 
+/// A warning about inverted tetrahedra (Core/TetrahedralMesh.h), or an empty text.
+/// @pre all vertices are points of the mesh.
+std::string InvertedTetrahedra(const CellMesh& mesh);
+
 /// Points (double), cells and arrays. `Normals` become the active normals.
 void ToGrid(const CellMesh& mesh, vtkUnstructuredGrid* grid);
 

@@ -29,6 +29,11 @@ int vtkMeshFileReader::RequestData(
     {
       isthmus::CellMesh mesh;
       this->ReadMesh(mesh);
+      const std::string inverted = isthmus::InvertedTetrahedra(mesh);
+      if (!inverted.empty())
+      {
+        mesh.Warnings.push_back(inverted);
+      }
       isthmus::ToGrid(mesh, grid);
       isthmus::AddNotes(mesh.Warnings, grid);
       if (!mesh.Warnings.empty())

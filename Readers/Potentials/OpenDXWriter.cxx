@@ -2,8 +2,6 @@
 
 #include "Files/TextFileWriter.h"
 
-#include <type_traits>
-
 namespace isthmus
 {
 namespace
@@ -47,7 +45,8 @@ void WriteOpenDX(const std::string& path, const VoxelLattice& grid, const T* val
   }
   WriteGrid(file, grid);
   const auto& n = grid.Dimensions;
-  file << "object 3 class array type " << (std::is_same_v<T, float> ? "float" : "double");
+  // PyMOL and others refuse any type but double, which as text is the same.
+  file << "object 3 class array type double";
   if (components == 1)
   {
     file << " rank 0";

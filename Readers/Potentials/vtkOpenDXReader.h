@@ -3,7 +3,8 @@
  * @brief   reads potentials and other values on regular grids from OpenDX files, as APBS writes
  * them
  *
- * Reads files named .dx or .dx.gz (the compression is detected from the content). The output is a
+ * Reads files named .dx or .dxbin, plain or .gz (whether numbers are text or binary and the
+ * compression are detected from the content). The output is a
  * vtkImageData with the point array `Potential`; APBS writes potentials in kT/e and lengths in
  * angstrom. Other programs may write other quantities; the comments of the file, which may name the
  * unit, are kept. Source: OpenDX User's Reference, appendix B.2 (native files).

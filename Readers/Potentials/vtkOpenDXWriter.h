@@ -4,7 +4,7 @@
  *
  * Writes plain text with three values on each line, z varying fastest, and origin and deltas in
  * world coordinates (including the direction matrix of the image); gzip-compressed if the name ends
- * in .gz. Arrays of float are written as type float, all others as double. Without an ArrayName the
+ * in .gz. The type is double, since PyMOL and others refuse float. Without an ArrayName the
  * array is `Potential` if there is one. Every number is written with the fewest digits that are
  * read back bit for bit: vtkOpenDXReader reads bitwise the same values and grid (except for 64-bit
  * integers beyond 2^53). The image's field data `Comments` and `FieldName` are kept.

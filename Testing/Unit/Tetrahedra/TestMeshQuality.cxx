@@ -20,8 +20,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace isthmus;
@@ -77,7 +80,7 @@ TEST(MeshQuality, RegularCellsHaveTheIdealMeasures)
     MeasureTetrahedron({ 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 });
   EXPECT_NEAR(regular.RadiusEdge, std::sqrt(6.0) / 4.0, 1e-14);
   EXPECT_NEAR(regular.Smallest, std::acos(1.0 / 3.0) * 180.0 / 3.14159265358979, 1e-10);
-  EXPECT_NEAR(regular.Size, 8.0 / 3.0, 1e-14);
+  EXPECT_NEAR(std::abs(regular.Size), 8.0 / 3.0, 1e-14);
 }
 
 TEST(MeshQuality, ASliverHasAGoodRatioAndBadAngles)
@@ -258,5 +261,85 @@ TEST(MeshQuality, SizesAreThoseOfTheCells)
     const CellAngles corner =
       MeasureTetrahedron({ 0, 0, 0 }, { side, 0, 0 }, { 0, side, 0 }, { 0, 0, side });
     EXPECT_NEAR(corner.Size / (side * side * side), 1.0 / 6.0, 1e-12) << side;
+  }
+}
+
+namespace
+{
+
+/// A cube of 2 x 2 x 2 boxes, each cut into six tetrahedra that are ordered alike, whose middle
+/// point lies at (x, 1, 1): it tangles where x > 2.
+vtkSmartPointer<vtkUnstructuredGrid> CubeWithMiddleAt(double x, bool reversed)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < 27; ++i)
+  {
+    points->InsertNextPoint(i == 13 ? x : i % 3, i / 3 % 3, i / 9);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  constexpr std::array<std::array<int, 3>, 6> orders{ { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
+    { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } } };
+  constexpr std::array<vtkIdType, 3> steps{ 1, 3, 9 };
+  for (int box = 0; box < 8; ++box)
+  {
+    const vtkIdType corner = box % 2 + 3 * (box / 2 % 2) + 9 * (box / 4);
+    for (std::size_t o = 0; o < orders.size(); ++o)
+    {
+      std::array<vtkIdType, 4> ids{ corner };
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        ids[k + 1] = ids[k] + steps[static_cast<std::size_t>(orders[o][k])];
+      }
+      if ((o >= 3) != reversed) // even permutations are positive
+      {
+        std::swap(ids[2], ids[3]);
+      }
+      grid->InsertNextCell(VTK_TETRA, 4, ids.data());
+    }
+  }
+  return grid;
+}
+
+}
+
+// Volumes are signed: a mesh that overlaps itself has the volume of its outside and says so.
+TEST(MeshQuality, InvertedTetrahedraAreCountedAndNamed)
+{
+  for (const bool reversed : { false, true })
+  {
+    for (const double x : { 1.0, 2.6, -3.0 })
+    {
+      vtkNew<vtkMeshQualityReport> report;
+      vtkNew<vtkTest::ErrorObserver> observer;
+      report->AddObserver(vtkCommand::WarningEvent, observer);
+      report->SetInputData(CubeWithMiddleAt(x, reversed));
+      report->Update();
+      auto* mesh = vtkDataSet::SafeDownCast(report->GetOutputDataObject(0));
+      vtkDataArray* volumes = mesh->GetCellData()->GetArray("Volume");
+      int negative = 0;
+      double sum = 0.0;
+      for (vtkIdType cell = 0; cell < volumes->GetNumberOfTuples(); ++cell)
+      {
+        const double volume = volumes->GetComponent(cell, 0) * (reversed ? -1.0 : 1.0);
+        negative += volume < 0.0 ? 1 : 0;
+        sum += volume;
+      }
+      EXPECT_NEAR(sum, 8.0, 1e-12);
+      EXPECT_EQ(negative > 0, x != 1.0);
+      EXPECT_NE(report->GetSummary().find("volume 8,"), std::string::npos) << report->GetSummary();
+      EXPECT_NE(
+        report->GetSummary().find(", " + std::to_string(negative) + " inverted"), std::string::npos)
+        << report->GetSummary();
+      EXPECT_EQ(mesh->GetFieldData()->GetArray("QualityMeasures")->GetComponent(0, 4), negative);
+      EXPECT_EQ(observer->GetWarning(), x != 1.0);
+      if (x != 1.0)
+      {
+        EXPECT_NE(observer->GetWarningMessage().find(std::to_string(negative) + " of 48 cells"),
+          std::string::npos)
+          << observer->GetWarningMessage();
+      }
+    }
   }
 }

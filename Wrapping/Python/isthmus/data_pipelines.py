@@ -21,7 +21,7 @@ def _read(source):
 READERS = {
     "mrc_map_reader": (".mrc", ".map", ".ccp4", ".mrcs", ".rec", ".st", ".ali"),
     "macromolecule_reader": (".pdb", ".ent", ".cif", ".mmcif", ".pqr", ".xyz", ".pdbqt", ".gro", ".mol2", ".sdf", ".mol"),
-    "open_dx_reader": (".dx",), "off_surface_reader": (".off",), "msms_reader": (".vert", ".face"),
+    "open_dx_reader": (".dx", ".dxbin"), "off_surface_reader": (".off",), "msms_reader": (".vert", ".face"),
     "medit_reader": (".mesh",), "tet_gen_mesh_reader": (".ele", ".node"), "volume_text_reader": (".dat",)}
 VTK_READERS = {".vtp": "vtkXMLPolyDataReader", ".vti": "vtkXMLImageDataReader", ".vtu": "vtkXMLUnstructuredGridReader",
                ".stl": "vtkSTLReader", ".ply": "vtkPLYReader", ".obj": "vtkOBJReader"}
@@ -33,7 +33,7 @@ def read(path):
     Parameters
     ----------
     path : str or os.PathLike
-        Maps (.mrc .map .ccp4), molecules (.pdb .cif .pqr .xyz .pdbqt .gro .mol2 .sdf), potentials (.dx),
+        Maps (.mrc .map .ccp4), molecules (.pdb .cif .pqr .xyz .pdbqt .gro .mol2 .sdf), potentials (.dx .dxbin),
         surfaces (.off .vert .stl .ply .obj .vtp), meshes (.mesh .ele .vtu) and VTK's volumes (.vti); those of
         Isthmus' own readers also gzipped or bzipped.
 
@@ -429,7 +429,7 @@ def protein_to_potential(atoms, potential=None):
     atoms
         As those of protein_to_surface(), with the array Charge (e); where the file has none, those of a force
         field are computed by the program pdb2pqr.
-    potential : vtkImageData, pyvista.ImageData, or path of a .dx file, optional
+    potential : vtkImageData, pyvista.ImageData, or path of a .dx or .dxbin file, optional
         A potential (kT/e) on a grid; by default it is computed in 0.15 mol/l of salt.
 
     Returns

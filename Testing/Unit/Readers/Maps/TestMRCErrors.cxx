@@ -104,6 +104,21 @@ TEST(MRCErrors, DamagedHeader)
   ExpectFailure(grid.Bytes(), "(words 1-3) is -8, 8, 8", vtkErrorCode::UnrecognizedFileTypeError);
 }
 
+TEST(MRCErrors, CompressedAsMRCZ)
+{
+  for (const int mode : { 1002, 2000, 5002, 6006 })
+  {
+    MRCTestFile map({ 8, 8, 8 }, 2);
+    map.SetInt(4, mode);
+    const TemporaryFile file(map.Bytes());
+    EXPECT_EQ(vtkMRCMapReader::CanReadFile(file.Path()), 1); // so that its error is seen
+    MRCTestReading reading;
+    ExpectFailure(
+      reading, "this is an MRCZ file", vtkErrorCode::UnrecognizedFileTypeError, file.Path());
+    EXPECT_NE(reading.Error().find("compressor=None"), std::string::npos) << reading.Error();
+  }
+}
+
 TEST(MRCErrors, TruncatedPlain)
 {
   const std::string map = GoodMap();

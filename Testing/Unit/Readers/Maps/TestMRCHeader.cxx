@@ -2,9 +2,11 @@
 
 #include "MRCTestFile.h"
 #include "MRCTestReading.h"
+#include "SharedData.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
 namespace
@@ -138,8 +140,10 @@ INSTANTIATE_TEST_SUITE_P(Fields, MRCRepair,
         m.SetInts(17, { 1, 1, 3 });
       },
       "(words 17-19) is 1, 1, 3" },
-    Repair{ "ZeroSampling", [](MRCTestFile& m) { m.SetInt(9, 0); }, "MY (word 9) is 0" },
-    Repair{ "NegativeSampling", [](MRCTestFile& m) { m.SetInt(10, -7); }, "MZ (word 10) is -7" },
+    Repair{
+      "ZeroSampling", [](MRCTestFile& m) { m.SetInt(9, 0); }, "MY (word 9) is 0: taken as 3" },
+    Repair{ "NegativeSampling", [](MRCTestFile& m) { m.SetInt(10, -7); },
+      "MZ (word 10) is -7: taken as 2" },
     Repair{ "ZeroCell", [](MRCTestFile& m) { m.SetFloat(11, 0.0f); }, "along x (word 11) is 0" },
     Repair{
       "NegativeCell", [](MRCTestFile& m) { m.SetFloat(12, -40.0f); }, "along y (word 12) is -40" },
@@ -166,6 +170,46 @@ INSTANTIATE_TEST_SUITE_P(Fields, MRCRepair,
     Repair{ "ManyLabels", [](MRCTestFile& m) { m.SetInt(56, 11); }, "(word 56) is 11" },
     Repair{ "NoRotation", [](MRCTestFile& m) { m.SetInt(25, 1); }, "skew transformation" }),
   [](const auto& repair) { return repair.param.Name; });
+
+// Without a sampling the cell is that of the map: the spacing is the cell over the nodes.
+TEST(MRCHeader, WithoutASamplingTheCellIsTheMap)
+{
+  for (const bool turned : { false, true })
+  {
+    const TemporaryFile file(SmallMap(
+      [turned](MRCTestFile& map)
+      {
+        map.SetInts(8, { 0, -1, 0 });
+        map.SetFloats(11, { 6.0f, 12.0f, 24.0f });
+        if (turned)
+        {
+          map.SetInts(17, { 3, 1, 2 }); // columns along z, rows along x, sections along y
+        }
+      }));
+    MRCTestReading reading(file.Path());
+    vtkImageData* const image = reading.Update();
+    ASSERT_FALSE(reading.Failed()) << reading.Error();
+    const std::array<int, 3> nodes =
+      turned ? std::array<int, 3>{ 3, 2, 4 } : std::array<int, 3>{ 4, 3, 2 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(image->GetDimensions()[axis], nodes[axis]);
+      EXPECT_DOUBLE_EQ(
+        image->GetSpacing()[axis], std::array{ 6.0, 12.0, 24.0 }[axis] / nodes[axis]);
+    }
+    EXPECT_EQ(reading.Count("Repairs"), 3);
+  }
+}
+
+TEST(MRCHeader, WithoutASamplingAsReported)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("reports/k02b_mx0.mrc");
+  MRCTestReading reading((SharedDataFolder() / "reports/k02b_mx0.mrc").c_str());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_DOUBLE_EQ(reading.Update()->GetSpacing()[axis], 3.0);
+  }
+}
 
 TEST(MRCHeader, BytesBehindTheMapAreTold)
 {

@@ -1,5 +1,6 @@
 #include "Core/ChildProcess.h"
 #include "Maps/RecommendedLevel.h"
+#include "SharedData.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +8,17 @@
 #include <fstream>
 
 using namespace isthmus;
+using namespace isthmus::testing;
 
 namespace
 {
+
+const EntryMap Primary{ "5043", "map", 0 };
+
+std::optional<double> LevelOfHeader(const std::string& xml, const EntryMap& map = Primary)
+{
+  return HeaderLevel(xml, map);
+}
 
 /// A folder of the test's own with an empty folder "map".
 struct Folder
@@ -45,11 +54,12 @@ TEST(RecommendedLevel, OfBothFormats)
 
 TEST(RecommendedLevel, ThePrimaryOneOfSeveral)
 {
-  EXPECT_EQ(LevelOfHeader("<contour_list>\n<contour primary=\"false\"><level>1</level></contour>\n"
-                          "<contour primary=\"true\"><level>2</level></contour></contour_list>"),
+  EXPECT_EQ(
+    LevelOfHeader("<map ><contour_list>\n<contour primary=\"false\"><level>1</level></contour>\n"
+                  "<contour primary=\"true\"><level>2</level></contour></contour_list></map>"),
     2.0);
-  EXPECT_EQ(LevelOfHeader("<contour_list><contour><level>3</level></contour>"
-                          "<contour><level>4</level></contour></contour_list>"),
+  EXPECT_EQ(LevelOfHeader("<map><contour_list><contour><level>3</level></contour>"
+                          "<contour><level>4</level></contour></contour_list></map>"),
     3.0);
 }
 
@@ -60,7 +70,7 @@ TEST(RecommendedLevel, NothingWhereThereIsNone)
          "<contour><level>1 2</level></contour>", "<contour><level/></contour>",
          "<!-- <contour><level>1</level></contour> -->", "<!-- <contour><level>1</level>" })
   {
-    EXPECT_FALSE(LevelOfHeader(text)) << text;
+    EXPECT_FALSE(LevelOfHeader("<map>" + std::string(text) + "</map>")) << text;
   }
 }
 
@@ -72,9 +82,56 @@ TEST(RecommendedLevel, BesideTheMapOrInTheArchivesHeaderFolder)
   EXPECT_EQ(RecommendedLevel(folder / "map/emd_5043.map.gz"), 7.0);
   folder.Write("map/emd-5043.xml", Contour("8"));
   EXPECT_EQ(RecommendedLevel(folder / "map/EMD-5043.ccp4"), 8.0);
-  EXPECT_EQ(RecommendedLevel(folder / "map/emd_5043_half_map_1.map"), 8.0);
   EXPECT_FALSE(RecommendedLevel(folder / "map/emd_504.map"));
   EXPECT_FALSE(RecommendedLevel(folder / "map/ribosome.map"));
   EXPECT_FALSE(RecommendedLevel(folder / "map/emd_.map"));
   EXPECT_FALSE(RecommendedLevel(""));
+}
+
+// A level is that of one map: no map gets that of another one of its entry.
+TEST(RecommendedLevel, OfThisMapOnly)
+{
+  const auto contour = [](const std::string& level)
+  { return "<contour_list><contour><level>" + level + "</level></contour></contour_list>"; };
+  const std::string others = "<interpretation><half_map_list><half_map>" + contour("5") +
+    "</half_map><half_map><contour_list/></half_map></half_map_list><additional_map_list>"
+    "<additional_map>" +
+    contour("7") + "</additional_map></additional_map_list></interpretation></emd>";
+  const Folder folder;
+  folder.Write("map/emd-1.xml", "<emd><map>" + contour("3") + "</map>" + others);
+  folder.Write("map/emd-2.xml", "<emd><map><contour_list/></map>" + others);
+  EXPECT_EQ(RecommendedLevel(folder / "map/emd_1.map"), 3.0);
+  EXPECT_FALSE(RecommendedLevel(folder / "map/emd_2.map.gz"));
+  for (const char* entry : { "map/emd_1", "map/emd_2" })
+  {
+    const std::string name = entry;
+    EXPECT_EQ(RecommendedLevel(folder / (name + "_half_map_1.map")), 5.0);
+    EXPECT_FALSE(RecommendedLevel(folder / (name + "_half_map_2.map")));
+    EXPECT_EQ(RecommendedLevel(folder / (name + "_additional_1.map.gz")), 7.0);
+    for (const char* other : { "_additional_2.map", "_msk_1.map", "_half_map_3.map", "_bin2.map",
+           "_filtered.mrc", ".half1.map" })
+    {
+      EXPECT_FALSE(RecommendedLevel(folder / (name + other))) << other;
+    }
+  }
+}
+
+// The file name in a description decides where there is one.
+TEST(RecommendedLevel, OfTheNamedFile)
+{
+  const std::string text = "<emd><additional_map_list><additional_map><file format=\"CCP4\">"
+                           "emd_9_additional_2.map.gz</file><contour_list><contour><level>2</level>"
+                           "</contour></contour_list></additional_map></additional_map_list></emd>";
+  EXPECT_FALSE(HeaderLevel(text, { "9", "additional_map", 1 }));
+  EXPECT_EQ(HeaderLevel(text, { "9", "additional_map", 2 }), 2.0);
+}
+
+TEST(RecommendedLevel, OfTheReportedEntries)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("reports/emdb/emd_90004.map");
+  const auto level = [](const char* name)
+  { return RecommendedLevel((SharedDataFolder() / "reports/emdb" / name).string()); };
+  EXPECT_EQ(level("emd_90001.map"), 3.0);
+  EXPECT_FALSE(level("emd_90001_msk_1.map"));
+  EXPECT_FALSE(level("emd_90004.map"));
 }

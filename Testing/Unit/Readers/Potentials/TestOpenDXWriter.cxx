@@ -22,6 +22,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 using namespace isthmus::testing;
 
@@ -70,12 +71,17 @@ void ExpectSameBack(const char* name)
   const auto image = HardImage<Array>();
   const auto back = WriteAndRead(image, file.Path);
   auto* before = Array::SafeDownCast(image->GetPointData()->GetScalars());
-  auto* after = Array::SafeDownCast(back->GetPointData()->GetArray("Potential"));
+  // Every array comes back as double, the only type that is written.
+  auto* after = vtkDoubleArray::SafeDownCast(back->GetPointData()->GetArray("Potential"));
   ASSERT_NE(after, nullptr);
   ASSERT_EQ(after->GetNumberOfTuples(), before->GetNumberOfTuples());
-  EXPECT_EQ(std::memcmp(after->GetPointer(0), before->GetPointer(0),
-              static_cast<std::size_t>(before->GetDataSize()) * sizeof(*before->GetPointer(0))),
-    0);
+  using T = std::decay_t<decltype(before->GetValue(0))>;
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+  {
+    const T expected = before->GetValue(i);
+    const T found = static_cast<T>(after->GetValue(i));
+    ASSERT_EQ(std::memcmp(&found, &expected, sizeof(T)), 0) << i << ": " << expected;
+  }
   double first[3];
   image->TransformIndexToPhysicalPoint(2, -3, 5, first);
   for (int a = 0; a < 3; ++a)
@@ -95,6 +101,16 @@ TEST(OpenDXWriter, EveryBitComesBack)
   const File packed("", "double.dx.gz");
   WriteAndRead(HardImage<vtkFloatArray>(), packed.Path);
   EXPECT_EQ(Content(packed.Path).find("object 1 class gridpositions counts 7 5 11"), 0u);
+}
+
+// PyMOL and others refuse "type float".
+TEST(OpenDXWriter, TheTypeIsDouble)
+{
+  const File file("", "float.dx");
+  WriteAndRead(HardImage<vtkFloatArray>(), file.Path);
+  const std::string text = Content(file.Path);
+  EXPECT_NE(text.find("class array type double rank 0"), std::string::npos);
+  EXPECT_EQ(text.find("float"), std::string::npos);
 }
 
 // APBS and VMD read lines of three values; z runs fastest, and numbers of a node stay together.
