@@ -122,7 +122,7 @@ void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
 void IsthmusFirstLook::ShowNotesSoon(const QStringList& notes)
 {
   constexpr int delay = 200; // ms, for those of one pipeline together
-  constexpr int width = 500; // pixels; the tool tip has all of a long one
+  constexpr int width = 500; // pixels; the tool tip shows long messages in full
   const bool waits = this->NotesWait;
   this->Notes << notes;
   this->Notes.removeAll("");
@@ -223,7 +223,7 @@ void IsthmusFirstLook::ForgetSoon()
       isthmus::RunPipelines("forget()");
       if (count() != before)
       {
-        CLEAR_UNDO_STACK(); // a source that comes back would look for its view
+        CLEAR_UNDO_STACK(); // a restored source would look for its view
       }
     });
 }

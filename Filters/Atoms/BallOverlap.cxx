@@ -10,7 +10,7 @@ namespace isthmus
 namespace
 {
 
-/// Of the two points that the three spheres share, one; the centre of both where they just touch.
+/// One of the two points that the three spheres share; their midpoint where the spheres just touch.
 Point3 CommonPoint(const Ball& a, const Ball& b, const Ball& c)
 {
   const Point3 u = b.Centre - a.Centre;

@@ -67,7 +67,7 @@ NodeRange Gaussian(const Ball& ball, std::size_t axis, double decay, double reac
   return nodes;
 }
 
-/// Nodes that are worked on together along x, so that the compiler needs no loop for the rest.
+/// Number of nodes processed together along x, so that the compiler needs no remainder loop.
 constexpr std::int64_t Chunk = 8;
 static_assert(BallBricks::BrickSize[0] % Chunk == 0);
 
@@ -173,7 +173,7 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
   }
   const BallBricks bricks(std::move(inSpacings), reach, to.Dimensions);
   Report(progress, 0.1);
-  constexpr std::int64_t bricksAtOnce = 4; // their memory is taken once for all of them
+  constexpr std::int64_t bricksAtOnce = 4; // their memory is allocated once
   ParallelFor(
     0, bricks.Size(), bricksAtOnce,
     [&](std::int64_t firstBrick, std::int64_t lastBrick)

@@ -257,7 +257,7 @@ public:
   bool HasLids() const { return !this->IsClosed; }
   const Point3& Control(std::size_t k) const { return this->Controls[k]; }
 
-  /// Residue `k` is the last but one of a strand, from where its arrow's head begins.
+  /// Whether residue `k` is the last but one of a strand, where the arrow head begins.
   bool BeginsArrow(std::size_t k) const
   {
     return this->IsStrand(k) && k + 1 < this->Count && this->IsStrand(k + 1) &&

@@ -20,7 +20,7 @@ constexpr double LeastEnergy = -9.9;           ///< of atoms nearer than LeastDi
 constexpr double LeastDistance = 0.5;
 constexpr double LongestReach = 9.0; ///< between CA of bonded residues
 
-/// A single bridge: coil in the end, but no part of a 3-10 or pi helix.
+/// A single bridge: becomes coil, but cannot be part of a 3-10 or pi helix.
 constexpr auto Bridge = static_cast<SecondaryStructure>(255);
 
 struct HydrogenBond

@@ -110,7 +110,8 @@ int vtkMolecularDensity::RequestInformation(
     {
       this->Advance->RequireOneRank(0, "atoms");
       vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
-      if (input && input->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+      if (input &&
+        input->GetNumberOfPoints() > 0) // otherwise empty, or blocks that are processed one by one
       {
         const MoleculeAtoms atoms =
           ScaledAtoms(input, isthmus::InputArrayName(this, 0), this->RadiusScale);

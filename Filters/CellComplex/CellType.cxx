@@ -175,7 +175,8 @@ void CellType::GatherVertexDarts()
   {
     ++this->VertexOffsets[this->Darts[d].Start];
   }
-  // Ends of each vertex's darts first; filling from behind, last dart first, leaves the beginnings.
+  // First the ends of each vertex's darts; filling backwards, last dart first, turns them into
+  // beginnings.
   std::partial_sum(
     this->VertexOffsets.begin(), this->VertexOffsets.end(), this->VertexOffsets.begin());
   this->VertexDarts.resize(this->Darts.size() - 1);

@@ -93,7 +93,7 @@ void EdgeTable<Id>::SortByVertices(
       ++this->V2E[this->Mesh.StartVertex(dart).Value];
     }
   }
-  // Ends of each vertex's edges first; filling from behind leaves the beginnings.
+  // First the ends of each vertex's edges; filling backwards turns them into beginnings.
   Id sum = 0;
   for (Id& place : this->V2E)
   {

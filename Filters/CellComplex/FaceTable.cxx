@@ -37,7 +37,7 @@ FaceTable<Id>::FaceTable(const Map& map, const ProgressCallback& progress)
   this->V2F.assign(map.NumberOfVertices() + 1, 0);
   this->ForEachLeader(Between(progress, 0.0, 0.3),
     [this](HalfFace half) { ++this->V2F[this->SmallestVertex(half).Value]; });
-  // Ends of each vertex's faces first; filling from behind leaves the beginnings.
+  // First the ends of each vertex's faces; filling backwards turns them into beginnings.
   Id sum = 0;
   for (Id& place : this->V2F)
   {

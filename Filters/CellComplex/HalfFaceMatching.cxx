@@ -288,7 +288,7 @@ void HalfFaceMatching<Id>::ThrowFirstClashes()
   pairs += count > NamedClashes ? " and " + std::to_string(count - NamedClashes) + " more" : "";
   throw MeshError(reason,
     reason == Reason::NonManifold ? "Cells " + pairs +
-        " share a face that a further cell already has: a face can't have more "
+        " share a face with a third cell: a face can't have more "
         "than two cells. Remove the cells that overlap."
                                   : "Cells " + pairs +
         " see their common face in the same direction, or disagree on the order "

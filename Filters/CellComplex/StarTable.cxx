@@ -16,7 +16,7 @@ StarTable<Id>::StarTable(const Map& map)
       ++corners;
     }
   }
-  // Ends of each star first; filling from behind, last cell first, leaves the beginnings.
+  // First the ends of each star; filling backwards, last cell first, turns them into beginnings.
   Id sum = 0;
   for (Id& offset : this->Offsets)
   {

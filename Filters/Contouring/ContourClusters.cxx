@@ -242,7 +242,7 @@ public:
   {
   }
 
-  /// Points on the faces around what is cut.
+  /// Points on the faces around the cut polygons.
   void AddFacePoints(const ContourCuts& cuts)
   {
     for (std::size_t e = 0; e < this->Contour.Edges.size(); ++e)
@@ -357,7 +357,7 @@ private:
     return length > thin * (Dot(u, u) + Dot(v, v)) ? Dot(n, normal) / length : -1.0;
   }
 
-  /// How far the middle between two corners is from the planes that the four points are made for.
+  /// Distance of the midpoint of two corners from the planes that define the four points.
   double OffPlanes(std::int64_t e, std::int64_t a, std::int64_t b) const
   {
     const Point3 middle = 0.5 * (this->Clusters.PointOf(a) + this->Clusters.PointOf(b));
@@ -369,7 +369,7 @@ private:
     return sum;
   }
 
-  /// Are both points of the uniform contour, and on sharp edges?
+  /// Whether both are points of the uniform contour on sharp edges.
   bool AreSharp(std::int64_t a, std::int64_t b) const
   {
     const auto isSharp = [this](std::int64_t id)

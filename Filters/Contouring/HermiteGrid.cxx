@@ -138,7 +138,7 @@ auto RangeOf(const std::vector<T>& sorted, std::int64_t cell)
   return std::pair{ first, last };
 }
 
-/// Of the line from end to end, from fraction `low` to `high`.
+/// The point nearest to x on the part of a line from fraction `low` to `high`.
 Point3 NearestOn(const std::array<Point3, 2>& ends, double low, double high, const Point3& x)
 {
   const Point3 along = ends[1] - ends[0];

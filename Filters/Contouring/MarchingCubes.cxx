@@ -162,7 +162,7 @@ public:
   {
     if (*std::min_element(this->N.begin(), this->N.end()) < 2)
     {
-      return {}; // not one cell
+      return {}; // no cells
     }
     const auto layers = static_cast<std::size_t>(this->N[2]);
     this->FirstPoint.assign(layers + 1, 0);

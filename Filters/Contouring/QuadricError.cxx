@@ -14,7 +14,7 @@ namespace isthmus
 namespace
 {
 
-/// Where each coordinate of the least point is sought: anywhere, or on a side of the box.
+/// Where each coordinate of the minimum is sought: anywhere, or on a side of the box.
 enum class Place
 {
   Free,
@@ -205,7 +205,7 @@ Face FaceOf(const std::vector<TangentPlane>& planes)
   return face;
 }
 
-/// For each plane, the face it is of.
+/// The face to which each plane belongs.
 std::vector<Face> FacesOf(const std::vector<TangentPlane>& planes)
 {
   const double cosine = std::cos(std::atan(1.0) * 2.0 / 3.0); // of 30 degrees

@@ -16,8 +16,7 @@ DualCells::DualCells(const HermiteGrid& grid)
   , Stride{ 1, grid.Shape.Dimensions[0], grid.Shape.Dimensions[0] * grid.Shape.Dimensions[1] }
 {
   this->FindActive();
-  // Turning a face changes pieces, which may join other cells twice.
-  constexpr int mostRounds = 8; // each turns faces of other cells than the one before
+  constexpr int mostRounds = 8; // each pass flips faces of other cells than the one before
   for (int round = 0; round < mostRounds; ++round)
   {
     this->PieceOfEdge.clear();

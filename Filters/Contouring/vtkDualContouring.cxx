@@ -70,7 +70,7 @@ isthmus::HermiteGrid HermiteOf(
 }
 
 /// Edges of a grid with this spacing that a surface crosses: its area in projection along each
-/// axis. As exact as that, since a grid off by part of a spacing crosses as many on average.
+/// axis. Exact on average over shifts of the grid.
 double ExpectedCrossings(const isthmus::SurfaceView& surface, double spacing)
 {
   double area = 0.0;
@@ -112,7 +112,7 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
   MovedSurface moved;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    // Off by a part of a spacing, so that flat sides do not fall on nodes.
+    // Shifted by part of a spacing, so that flat sides do not coincide with nodes.
     constexpr double layers = 2.37;
     moved.Origin[a] = box.Min[a] - layers * h;
     const double count = std::ceil(size[a] / h + 2.0 * layers) + 1.0;

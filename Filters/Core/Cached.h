@@ -1,6 +1,6 @@
 /**
  * @file Cached.h
- * @brief The last result of a computation, for as long as what it was computed from is the same.
+ * @brief The last result of a computation, valid as long as its input is unchanged.
  */
 #ifndef isthmus_Cached_h
 #define isthmus_Cached_h

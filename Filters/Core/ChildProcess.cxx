@@ -151,7 +151,7 @@ private:
   pid_t Pid = -1;
 };
 
-/// posix_spawn sets no limits, so a shell does and becomes the program.
+/// posix_spawn sets no limits, so a shell sets them and then executes the program.
 std::vector<std::string> UnderLimits(
   const std::vector<std::string>& command, const ChildLimits& limits)
 {

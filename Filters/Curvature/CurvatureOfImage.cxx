@@ -174,7 +174,7 @@ PointSource SourceOf(vtkImageData* image, vtkDataArray* coordinates)
 
 constexpr int referenceAccuracy = 4;
 
-/// Mean curvature by differences of fourth order, into `out`; `mean` where there is none.
+/// Mean curvature by differences of fourth order, into `out`; `mean` if there are none.
 template <typename T>
 void WriteMean(vtkImageData* image, vtkDataArray* scalars, const Extent& box, vtkPoints* points,
   HessianCurvatureOptions options, const ResultType<T>* mean, vtkIdType count, ResultType<T>* out,

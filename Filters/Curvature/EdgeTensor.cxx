@@ -23,7 +23,8 @@ Vector3d NormalOf(const SurfaceView& mesh, MeshTriangle triangle)
     .cross(PointMap(mesh.Point(corner[2]).data()) - a);
 }
 
-/// The only triangle around `from` that runs along the edge from `to` to `from`; None without one.
+/// The only triangle around `from` that runs along the edge from `to` to `from`; None if there is
+/// none.
 MeshTriangle AcrossEdge(const TriangleStars& stars, vtkIdType from, vtkIdType to)
 {
   MeshTriangle found = MeshTriangle::None();

@@ -31,7 +31,8 @@ double Deviation(double scale, double spacing)
 
 void CheckScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes)
 {
-  constexpr double mostNodes = 1e6; // of the kernel, which vtkImageGaussianSmooth makes whole
+  constexpr double mostNodes =
+    1e6; // of the kernel, which vtkImageGaussianSmooth rounds to an integer
   double longest = 0.0;
   double most = LargestLength;
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -56,7 +56,7 @@ ShapeRule RuleFor(const GridView<const T>& grid, const HessianCurvatureOptions& 
   return rule;
 }
 
-/// One row of the box: its places with a whole stencil in pieces, zeros at the others.
+/// One row of the box: places with a complete stencil in pieces, zeros at the others.
 template <typename T>
 void CurvatureOfRow(const GridView<const T>& grid, const NodeBox& box, std::int64_t j,
   std::int64_t k, const HessianCurvatureOptions& options, const ShapeRule& rule,

@@ -31,7 +31,7 @@ struct SolverReport
   std::vector<double> Residuals; ///< relative to Reference, after each iteration
 };
 
-/// Work arrays, kept between Newton steps: 40 bytes a node.
+/// Work arrays, kept between Newton steps: 40 bytes per node.
 struct SolverWorkspace
 {
   std::vector<double> Residual, Direction, Image, Second;

@@ -57,7 +57,7 @@ void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
 {
   const double h = grid.Spacing();
   const std::array<double, 3> origin = grid.Origin();
-  // Bricks sort equal balls by place: the pairs go into that order, too.
+  // Bricks sort equal balls by position: the pairs are sorted in the same order.
   std::vector<DispersionAtom> sorted = atoms;
   std::sort(sorted.begin(), sorted.end(),
     [](const DispersionAtom& a, const DispersionAtom& b)

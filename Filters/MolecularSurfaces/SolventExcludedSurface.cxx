@@ -18,7 +18,7 @@ namespace
 constexpr std::size_t BrickNodes = static_cast<std::size_t>(
   BallBricks::BrickSize[0] * BallBricks::BrickSize[1] * BallBricks::BrickSize[2]);
 
-/// What is known of the nodes of a brick.
+/// The data of the nodes of a brick.
 struct BrickScratch
 {
   std::vector<float> Depth = std::vector<float>(BrickNodes); // to the spheres, < 0 within

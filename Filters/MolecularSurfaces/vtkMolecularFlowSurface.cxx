@@ -88,7 +88,7 @@ double RequestedTime(const std::vector<double>& times, vtkInformation* output)
 
 }
 
-/// What one execution works with.
+/// The data of one execution.
 class vtkMolecularFlowSurface::vtkInternals
 {
 public:

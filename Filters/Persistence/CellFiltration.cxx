@@ -31,7 +31,7 @@ namespace
 
 constexpr std::int64_t ValuesPerTask = 1 << 16;
 
-/// 0 for what comes first, else the bits of the value as an integer in the order of entry.
+/// 0 for the first entries, otherwise the bits of the value as an integer in the order of entry.
 class EntryKeys
 {
 public:

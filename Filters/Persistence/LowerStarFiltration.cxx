@@ -338,7 +338,7 @@ HandleVector<TetrahedronId, std::array<SimplexId, 4>> ShortIds(
   return ids;
 }
 
-/// All that follows from points and tetrahedra; `surface` gets their points.
+/// Derives everything else from points and tetrahedra; `surface` gets their point ids.
 void Derive(CellFiltration& f, TriangleMesh& surface, const ProgressCallback& progress)
 {
   FindNeighbours(f, Between(progress, 0.0, 0.5));

@@ -40,7 +40,7 @@ enum Port
 
 }
 
-/// What one run works with.
+/// The data of one execution.
 class vtkScalarPersistence::vtkInternals
 {
 public:

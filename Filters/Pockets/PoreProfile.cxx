@@ -114,7 +114,7 @@ Course CourseAlong(const std::vector<Point3>& points, double width)
   return course;
 }
 
-/// Of `p` in `plane`.
+/// The projection of `p` onto `plane`.
 Point3 Project(const Plane& plane, const Point3& p)
 {
   return p - Dot(p - plane.Origin, plane.Normal) * plane.Normal;

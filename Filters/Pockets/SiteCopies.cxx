@@ -15,7 +15,7 @@ namespace
 
 constexpr double AroundReach = 10.0; // angstrom
 constexpr double LeastLikeness = 0.5;
-constexpr double MostOfSameChain = 0.5; // of the likeness
+constexpr double MostOfSameChain = 0.5; // of the similarity
 
 /// Weights of residues.
 template <typename Key>

@@ -249,7 +249,7 @@ private:
   }
 };
 
-/// For the work of one thread on one place after the other.
+/// Working memory of one thread, reused from place to place.
 struct Scratch
 {
   NearPoints All, Some, Fewer;
@@ -445,7 +445,7 @@ void WriteCellsAround(const std::vector<CellNear>& cells, Scratch& scratch, std:
   std::size_t count = all.Count;
   for (std::size_t k = CellReaches.size(); k-- > 0;)
   {
-    // Of what is left from the larger reach.
+    // Of the rest within the larger reach.
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i)
     {

@@ -104,9 +104,9 @@ SurfaceMesh AsSurface(Soup soup)
   return mesh;
 }
 
-/// Passes of the removal: what one leaves crossing, the next may replace together with more around
-/// it. Of 700 damaged surfaces (TestDamagedSurfaces' kinds) 517 were clean after one, 555 after
-/// three.
+/// Passes of the removal: triangles that still cross after one pass may be replaced by the next,
+/// with more triangles around them. Of 700 damaged surfaces (TestDamagedSurfaces' kinds) 517 were
+/// clean after one, 555 after three.
 constexpr int MostPasses = 3;
 
 /// Called by CGAL before each patch that it replaces; CGAL copies it, so it holds references only.

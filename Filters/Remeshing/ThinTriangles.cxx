@@ -31,7 +31,7 @@ bool IsThin(const Point3& p, const Point3& q, const Point3& r)
   }
   int exponent = 0;
   std::frexp(largest, &exponent);
-  const double scale = std::ldexp(1.0, -exponent); // no square of it is lost
+  const double scale = std::ldexp(1.0, -exponent); // its square does not underflow
   const Point3 a = scale * u, b = scale * v, c = scale * w;
   const Point3 normal = Cross(a, b);
   const double longest2 = std::max({ Dot(a, a), Dot(b, b), Dot(c, c) });

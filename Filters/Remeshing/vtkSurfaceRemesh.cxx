@@ -34,7 +34,7 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::CleanedSurface& old,
     vtkDataArray* array = source->GetArray(a);
     if (!array || array->GetDataType() == VTK_ID_TYPE)
     {
-      continue; // ids and words have nothing between them
+      continue; // ids and strings cannot be interpolated
     }
     auto result = vtk::TakeSmartPointer(array->NewInstance());
     result->SetName(array->GetName());

@@ -295,7 +295,7 @@ void MovingChannel::Pull()
 
 void MovingChannel::Run(const ProgressCallback& progress)
 {
-  // How many it takes is not known, so progress slows down.
+  // The number of updates is unknown, so progress slows down.
   const auto at = [](int done) { return 0.95 * done / (done + 3.0); };
   for (int update = 0; update < this->Parameters.Policy.MaximumUpdates && !this->HasConverged();
        ++update)

@@ -77,7 +77,7 @@ SolvationFlow::~SolvationFlow() = default;
 FlowField SolvationFlow::StartingField(const ProgressCallback& progress) const
 {
   SurfaceFlowParameters flow = this->Parameters.Flow;
-  const double probe = std::exchange(flow.ProbeRadius, 0.0); // here it bounds from within
+  const double probe = std::exchange(flow.ProbeRadius, 0.0); // here it is an inner bound
   const std::vector<Ball>& balls = this->Atoms.Balls;
   FlowField field = StartField(balls, flow, 1.0, flow.Enlargement,
     SolventPull(this->Atoms.Dispersion, this->Parameters.Solvent), Between(progress, 0.0, 0.6));
@@ -119,7 +119,7 @@ void SolvationFlow::Solve(const FlowField& field, const ProgressCallback& progre
     SolvePoissonBoltzmann(this->Level, box, this->Placed, this->Equation, this->Ions, progress);
 }
 
-/// After the first surface, by what has changed since the last.
+/// After the first surface, from the change since the last one.
 double SolvationFlow::Dispersion(const SolventParameters& solvent) const
 {
   const std::vector<DispersionAtom>& atoms = this->Atoms.Dispersion;
@@ -183,7 +183,7 @@ void SolvationFlow::Run(const ProgressCallback& progress)
   this->Steady = field.Pull;
   for (int update = 0; update < this->Parameters.Policy.MaximumUpdates; ++update)
   {
-    // How many it takes is not known, so progress slows down.
+    // The number of updates is unknown, so progress slows down.
     const auto at = [](int done) { return 0.1 + 0.9 * done / (done + 4.0); };
     this->Time += EvolveForPeriod(field, this->Parameters.Policy);
     this->Solve(field, Between(progress, at(update), at(update + 1)));

@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkSolvationSurface);
 
 using isthmus::SolvationUpdate;
 
-/// Functions of one execution.
+/// The data of one execution.
 class vtkSolvationSurface::vtkInternals
 {
 public:

@@ -131,8 +131,8 @@ private:
   std::vector<double> Squared;
 };
 
-/// The lower envelope of the parabolas f(q) + (x - q h)^2 at the nodes of a line. Its memory serves
-/// for one line after the other.
+/// The lower envelope of the parabolas f(q) + (x - q h)^2 at the nodes of a line. Its memory is
+/// reused from line to line.
 class Envelope
 {
 public:

@@ -453,7 +453,7 @@ std::optional<ShellCrossing> FindShellCrossing(
   {
     return ShellPairs(mesh).Find(progress);
   }
-  // Products of three lengths must be numbers; a power of two rounds nothing.
+  // Products of three lengths must be finite; scaling by a power of two is exact.
   const auto times = [](const Point3& p, int power) {
     return Point3{ std::ldexp(p[0], power), std::ldexp(p[1], power), std::ldexp(p[2], power) };
   };

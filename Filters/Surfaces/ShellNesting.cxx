@@ -49,7 +49,8 @@ std::optional<double> Hit(
   return Dot(e2, q) / det;
 }
 
-/// Distance along unit vector `d` from `p` to the next triangle; up to `own`, it is p's own.
+/// Distance along unit vector `d` from `p` to the next triangle; distances up to `own` are those to
+/// the triangle of p.
 double Gap(const SurfaceView& mesh, const Point3& p, const Point3& d, double own)
 {
   double nearest = std::numeric_limits<double>::infinity();

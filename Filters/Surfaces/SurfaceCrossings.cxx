@@ -19,7 +19,7 @@ namespace
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
-/// A line of the grid through a triangle: weights of the corners where it does.
+/// A line of the grid through a triangle: weights of the corners at the intersection.
 struct TriangleHit
 {
   std::int64_t Line[2]; ///< indices on the axis after the line's, and on the one after that

@@ -181,7 +181,7 @@ private:
     return place;
   }
 
-  /// True if they were apart.
+  /// True if they were separate.
   bool Join(std::uint32_t a, std::uint32_t b)
   {
     const std::uint32_t rootA = this->Root(a);

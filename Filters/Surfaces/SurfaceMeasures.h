@@ -53,7 +53,7 @@ struct SurfaceMeasures
  * Measures `mesh`. Triangles that share a point belong to one component.
  *
  * Degenerate triangles (without area, or with the same corner twice) are allowed; the latter make
- * their corners irregular. Time O(triangles), memory about 60 bytes a triangle.
+ * their corners irregular. Time O(triangles), memory about 60 bytes per triangle.
  * @throws Cancelled.
  */
 SurfaceMeasures MeasureSurface(const SurfaceView& mesh, const ProgressCallback& progress = {});

@@ -168,7 +168,7 @@ int vtkSurfaceMeasures::RequestDataObject(
 int vtkSurfaceMeasures::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // A measure of a part of the image would not be that of the image.
+  // The measure of a part of the image is not that of the whole.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   if (info->Has(Pipeline::WHOLE_EXTENT()))
@@ -203,14 +203,14 @@ int vtkSurfaceMeasures::RequestData(
 
 void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table)
 {
-  // The output is this rank's piece; what is measured, on the first rank, is all of them.
+  // The output is this rank's piece; all pieces are measured on the first rank.
   const auto sewn = isthmus::GatherSurface(this, surface);
   if (!isthmus::OnFirstRank())
   {
     return;
   }
   const isthmus::PolyDataTriangles triangles(sewn);
-  // Points that coincide are one, else each triangle of some files would be a component.
+  // Coincident points are merged, otherwise each triangle of some files would be a component.
   const auto& points = triangles.View().Points;
   std::vector<isthmus::Triangle> corners = isthmus::MergedCorners(triangles.View());
   const auto progress = isthmus::ProgressOf(this);

@@ -172,7 +172,9 @@ int vtkSurfaceToGrid::RequestInformation(
     {
       const auto surface =
         isthmus::GatherSurface(this, vtkPolyData::GetData(info), isthmus::GatherOn::EachRank);
-      if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+      if (surface &&
+        surface->GetNumberOfPoints() >
+          0) // otherwise empty, or blocks that are processed one by one
       {
         this->GridAround(surface, grid);
       }

@@ -55,8 +55,8 @@ struct CGALCriteria
   int LloydIterations = 0; ///< points to the middles of their Voronoi cells, at most 100
   int ODTIterations = 0;   ///< points to where tetrahedra follow |x|^2 best, at most 100
   double OptimisationTimeLimit = 60.0; ///< of Lloyd and of ODT at most, each
-  double PerturbTimeLimit = 0.0; ///< moves points of slivers for as long at most; 0: not at all
-  bool Exude = true;             ///< removes slivers by weights of their points
+  double PerturbTimeLimit = 0.0;       ///< time limit for moving points of slivers; 0: not moved
+  bool Exude = true;                   ///< removes slivers by weights of their points
 };
 
 struct TetrahedralParameters

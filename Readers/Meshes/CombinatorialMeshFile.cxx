@@ -332,7 +332,7 @@ public:
   {
   }
 
-  /// `perLine` numbers a line of text.
+  /// `perLine` numbers per line of text.
   template <typename T>
   void Numbers(const T* values, std::size_t count, std::size_t perLine)
   {

@@ -161,7 +161,7 @@ std::vector<std::int64_t> FurtherNumbers(MeshWords& words, std::int64_t row)
 }
 
 /**
- * Behind its corners, a row has the middles of the edges (with TetGen's -o2), the marker, and two
+ * After its corners, a row has the middles of the edges (with TetGen's -o2), the marker, and two
  * neighbours (with -nn). The line of counts only says whether there are markers: how many numbers
  * there are decides.
  */

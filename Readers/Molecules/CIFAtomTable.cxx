@@ -125,7 +125,7 @@ public:
       const std::size_t before = values.size();
       for (const auto& [name, value] : this->Planned)
       {
-        values.push_back(value(row)); // from the old values, which are moved after it
+        values.push_back(value(row)); // computed from the old values before they are moved
       }
       const auto first = this->Loop.values.begin() + static_cast<std::ptrdiff_t>(row * width);
       values.insert(values.begin() + static_cast<std::ptrdiff_t>(before),

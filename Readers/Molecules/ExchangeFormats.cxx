@@ -251,7 +251,7 @@ Atom ReadGROAtom(
       lines.Fail("a coordinate is larger than " + std::to_string(static_cast<int>(largest)) +
         " angstrom. The file may be truncated, or its name may not match its content.");
     }
-    // 1.234 nm is 12.34 angstrom, and not the double beside it.
+    // 1.234 nm is 12.34 angstrom, not an adjacent double.
     atom.Position[axis] = std::round(atom.Position[axis] * 1e9) / 1e9;
   }
   return atom;

@@ -453,7 +453,7 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
   return molecule;
 }
 
-/// Some programs, APBS among them, separate the values by blanks wherever the columns are.
+/// Some programs, APBS among them, separate the values by blanks regardless of the columns.
 Macromolecule PDBInWords(std::string_view text, const std::string& path, std::int64_t model,
   const NonstandardColumnsError& first, const ProgressCallback& progress)
 {

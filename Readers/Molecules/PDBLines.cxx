@@ -236,7 +236,7 @@ Box BoxOf(const std::vector<Point3>& places)
 
 bool AreApart(const Box& a, const Box& b)
 {
-  constexpr double farther = 4.0; // than two atoms that Overlap calls near
+  constexpr double farther = 4.0; // than two atoms that Overlap considers close
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (a.Low[axis] > b.High[axis] + farther || b.Low[axis] > a.High[axis] + farther)

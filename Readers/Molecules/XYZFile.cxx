@@ -51,7 +51,7 @@ std::string_view PropertiesOf(std::string_view comment)
   return quoted ? value.substr(1) : value;
 }
 
-/// Extended XYZ says in its comment which columns there are: name:type:count, again and again.
+/// Extended XYZ says in its comment which columns there are: name:type:count, repeated.
 XYZColumns ColumnsOf(std::string_view comment, const TextLines& lines)
 {
   XYZColumns columns;

@@ -77,7 +77,8 @@ def _count(cartoon, port):
 
 
 def look(display, view, port):
-    """The array that the window colours by first: confidence of a prediction, otherwise chains, otherwise secondary structure."""
+    """The array that the window colours by first: confidence of a prediction, otherwise chains, otherwise
+    secondary structure."""
     cartoon = servermanager._getPyProxy(display.Input.SMProxy)
     follow(cartoon)
     if port == STICKS:

@@ -115,7 +115,8 @@ def _make(pipeline, name, source=None, **more):
     return getattr(simple, step.proxy)(*given, registrationName=label, **{**step.properties, **more})
 
 
-# Filters are given their input first, without its name: with the name they choose arrays of the active source. (Curvature On Surface would take it for its volume, so its array is set explicitly.)
+# Filters are given their input first, without its name: with the name they choose arrays of the active source.
+# (Curvature On Surface would take it for its volume, so its array is set explicitly.)
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or an automatic level where none is
@@ -563,7 +564,8 @@ def forget():
 
 @messages.reports_faults("The button")
 def run(function):
-    """A button of the toolbar: the pipeline on the active source, or on the source from which it was made; shown in the active view, with everything else hidden."""
+    """A button of the toolbar: the pipeline on the active source, or on the source from which it was made; shown
+    in the active view, with everything else hidden."""
     selected = simple.GetActiveSource()
     if selected is None or not loop_views.registered_name(selected):  # after Reset Session, it is still that of before
         messages.show_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
