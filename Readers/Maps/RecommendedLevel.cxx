@@ -174,7 +174,7 @@ EntryMap ParseEntryMap(const std::string& name)
     kind == "additional" ? "additional_map"
       : kind.empty()     ? "map"
                          : kind,
-    kind.empty() ? 0 : std::stoi(parts[3]) };
+    kind.empty() ? 0 : static_cast<int>(Number(parts[3]).value_or(0.0)) };
 }
 
 std::optional<double> HeaderLevel(const std::string& xml, const EntryMap& map)
