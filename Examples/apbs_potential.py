@@ -194,7 +194,7 @@ def read_pqr(path):
 def potential(pqr, folder, name, spacing=0.6, margin=10.0):
     """Runs APBS (linearised Poisson-Boltzmann, 0.15 M salt); path of the potential in kT/e.
 
-    The grid reaches `margin` angstrom beyond the atoms' centres on all sides.
+    The grid reaches `margin` angstrom beyond the atoms' centers on all sides.
     """
     atoms = read_pqr(pqr)
     low = [min(atom[a] for atom in atoms) for a in range(3)]

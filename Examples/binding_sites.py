@@ -89,10 +89,10 @@ def make_surface(options, molecule, scale):
 def table_text(rows, ligand):
     """The ten best sites as text."""
     head = f"{'rank':>4} {'class':>5} {'score':>8} {'area':>7} {'depth':>6} {'potential':>9}"
-    head += "   centre" + " " * 20 + ("to ligand" if ligand is not None else "")
+    head += "   center" + " " * 20 + ("to ligand" if ligand is not None else "")
     lines = [head]
     for row in rows[:10]:
-        place = site_pipeline.centre(row)
+        place = site_pipeline.center(row)
         line = (
             f"{row['Rank']:4.0f} {row['SiteClass']:5.0f} {row['Score']:8.1f} {row['Area']:7.1f} "
             f"{row['MeanDepth']:6.2f} {row['MeanPotential']:9.2f}   "
@@ -105,11 +105,11 @@ def table_text(rows, ligand):
         lines.append(f"residues of site {row['Rank']:.0f} (atoms within 4 A): {row.get('Residues', '')}")
     lines.append(
         "score: room x burial x root of |potential x kappa_2|; area of the surface there: A^2; "
-        "depth of the centre: A below the convex hull;"
+        "depth of the center: A below the convex hull;"
         "\npotential: kT/e; class 2 (4): site for a negatively (positively) charged small ligand"
     )
     if ligand is not None:
-        lines.append("to ligand: distance of the centre from the ligand's nearest heavy atom, A")
+        lines.append("to ligand: distance of the center from the ligand's nearest heavy atom, A")
     return "\n".join(lines)
 
 
@@ -248,7 +248,7 @@ def main():
     if ligand:
         ligand_file = folder / f"{name}_ligand.pdb"
         ligand_file.write_text("".join(ligand) + "END\n")
-    target = numpy.mean(positions, axis=0) if ligand else site_pipeline.centre(rows[0])
+    target = numpy.mean(positions, axis=0) if ligand else site_pipeline.center(rows[0])
     picture(surface, target, ligand_file, options.output / f"{name}_sites.png")
     print(f"Picture and table: {options.output}")
 

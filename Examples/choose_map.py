@@ -49,8 +49,8 @@ def write_phantom(target):
     for height, turn in ((-30.0, 0.0), (30.0, 0.5)):
         for blob in range(7):
             angle = 2 * numpy.pi * (blob + turn) / 7
-            centre = 50 * numpy.cos(angle), 50 * numpy.sin(angle)
-            squared = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + ((z - height) / 1.4) ** 2
+            center = 50 * numpy.cos(angle), 50 * numpy.sin(angle)
+            squared = (x - center[0]) ** 2 + (y - center[1]) ** 2 + ((z - height) / 1.4) ** 2
             density += numpy.exp(-squared / (2 * 16.0**2))
     header = bytearray(1024)
     struct.pack_into("<10i", header, 0, *[count] * 3, 2, 0, 0, 0, *[count] * 3)

@@ -165,13 +165,13 @@ def three_by_two(layout):
 
 def look_along(points, direction, up, colour_bar=True):
     """Properties of a view of the points along `direction`, with room for a colour bar below."""
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    radius = numpy.linalg.norm(numpy.cross(points - centre, direction), axis=1).max()
+    center = (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = numpy.linalg.norm(numpy.cross(points - center, direction), axis=1).max()
     if colour_bar:
-        centre = centre - 0.2 * radius * up
+        center = center - 0.2 * radius * up
     return dict(
         UseColorPaletteForBackground=0, Background=BACKGROUND, OrientationAxesVisibility=0,
-        CameraFocalPoint=centre, CameraPosition=centre + 9 * radius * direction, CameraViewUp=up,
+        CameraFocalPoint=center, CameraPosition=center + 9 * radius * direction, CameraViewUp=up,
         CameraParallelProjection=1, CameraParallelScale=(1.3 if colour_bar else 1.15) * radius)
 
 

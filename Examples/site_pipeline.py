@@ -140,7 +140,7 @@ def sites(surface, atoms=None, **settings):
     return finder.GetOutput(), rows
 
 
-def centre(row):
+def center(row):
     return numpy.array([row["CenterX"], row["CenterY"], row["CenterZ"]])
 
 

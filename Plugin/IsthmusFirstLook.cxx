@@ -31,7 +31,7 @@ namespace
 {
 
 /// Delay (ms) of reactions to changes, until the button that makes them has finished.
-int Moment()
+int PendingDelay()
 {
   return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
 }
@@ -51,7 +51,7 @@ void IsthmusFirstLook::Start()
   QObject::connect(
     model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
   QObject::connect(
-    model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ForgetSoon);
+    model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ScheduleForget);
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
   // A plugin that is loaded automatically starts while the application is still being made.
@@ -108,7 +108,7 @@ void IsthmusFirstLook::CollectNotes(pqPipelineSource* source)
   {
     texts << QString::fromUtf8(notes->GetStringValue(i));
   }
-  this->ShowNotesSoon(texts);
+  this->ScheduleNotes(texts);
 }
 
 // messages.show_note().
@@ -116,10 +116,10 @@ void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
 {
   this->Notes.clear();
   this->SinceButton.start();
-  this->ShowNotesSoon({ QString::fromUtf8(static_cast<const char*>(text)) });
+  this->ScheduleNotes({ QString::fromUtf8(static_cast<const char*>(text)) });
 }
 
-void IsthmusFirstLook::ShowNotesSoon(const QStringList& notes)
+void IsthmusFirstLook::ScheduleNotes(const QStringList& notes)
 {
   constexpr int delay = 200; // ms, for those of one pipeline together
   constexpr int width = 500; // pixels; the tool tip shows long messages in full
@@ -162,7 +162,7 @@ void IsthmusFirstLook::Follow(pqRepresentation* added)
   {
     return;
   }
-  const auto look = [this, representation] { this->LookSoon(representation); };
+  const auto look = [this, representation] { this->ScheduleLook(representation); };
   QObject::connect(representation, &pqDataRepresentation::dataUpdated, this, look);
   QObject::connect(representation, &pqDataRepresentation::colorArrayNameModified, this, look);
   QObject::connect(representation, &QObject::destroyed, this,
@@ -170,11 +170,11 @@ void IsthmusFirstLook::Follow(pqRepresentation* added)
 }
 
 // ParaView is still choosing colours when it emits this signal.
-void IsthmusFirstLook::LookSoon(pqDataRepresentation* representation)
+void IsthmusFirstLook::ScheduleLook(pqDataRepresentation* representation)
 {
   if (this->Waiting.isEmpty())
   {
-    QTimer::singleShot(Moment(), this, [this] { this->Look(); });
+    QTimer::singleShot(PendingDelay(), this, [this] { this->Look(); });
   }
   this->Waiting.insert(representation);
 }
@@ -196,20 +196,20 @@ void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
 }
 
 // Once for all that are deleted together.
-void IsthmusFirstLook::ForgetSoon()
+void IsthmusFirstLook::ScheduleForget()
 {
   if (this->Forgets)
   {
     return;
   }
   this->Forgets = true;
-  QTimer::singleShot(Moment(), this,
+  QTimer::singleShot(PendingDelay(), this,
     [this]
     {
       this->Forgets = false;
       if (IsthmusProgress::Instance().IsRunning())
       {
-        this->ForgetSoon();
+        this->ScheduleForget();
         return;
       }
       pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
@@ -232,7 +232,7 @@ void IsthmusFirstLook::Look()
 {
   if (IsthmusProgress::Instance().IsRunning())
   {
-    QTimer::singleShot(Moment(), this, [this] { this->Look(); });
+    QTimer::singleShot(PendingDelay(), this, [this] { this->Look(); });
     return;
   }
   QStringList ids;

@@ -34,14 +34,14 @@ public:
 
 private:
   void Follow(pqRepresentation* representation);
-  void LookSoon(pqDataRepresentation* representation);
+  void ScheduleLook(pqDataRepresentation* representation);
   void SetFirstValues(pqPipelineSource* source);
-  void ForgetSoon();
+  void ScheduleForget();
   void FollowSelection(pqOutputPort* port);
   void Look();
   void CollectNotes(pqPipelineSource* source);
   void CollectNote(vtkObject* window, unsigned long event, void* text);
-  void ShowNotesSoon(const QStringList& notes);
+  void ScheduleNotes(const QStringList& notes);
 
   QStringList Notes; ///< to be shown soon
   bool NotesWait = false;

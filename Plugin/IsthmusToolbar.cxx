@@ -38,7 +38,7 @@ QList<pqPipelineSource*> Sources()
 }
 
 /// Like pressing Apply: a pipeline starts from the values shown in the panel.
-void ApplyWhatWaits()
+void ApplyPendingChanges()
 {
   auto* panel = pqCoreUtilities::mainWidget()->findChild<pqPropertiesPanel*>();
   if (panel && panel->canApply())
@@ -56,7 +56,7 @@ void Run(const QString& call, const QString& title)
   {
     return;
   }
-  ApplyWhatWaits();
+  ApplyPendingChanges();
   const QList<pqPipelineSource*> before = Sources();
   QApplication::setOverrideCursor(Qt::BusyCursor);
   progress.Begin(title);
@@ -130,7 +130,7 @@ const QList<Task>& Tasks()
   return tasks;
 }
 
-vtkSMProxy* PrototypeOf(const QString& filter)
+vtkSMProxy* FindPrototype(const QString& filter)
 {
   pqServer* server = pqActiveObjects::instance().activeServer();
   return server ? server->proxyManager()->GetPrototypeProxy("filters", filter.toUtf8().constData())
@@ -173,7 +173,7 @@ void AddFilters(QMenu* menu, const QStringList& filters)
     {
       for (QAction* action : actions)
       {
-        vtkSMProxy* prototype = PrototypeOf(action->data().toString());
+        vtkSMProxy* prototype = FindPrototype(action->data().toString());
         action->setEnabled(Fits(prototype));
         if (prototype)
         {
@@ -240,7 +240,7 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
   bar->insertMenu(help ? help->menuAction() : nullptr, menu);
 }
 
-void Settle(const QList<QAction*>& actions)
+void UpdateToolbar(const QList<QAction*>& actions)
 {
   if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
   {
@@ -258,8 +258,8 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
   // Once ParaView has made the toolbar: when the program starts, or when the plugin is loaded
   // later.
   QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::clientEnvironmentDone, this,
-    [this] { Settle(this->actions()); });
-  QTimer::singleShot(0, this, [this] { Settle(this->actions()); });
+    [this] { UpdateToolbar(this->actions()); });
+  QTimer::singleShot(0, this, [this] { UpdateToolbar(this->actions()); });
   this->Add("map_to_surface", "MapToSurface", tr("Map to surface"),
     tr("The selected map as a closed surface at an automatic level, without dust"));
   this->Add("map_to_curvature", "MapToCurvature", tr("Map to curvature"),

@@ -60,7 +60,7 @@ locale='v?[sfd]?n?printf|v?[sf]?scanf|(str|wcs)to(d|f|ld)|ato[fil]|atoll|std::st
 {
   git grep -nP "^(?!\s*(//|\*)).*\b($locale|vtkV?LogF|setprecision)\s*[(<]" -- "${library[@]}"
   git grep -nE 'vtk[A-Za-z]*(Error|Warning|Debug)(WithObject)?Macro\(.*<<.*<<' -- "${library[@]}"
-} | complain "Numbers as text by the locale: Filters/Core/NumberText.h; one TextOf() for each message"
+} | complain "Numbers as text by the locale: Filters/Core/NumberText.h; one JoinText() for each message"
 {
   git grep -n vtkTypeBool -- 'Filters/*.h' 'Readers/*.h' | grep -v ProcessRequest
   git grep -nE 'IsoValue|Isovalue|ContourValue' -- 'Filters/vtk*.h' 'Readers/vtk*.h' 'Plugin/*.xml'

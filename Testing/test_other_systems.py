@@ -33,7 +33,7 @@ class OtherSystems(unittest.TestCase):
         checker = other_systems.Checker(self.system, BUILD)
         source = ROOT / "Filters/Remeshing/SurfaceBoolean.cxx"
         text = source.read_text()
-        undone = text.replace("OriginsOf(joined)", 'joined.property_map<Face, Origin>("f:origin").first')
+        undone = text.replace("GetOrigins(joined)", 'joined.property_map<Face, Origin>("f:origin").first')
         self.assertNotEqual(undone, text)
         line = undone[:undone.index("joined.property_map")].count("\n") + 1
         messages, _ = checker.check(source, self.flags[source], undone)

@@ -41,7 +41,7 @@ int main()
 {
   try
   {
-    const isthmus::SurfaceCurvatureResult curvature = isthmus::CurvatureOfSurface(Torus(), {});
+    const isthmus::SurfaceCurvatureResult curvature = isthmus::ComputeSurfaceCurvature(Torus(), {});
     const int outermost = 0, innermost = Columns / 2;
     std::cout << "Gaussian curvature outside " << curvature.Gaussian[outermost] << " (exact "
               << 1.0 / (Small * (Big + Small)) << "), inside " << curvature.Gaussian[innermost]

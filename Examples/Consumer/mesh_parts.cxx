@@ -40,7 +40,7 @@ int LargestFan(const Map& map)
   Attribute<Map, Map::Edge, int> cells(map);
   for (std::uint32_t c = 0; c < map.NumberOfCells(); ++c)
   {
-    for (const Map::Edge edge : map.CellEdges().Of(Map::Cell(c)))
+    for (const Map::Edge edge : map.CellEdges().Find(Map::Cell(c)))
     {
       ++cells[edge];
     }
@@ -56,7 +56,7 @@ std::size_t LargestStar(const Map& map)
   for (std::uint32_t v = 0; v < map.NumberOfVertices(); ++v)
   {
     const std::size_t cells = star.Gather(Map::Vertex(v)).size();
-    if (map.Stars().Of(Map::Vertex(v)).size() != cells)
+    if (map.Stars().Find(Map::Vertex(v)).size() != cells)
     {
       std::cerr << "The stars of vertex " << v << " differ.\n";
       std::exit(EXIT_FAILURE);

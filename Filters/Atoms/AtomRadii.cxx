@@ -68,18 +68,18 @@ Radii ByElement(const RadiusEntry (&entries)[N])
   radii.fill(None);
   for (const RadiusEntry& entry : entries)
   {
-    radii[static_cast<std::size_t>(ElementOfSymbol(entry.Symbol))] = entry.Radius;
+    radii[static_cast<std::size_t>(ElementFromSymbol(entry.Symbol))] = entry.Radius;
   }
   return radii;
 }
 
-double Look(const Radii& radii, int element)
+double LookUp(const Radii& radii, int element)
 {
   return element > 0 && element < NumberOfElements ? radii[static_cast<std::size_t>(element)]
                                                    : None;
 }
 
-bool AreOfTable(
+bool MatchTable(
   const std::vector<double>& radii, const std::vector<int>& elements, RadiusTable table)
 {
   constexpr double rounding = 1e-5; // of radii kept as floats
@@ -104,16 +104,16 @@ double VanDerWaalsRadius(int element, RadiusTable table)
   static const Radii bondi = ByElement(Bondi);
   static const Radii alvarez = ByElement(Alvarez);
   static const Radii united = ByElement(United);
-  return Look(table == RadiusTable::Bondi ? bondi
-      : table == RadiusTable::Alvarez     ? alvarez
-                                          : united,
+  return LookUp(table == RadiusTable::Bondi ? bondi
+      : table == RadiusTable::Alvarez       ? alvarez
+                                            : united,
     element);
 }
 
 double CovalentRadius(int element)
 {
   static const Radii covalent = ByElement(Covalent);
-  return Look(covalent, element);
+  return LookUp(covalent, element);
 }
 
 double DefaultRadius(int element)
@@ -167,14 +167,14 @@ AtomRadii ReadRadii(vtkDataSetAttributes* data, vtkIdType count, const std::vect
   return radii;
 }
 
-bool UniteAtoms(
+bool AssignUnitedRadii(
   const std::vector<std::size_t>& kept, const std::vector<int>& elements, AtomRadii& radii)
 {
   const bool hydrogens =
     std::any_of(kept.begin(), kept.end(), [&elements](std::size_t i) { return elements[i] == 1; });
   if (hydrogens ||
-    !(radii.ByElement || AreOfTable(radii.Values, elements, RadiusTable::Bondi) ||
-      AreOfTable(radii.Values, elements, RadiusTable::Alvarez)))
+    !(radii.ByElement || MatchTable(radii.Values, elements, RadiusTable::Bondi) ||
+      MatchTable(radii.Values, elements, RadiusTable::Alvarez)))
   {
     return false;
   }

@@ -16,7 +16,7 @@
  * with a warning by filters of shape and refused by filters that use its charge (MissingRadius).
  * Poisson-Boltzmann energies depend on the radii of a force field, so vtkPoissonBoltzmann requires
  * the array (RadiusFallback::None). If chains have no hydrogens at all and radii are those of a
- * table by element, they are replaced by united-atom radii on request (UniteAtoms).
+ * table by element, they are replaced by united-atom radii on request (AssignUnitedRadii).
  */
 #ifndef isthmus_AtomRadii_h
 #define isthmus_AtomRadii_h
@@ -95,7 +95,7 @@ AtomRadii ReadRadii(vtkDataSetAttributes* data, vtkIdType count, const std::vect
 
 /// Replaces the radii of the kept atoms by united-atom radii if none of the atoms is a hydrogen and
 /// all radii are those of a table by element. Returns whether it did.
-bool UniteAtoms(
+bool AssignUnitedRadii(
   const std::vector<std::size_t>& kept, const std::vector<int>& elements, AtomRadii& radii);
 
 /// The names of point arrays for a message, each preceded by a blank; " none" if there are none.

@@ -13,7 +13,7 @@ namespace isthmus
 /// All lengths are in the same unit, angstrom for molecules.
 struct Ball
 {
-  std::array<double, 3> Centre;
+  std::array<double, 3> Center;
   double Radius;
 };
 

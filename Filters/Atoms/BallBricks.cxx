@@ -27,7 +27,7 @@ struct BrickBox
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const NodeRange nodes(ball.Centre[axis], reach, 0, dimensions[axis]);
+      const NodeRange nodes(ball.Center[axis], reach, 0, dimensions[axis]);
       this->Empty = this->Empty || nodes.IsEmpty();
       this->First[axis] = nodes.First / BallBricks::BrickSize[axis];
       this->Last[axis] = (nodes.Last - 1) / BallBricks::BrickSize[axis] + 1;
@@ -50,8 +50,8 @@ BallBricks::BallBricks(std::vector<Ball> balls, double reach, const Index3& grid
   std::sort(this->Balls.begin(), this->Balls.end(),
     [](const Ball& a, const Ball& b)
     {
-      return std::tie(a.Centre[2], a.Centre[1], a.Centre[0], a.Radius) <
-        std::tie(b.Centre[2], b.Centre[1], b.Centre[0], b.Radius);
+      return std::tie(a.Center[2], a.Center[1], a.Center[0], a.Radius) <
+        std::tie(b.Center[2], b.Center[1], b.Center[0], b.Radius);
     });
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

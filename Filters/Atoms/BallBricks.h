@@ -25,14 +25,14 @@ struct Brick
   Index3 Last;
 };
 
-/// The nodes along an axis within `reach` of `centre` (in spacings), kept within [first, last).
+/// The nodes along an axis within `reach` of `center` (in spacings), kept within [first, last).
 struct NodeRange
 {
-  NodeRange(double centre, double reach, std::int64_t first, std::int64_t last)
+  NodeRange(double center, double reach, std::int64_t first, std::int64_t last)
   {
     // The comparisons come before the conversion, which is undefined for numbers that do not fit.
-    const double from = std::ceil(centre - reach);
-    const double to = std::floor(centre + reach) + 1.0;
+    const double from = std::ceil(center - reach);
+    const double to = std::floor(center + reach) + 1.0;
     this->First = from > static_cast<double>(first)
       ? (from < static_cast<double>(last) ? static_cast<std::int64_t>(from) : last)
       : first;
@@ -48,21 +48,21 @@ struct NodeRange
 
 /// Calls `use(row, j, k, y, z)` for the nodes of each row of `brick` within the ball's radius: j
 /// and k are the indices of the row along the second and third axis, y and z its distances from the
-/// centre along these axes.
+/// center along these axes.
 template <typename Use>
 void ForEachRow(const Ball& ball, const Brick& brick, Use&& use)
 {
-  const NodeRange planes(ball.Centre[2], ball.Radius, brick.First[2], brick.Last[2]);
+  const NodeRange planes(ball.Center[2], ball.Radius, brick.First[2], brick.Last[2]);
   for (std::int64_t k = planes.First; k < planes.Last; ++k)
   {
-    const double z = static_cast<double>(k) - ball.Centre[2];
+    const double z = static_cast<double>(k) - ball.Center[2];
     const double left = std::max(0.0, ball.Radius * ball.Radius - z * z);
-    const NodeRange rows(ball.Centre[1], std::sqrt(left), brick.First[1], brick.Last[1]);
+    const NodeRange rows(ball.Center[1], std::sqrt(left), brick.First[1], brick.Last[1]);
     for (std::int64_t j = rows.First; j < rows.Last; ++j)
     {
-      const double y = static_cast<double>(j) - ball.Centre[1];
+      const double y = static_cast<double>(j) - ball.Center[1];
       const NodeRange row(
-        ball.Centre[0], std::sqrt(std::max(0.0, left - y * y)), brick.First[0], brick.Last[0]);
+        ball.Center[0], std::sqrt(std::max(0.0, left - y * y)), brick.First[0], brick.Last[0]);
       if (!row.IsEmpty())
       {
         use(row, j, k, y, z);
@@ -97,7 +97,7 @@ public:
     this->ForEachIndex(b, [&](std::size_t ball) { use(this->Balls[ball]); });
   }
 
-  /// Calls `use(index)` with their numbers in Sorted().
+  /// Calls `use(index)` with their numbers in GetSortedBalls().
   template <typename Use>
   void ForEachIndex(std::int64_t b, Use use) const
   {
@@ -109,7 +109,7 @@ public:
   }
 
   /// The balls in an order that does not depend on that of the input.
-  const std::vector<Ball>& Sorted() const { return this->Balls; }
+  const std::vector<Ball>& GetSortedBalls() const { return this->Balls; }
 
 private:
   template <typename Use>

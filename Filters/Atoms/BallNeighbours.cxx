@@ -19,24 +19,24 @@ double SquaredDistance(const Place& a, const Place& b)
     (a[2] - b[2]) * (a[2] - b[2]);
 }
 
-Cell CellOf(const Ball& ball, double size, std::int64_t number)
+Cell FindCell(const Ball& ball, double size, std::int64_t number)
 {
   const auto at = [&](std::size_t axis)
-  { return static_cast<std::int64_t>(std::floor(ball.Centre[axis] / size)); };
+  { return static_cast<std::int64_t>(std::floor(ball.Center[axis] / size)); };
   return { at(2), at(1), at(0), number };
 }
 
 /// The circle in which two spheres meet.
 struct Circle
 {
-  Place Centre;
-  Place First;  ///< from the centre to the circle
+  Place Center;
+  Place First;  ///< from the center to the circle
   Place Second; ///< the same, a right angle further
   double Radius = 0.0;
 
   Circle(const Ball& a, const Ball& b)
   {
-    const double distance = std::sqrt(SquaredDistance(a.Centre, b.Centre));
+    const double distance = std::sqrt(SquaredDistance(a.Center, b.Center));
     const double along =
       (distance * distance + a.Radius * a.Radius - b.Radius * b.Radius) / (2.0 * distance);
     const double squared = a.Radius * a.Radius - along * along;
@@ -48,8 +48,8 @@ struct Circle
     Place axis;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      axis[i] = (b.Centre[i] - a.Centre[i]) / distance;
-      this->Centre[i] = a.Centre[i] + along * axis[i];
+      axis[i] = (b.Center[i] - a.Center[i]) / distance;
+      this->Center[i] = a.Center[i] + along * axis[i];
     }
     const std::size_t least = std::abs(axis[0]) < std::abs(axis[1])
       ? (std::abs(axis[0]) < std::abs(axis[2]) ? 0 : 2)
@@ -74,9 +74,9 @@ struct Circle
   {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    return { this->Centre[0] + c * this->First[0] + s * this->Second[0],
-      this->Centre[1] + c * this->First[1] + s * this->Second[1],
-      this->Centre[2] + c * this->First[2] + s * this->Second[2] };
+    return { this->Center[0] + c * this->First[0] + s * this->Second[0],
+      this->Center[1] + c * this->First[1] + s * this->Second[1],
+      this->Center[2] + c * this->First[2] + s * this->Second[2] };
   }
 };
 
@@ -127,7 +127,7 @@ BallNeighbours::BallNeighbours(const std::vector<Ball>& balls)
   std::vector<isthmus::Cell> cells(balls.size());
   for (std::size_t b = 0; b < balls.size(); ++b)
   {
-    cells[b] = CellOf(balls[b], this->Cell, static_cast<std::int64_t>(b));
+    cells[b] = FindCell(balls[b], this->Cell, static_cast<std::int64_t>(b));
   }
   std::sort(cells.begin(), cells.end());
   std::vector<std::vector<std::int64_t>> of(balls.size());
@@ -136,7 +136,7 @@ BallNeighbours::BallNeighbours(const std::vector<Ball>& balls)
     {
       for (std::int64_t b = first; b < last; ++b)
       {
-        this->FindOf(static_cast<std::size_t>(b), cells, of[static_cast<std::size_t>(b)]);
+        this->FindNeighbours(static_cast<std::size_t>(b), cells, of[static_cast<std::size_t>(b)]);
       }
     });
   this->Start.push_back(0);
@@ -147,11 +147,11 @@ BallNeighbours::BallNeighbours(const std::vector<Ball>& balls)
   }
 }
 
-void BallNeighbours::FindOf(
+void BallNeighbours::FindNeighbours(
   std::size_t ball, const std::vector<isthmus::Cell>& cells, std::vector<std::int64_t>& found) const
 {
   const Ball& self = this->Balls[ball];
-  const isthmus::Cell cell = CellOf(self, this->Cell, 0);
+  const isthmus::Cell cell = FindCell(self, this->Cell, 0);
   for (std::int64_t row = 0; row < 9; ++row)
   {
     // The three cells along x lie together.
@@ -163,7 +163,7 @@ void BallNeighbours::FindOf(
     {
       const auto other = static_cast<std::size_t>((*at)[3]);
       const double reach = self.Radius + this->Balls[other].Radius;
-      if (other != ball && SquaredDistance(self.Centre, this->Balls[other].Centre) < reach * reach)
+      if (other != ball && SquaredDistance(self.Center, this->Balls[other].Center) < reach * reach)
       {
         found.push_back((*at)[3]);
       }
@@ -178,7 +178,7 @@ bool BallNeighbours::IsFree(std::size_t ball, const Place& place, std::int64_t& 
     // Touching is not covering: the spheres that the place lies on do not count.
     const Ball& by = this->Balls[static_cast<std::size_t>(other)];
     const double reach = by.Radius * (1.0 - 1e-9);
-    return SquaredDistance(place, by.Centre) < reach * reach;
+    return SquaredDistance(place, by.Center) < reach * reach;
   };
   if (last >= 0 && covers(last))
   {

@@ -35,7 +35,7 @@ public:
   bool IsFree(std::size_t ball, const std::array<double, 3>& place, std::int64_t& last) const;
 
 private:
-  void FindOf(std::size_t ball, const std::vector<std::array<std::int64_t, 4>>& cells,
+  void FindNeighbours(std::size_t ball, const std::vector<std::array<std::int64_t, 4>>& cells,
     std::vector<std::int64_t>& found) const;
 
   const std::vector<Ball>& Balls;

@@ -13,8 +13,8 @@ namespace
 /// One of the two points that the three spheres share; their midpoint where the spheres just touch.
 Point3 CommonPoint(const Ball& a, const Ball& b, const Ball& c)
 {
-  const Point3 u = b.Centre - a.Centre;
-  const Point3 v = c.Centre - a.Centre;
+  const Point3 u = b.Center - a.Center;
+  const Point3 v = c.Center - a.Center;
   const Point3 n = Cross(u, v);
   const double nn = Dot(n, n);
   const double w = a.Radius * a.Radius;
@@ -22,7 +22,7 @@ Point3 CommonPoint(const Ball& a, const Ball& b, const Ball& c)
     ((Dot(u, u) + w - b.Radius * b.Radius) * Cross(v, n) +
       (Dot(v, v) + w - c.Radius * c.Radius) * Cross(n, u));
   const double height = std::sqrt(std::max(0.0, w - Dot(foot, foot)));
-  return a.Centre + foot + (height / std::sqrt(nn)) * n;
+  return a.Center + foot + (height / std::sqrt(nn)) * n;
 }
 
 }
@@ -35,7 +35,7 @@ Overlap<1> WholeBall(const Ball& a)
 
 Overlap<2> Lens(const Ball& a, const Ball& b)
 {
-  const double d = Length(b.Centre - a.Centre);
+  const double d = Length(b.Center - a.Center);
   const double plane = 0.5 * (d + (a.Radius - b.Radius) * (a.Radius + b.Radius) / d);
   const double ha = a.Radius - plane;
   const double hb = b.Radius - (d - plane);
@@ -48,16 +48,16 @@ Overlap<3> HalfTripleIntersection(const Ball& a, const Ball& b, const Ball& c)
   const Ball* balls[3] = { &a, &b, &c };
   const Point3 x = CommonPoint(a, b, c);
   Overlap<3> half;
-  half.Volume = std::fabs(Dot(x - a.Centre, Cross(b.Centre - a.Centre, c.Centre - a.Centre))) / 6.0;
+  half.Volume = std::fabs(Dot(x - a.Center, Cross(b.Center - a.Center, c.Center - a.Center))) / 6.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    const double sector = SolidAngle(balls[i]->Centre, balls[j]->Centre, balls[k]->Centre, x);
+    const double sector = SolidAngle(balls[i]->Center, balls[j]->Center, balls[k]->Center, x);
     const Overlap<1> ball = WholeBall(*balls[i]);
     half.Volume -= sector * ball.Volume;
     half.Area[i] -= sector * ball.Area[0];
-    const double slice = DihedralAngle(balls[i]->Centre, balls[j]->Centre, balls[k]->Centre, x);
+    const double slice = DihedralAngle(balls[i]->Center, balls[j]->Center, balls[k]->Center, x);
     const Overlap<2> lens = Lens(*balls[i], *balls[j]);
     half.Volume += slice * lens.Volume;
     half.Area[i] += slice * lens.Area[0];

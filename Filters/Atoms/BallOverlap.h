@@ -28,10 +28,10 @@ VTKISTHMUSFILTERSATOMS_EXPORT Overlap<1> WholeBall(const Ball& a);
 VTKISTHMUSFILTERSATOMS_EXPORT Overlap<2> Lens(const Ball& a, const Ball& b);
 
 /**
- * One half of the intersection of three balls, on one side of the plane of their centres. Their
+ * One half of the intersection of three balls, on one side of the plane of their centers. Their
  * spheres must intersect in two points x, x'.
  *
- * The balls cover the tetrahedron of their centres and x, so its volume is given by inclusion and
+ * The balls cover the tetrahedron of their centers and x, so its volume is given by inclusion and
  * exclusion: sectors of the balls, minus slices of the lenses, plus the requested half (H.
  * Edelsbrunner, P. Fu, in "Measuring space filling diagrams and voids", 1994).
  */

@@ -23,7 +23,7 @@ constexpr std::array<const char*, NumberOfElements> Symbols{ "X", "H", "He", "Li
   "Ra", "Ac", "Th", "Pa", "U", "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No", "Lr",
   "Rf", "Db", "Sg", "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og" };
 
-bool IsOneOf(std::string_view text, std::string_view list)
+bool IsInList(std::string_view text, std::string_view list)
 {
   // Lists are "A B C " with a blank after each.
   const auto isWord = [&](std::size_t at)
@@ -47,8 +47,8 @@ bool IsBiopolymerResidue(std::string_view name)
   constexpr std::string_view names =
     "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL HID HIE HIP "
     "HSD HSE HSP CYX CYM ASH GLH LYN A C G U DA DC DG DT DU RA RC RG RU ";
-  return IsOneOf(name, names) ||
-    (name.size() == 4 && (IsOneOf(name.substr(1), names) || IsOneOf(name.substr(0, 3), names)));
+  return IsInList(name, names) ||
+    (name.size() == 4 && (IsInList(name.substr(1), names) || IsInList(name.substr(0, 3), names)));
 }
 
 constexpr int LastStable = 83; ///< bismuth, nearly
@@ -62,7 +62,7 @@ bool IsSymbolOfTwoLetters(std::string_view name, std::string_view letters)
   {
     return false;
   }
-  const int element = ElementOfSymbol(letters);
+  const int element = ElementFromSymbol(letters);
   if (element == 0 || element > LastStable)
   {
     return false;
@@ -79,7 +79,7 @@ constexpr std::size_t Letters = 27;
 constexpr std::size_t LettersSquared = Letters * Letters;
 
 /// LettersSquared for what is not one or two letters.
-std::size_t PlaceOfLetters(std::string_view symbol)
+std::size_t LettersIndex(std::string_view symbol)
 {
   const auto placeOf = [](char c) { return static_cast<std::size_t>((c | 0x20) - 'a') + 1; };
   if (symbol.empty() || symbol.size() > 2 || !std::all_of(symbol.begin(), symbol.end(), IsLetter))
@@ -94,14 +94,14 @@ std::array<std::uint8_t, LettersSquared> ElementsByLetters()
   std::array<std::uint8_t, LettersSquared> elements{};
   for (std::size_t element = 1; element < Symbols.size(); ++element)
   {
-    elements[PlaceOfLetters(Symbols[element])] = static_cast<std::uint8_t>(element);
+    elements[LettersIndex(Symbols[element])] = static_cast<std::uint8_t>(element);
   }
-  elements[PlaceOfLetters("D")] = elements[PlaceOfLetters("T")] = 1; // isotopes of hydrogen
+  elements[LettersIndex("D")] = elements[LettersIndex("T")] = 1; // isotopes of hydrogen
   return elements;
 }
 
 /// Ions whose names in CHARMM's and AMBER's force fields are no symbols; 0 for all others.
-int ElementOfCharmmIon(std::string_view name)
+int ElementFromCharmmIon(std::string_view name)
 {
   constexpr std::pair<std::string_view, int> ions[] = { { "SOD", 11 }, { "POT", 19 }, { "CLA", 17 },
     { "CAL", 20 }, { "CES", 55 }, { "LIT", 3 }, { "RUB", 37 }, { "BAR", 56 }, { "CAD", 48 },
@@ -118,14 +118,14 @@ const char* ElementSymbol(int element)
   return Symbols[element > 0 && element < NumberOfElements ? static_cast<std::size_t>(element) : 0];
 }
 
-int ElementOfSymbol(std::string_view symbol)
+int ElementFromSymbol(std::string_view symbol)
 {
   static const std::array<std::uint8_t, LettersSquared> elements = ElementsByLetters();
-  const std::size_t letters = PlaceOfLetters(symbol);
+  const std::size_t letters = LettersIndex(symbol);
   return letters < LettersSquared ? elements[letters] : 0;
 }
 
-int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
+int ElementFromIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
 {
   const std::string name = Capitals(nameOfAtom);
   const std::string residue = Capitals(nameOfResidue);
@@ -137,12 +137,12 @@ int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
   }
   if (residueName == "ION" || residueName == "IONS")
   {
-    const int charmm = ElementOfCharmmIon(letters);
-    return charmm > 0 ? charmm : ElementOfSymbol(letters);
+    const int charmm = ElementFromCharmmIon(letters);
+    return charmm > 0 ? charmm : ElementFromSymbol(letters);
   }
-  if (letters == residueName || ElementOfSymbol(letters) == ElementOfCharmmIon(residueName))
+  if (letters == residueName || ElementFromSymbol(letters) == ElementFromCharmmIon(residueName))
   {
-    const int charmm = ElementOfCharmmIon(residueName);
+    const int charmm = ElementFromCharmmIon(residueName);
     if (charmm > 0)
     {
       return charmm;
@@ -152,24 +152,24 @@ int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
     (residueName.size() == letters.size() || !IsLetter(residueName[letters.size()]));
   if (isNamedAlike)
   {
-    return ElementOfSymbol(letters);
+    return ElementFromSymbol(letters);
   }
   // Oxidation states of the PDB: 3CO, 4MO.
   const std::size_t digits =
     std::min(residueName.find_first_not_of("0123456789"), residueName.size());
   const bool isState = digits > 0 && letters.size() == 2 && residueName.substr(digits) == letters;
-  const int element = isState ? ElementOfSymbol(letters) : 0;
+  const int element = isState ? ElementFromSymbol(letters) : 0;
   return element <= LastStable ? element : 0;
 }
 
-int ElementOfAtomName(std::string_view name, std::string_view residueName)
+int ElementFromAtomName(std::string_view name, std::string_view residueName)
 {
   const std::string_view letters = FirstLetters(name);
   if (letters.empty())
   {
     return 0;
   }
-  if (const int ion = ElementOfIon(name, residueName))
+  if (const int ion = ElementFromIon(name, residueName))
   {
     return ion;
   }
@@ -177,18 +177,18 @@ int ElementOfAtomName(std::string_view name, std::string_view residueName)
   const bool isBiopolymer = IsBiopolymerResidue(residueName);
   if (!isBiopolymer && IsSymbolOfTwoLetters(name, letters))
   {
-    return ElementOfSymbol(two);
+    return ElementFromSymbol(two);
   }
-  if (IsOneOf(two, "CL BR ZN FE MG MN SE SI ") && !isBiopolymer)
+  if (IsInList(two, "CL BR ZN FE MG MN SE SI ") && !isBiopolymer)
   {
-    return ElementOfSymbol(two);
+    return ElementFromSymbol(two);
   }
-  return ElementOfSymbol(letters.substr(0, 1));
+  return ElementFromSymbol(letters.substr(0, 1));
 }
 
 bool IsWater(std::string_view residueName)
 {
-  return IsOneOf(
+  return IsInList(
     residueName, "HOH DOD WAT H2O OH2 SOL TIP TIP3 TIP4 TP3 TP4 T3P T4P T3H T4H SPC SPCE ");
 }
 

@@ -32,14 +32,14 @@ constexpr std::int64_t IndexInBrick(std::int64_t i, std::int64_t j, std::int64_t
 template <typename Row>
 inline void ForEachRow(const Ball& ball, double reach, const Brick& brick, Row row)
 {
-  const NodeRange z(ball.Centre[2], reach, brick.First[2], brick.Last[2]);
-  const NodeRange y(ball.Centre[1], reach, brick.First[1], brick.Last[1]);
+  const NodeRange z(ball.Center[2], reach, brick.First[2], brick.Last[2]);
+  const NodeRange y(ball.Center[1], reach, brick.First[1], brick.Last[1]);
   for (std::int64_t k = z.First; k < z.Last; ++k)
   {
-    const double dz = static_cast<double>(k) - ball.Centre[2];
+    const double dz = static_cast<double>(k) - ball.Center[2];
     for (std::int64_t j = y.First; j < y.Last; ++j)
     {
-      const double dy = static_cast<double>(j) - ball.Centre[1];
+      const double dy = static_cast<double>(j) - ball.Center[1];
       const double rest = reach * reach - dy * dy - dz * dz;
       if (rest >= 0.0)
       {
@@ -52,16 +52,16 @@ inline void ForEachRow(const Ball& ball, double reach, const Brick& brick, Row r
 /// Values of the nodes of a brick along its longest axis, or another.
 using AxisValues = std::array<double, BallBricks::BrickSize[0]>;
 
-/// exp(-decay (node - centre)^2 / radius^2) of the nodes of a brick along an axis that are in
+/// exp(-decay (node - center)^2 / radius^2) of the nodes of a brick along an axis that are in
 /// reach, which are returned; 0 of the others.
 NodeRange Gaussian(const Ball& ball, std::size_t axis, double decay, double reach,
   const Brick& brick, AxisValues& values)
 {
   values.fill(0.0);
-  const NodeRange nodes(ball.Centre[axis], reach, brick.First[axis], brick.Last[axis]);
+  const NodeRange nodes(ball.Center[axis], reach, brick.First[axis], brick.Last[axis]);
   for (std::int64_t i = nodes.First; i < nodes.Last; ++i)
   {
-    const double t = (static_cast<double>(i) - ball.Centre[axis]) / ball.Radius;
+    const double t = (static_cast<double>(i) - ball.Center[axis]) / ball.Radius;
     values[static_cast<std::size_t>(i - brick.First[axis])] = std::exp(-decay * t * t);
   }
   return nodes;
@@ -116,7 +116,7 @@ void AddBall(const Ball& ball, const Brick& brick, double* values)
   ForEachRow(ball, ball.Radius, brick,
     [&](std::int64_t j, std::int64_t k, double rest)
     {
-      const NodeRange row(ball.Centre[0], std::sqrt(rest), first[0], brick.Last[0]);
+      const NodeRange row(ball.Center[0], std::sqrt(rest), first[0], brick.Last[0]);
       if (!row.IsEmpty())
       {
         double* to = values + IndexInBrick(-first[0], j - first[1], k - first[2]);
@@ -143,8 +143,8 @@ void CheckBalls(const std::vector<Ball>& balls)
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const Ball& ball = balls[i];
-    if (!std::isfinite(ball.Centre[0]) || !std::isfinite(ball.Centre[1]) ||
-      !std::isfinite(ball.Centre[2]) || !std::isfinite(ball.Radius) || ball.Radius < 0.0)
+    if (!std::isfinite(ball.Center[0]) || !std::isfinite(ball.Center[1]) ||
+      !std::isfinite(ball.Center[2]) || !std::isfinite(ball.Radius) || ball.Radius < 0.0)
     {
       throw std::invalid_argument("Atom " + std::to_string(i) +
         " has a coordinate or radius that is not finite, or a negative radius: correct it or leave "
@@ -166,8 +166,8 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
   {
     if (ball.Radius / h > 0.0)
     {
-      inSpacings.push_back({ { (ball.Centre[0] - origin[0]) / h, (ball.Centre[1] - origin[1]) / h,
-                               (ball.Centre[2] - origin[2]) / h },
+      inSpacings.push_back({ { (ball.Center[0] - origin[0]) / h, (ball.Center[1] - origin[1]) / h,
+                               (ball.Center[2] - origin[2]) / h },
         ball.Radius / h });
     }
   }
@@ -209,8 +209,8 @@ DensityGrid GridAroundBalls(
     double high = -low;
     for (const Ball& ball : balls)
     {
-      low = std::min(low, ball.Centre[axis] - ball.Radius);
-      high = std::max(high, ball.Centre[axis] + ball.Radius);
+      low = std::min(low, ball.Center[axis] - ball.Radius);
+      high = std::max(high, ball.Center[axis] + ball.Radius);
     }
     grid.Origin[axis] = low - padding[axis];
     const double nodes = std::ceil((high + padding[axis] - grid.Origin[axis]) / spacing) + 1.0;

@@ -2,7 +2,7 @@
  * @file MolecularDensity.h
  * @brief Samples atoms as a function on a grid: the union of their balls, or a sum of Gaussians.
  *
- * With the balls' centres x_i and radii R_i (van der Waals radii times a factor eta), the union is
+ * With the balls' centers x_i and radii R_i (van der Waals radii times a factor eta), the union is
  *
  *   rho(x) = 1 if |x - x_i| <= R_i for any i, else 0,
  *

@@ -27,22 +27,22 @@ namespace isthmus
 namespace
 {
 
-vtkStringArray* TextsOf(vtkDataObject* input, const char* name)
+vtkStringArray* FindTexts(vtkDataObject* input, const char* name)
 {
   return vtkStringArray::SafeDownCast(AtomData(input)->GetAbstractArray(name));
 }
 
 /// An array of one number for each atom; none where it has several.
-vtkDataArray* NumbersOf(vtkDataObject* input, const char* name)
+vtkDataArray* FindNumbers(vtkDataObject* input, const char* name)
 {
   vtkDataArray* array = AtomData(input)->GetArray(name);
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
 template <typename Member>
-void TakeTexts(vtkDataObject* input, const char* name, Member member, std::vector<NamedAtom>& atoms)
+void ReadTexts(vtkDataObject* input, const char* name, Member member, std::vector<NamedAtom>& atoms)
 {
-  if (vtkStringArray* array = TextsOf(input, name))
+  if (vtkStringArray* array = FindTexts(input, name))
   {
     for (std::size_t i = 0; i < atoms.size(); ++i)
     {
@@ -52,9 +52,9 @@ void TakeTexts(vtkDataObject* input, const char* name, Member member, std::vecto
 }
 
 template <typename Take>
-void TakeNumbers(vtkDataObject* input, const char* name, std::size_t count, Take take)
+void ReadNumbers(vtkDataObject* input, const char* name, std::size_t count, Take take)
 {
-  if (vtkDataArray* array = NumbersOf(input, name))
+  if (vtkDataArray* array = FindNumbers(input, name))
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -68,7 +68,7 @@ bool IsFinite(const std::array<double, 3>& x)
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-[[noreturn]] void RefuseCoordinate(std::size_t atom)
+[[noreturn]] void RejectCoordinate(std::size_t atom)
 {
   throw std::invalid_argument("Atom " + std::to_string(atom) +
     " has a coordinate that is not finite: correct it, or leave the atom out.");
@@ -76,9 +76,9 @@ bool IsFinite(const std::array<double, 3>& x)
 
 void CheckBall(const Ball& ball, std::size_t atom, double maximum)
 {
-  if (!IsFinite(ball.Centre))
+  if (!IsFinite(ball.Center))
   {
-    RefuseCoordinate(atom);
+    RejectCoordinate(atom);
   }
   if (!(ball.Radius >= 0.0) || std::isinf(ball.Radius))
   {
@@ -111,7 +111,7 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
     std::iota(choice.Kept.begin(), choice.Kept.end(), std::size_t{ 0 });
     return choice;
   }
-  atoms.Named = NamedAtomsOf(input);
+  atoms.Named = ReadNamedAtoms(input);
   choice = ChoosePolymer(atoms.Named, *options.Selection);
   // Without this, the message would be that no atom has a radius.
   if (choice.Kept.empty() && options.RequireBalls && !options.Selection->Waters)
@@ -124,7 +124,7 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
 
 /// Of the atoms `kept`, those that lie exactly at the place of another one with a larger radius, or
 /// with the same and an earlier number, in ascending order.
-std::vector<std::size_t> CopiesAmong(
+std::vector<std::size_t> FindCopies(
   vtkDataObject* input, const std::vector<std::size_t>& kept, const AtomRadii& radii)
 {
   struct Atom
@@ -172,7 +172,7 @@ void RemoveCopies(vtkDataObject* input, const AtomRadii& radii, const AtomOption
   {
     return;
   }
-  const std::vector<std::size_t> copies = CopiesAmong(input, kept, radii);
+  const std::vector<std::size_t> copies = FindCopies(input, kept, radii);
   if (copies.empty())
   {
     return;
@@ -199,7 +199,7 @@ void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const 
   {
     const auto point = static_cast<vtkIdType>(i);
     Ball ball{ {}, radii.Values[i] };
-    places->GetPoint(point, ball.Centre.data());
+    places->GetPoint(point, ball.Center.data());
     if (std::isnan(ball.Radius))
     {
       if (options.Missing == MissingRadius::Refuse)
@@ -230,7 +230,7 @@ void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const 
 }
 
 /// Surfaces and energies are those of all that is bound, so only water is dropped.
-AtomOptions WholeMolecule(const std::string& radiusArray, bool keepWaters, bool unitedAtoms)
+AtomOptions SelectWholeMolecule(const std::string& radiusArray, bool keepWaters, bool unitedAtoms)
 {
   PolymerOptions all;
   all.Hydrogens = all.Ions = all.Ligands = all.ProstheticGroups = true;
@@ -244,7 +244,7 @@ AtomOptions WholeMolecule(const std::string& radiusArray, bool keepWaters, bool 
 }
 
 /// Ligands must not change the pockets that they fill.
-AtomOptions PolymerOf(const std::string& radiusArray, const PolymerOptions& selection)
+AtomOptions SelectPolymer(const std::string& radiusArray, const PolymerOptions& selection)
 {
   AtomOptions options;
   options.RadiusArray = radiusArray;
@@ -264,7 +264,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
     return atoms;
   }
   const std::vector<int> elements = AtomElements(input);
-  atoms.HasNames = TextsOf(input, "ResidueName") != nullptr;
+  atoms.HasNames = FindTexts(input, "ResidueName") != nullptr;
   atoms.HasElements = !elements.empty();
   // A mesh may have points at one place, and no radii: its polygons distinguish it from atoms.
   atoms.IsSurface = options.SurfacePoints && !atoms.HasElements && HasPolygons(input);
@@ -278,7 +278,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   const PolymerChoice choice = Select(input, options, atoms);
   atoms.Notes = choice.Notes;
   if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&
-    UniteAtoms(choice.Kept, elements, radii))
+    AssignUnitedRadii(choice.Kept, elements, radii))
   {
     atoms.Notes.emplace_back(
       "There are no hydrogens, so carbon, nitrogen, oxygen, phosphorus and sulphur have the radii "
@@ -351,7 +351,7 @@ vtkDataSetAttributes* AtomData(vtkDataObject* atoms)
 std::vector<int> AtomElements(vtkDataObject* atoms)
 {
   std::vector<int> elements;
-  vtkDataArray* array = NumbersOf(atoms, "Element");
+  vtkDataArray* array = FindNumbers(atoms, "Element");
   if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
   {
     array = molecule->GetAtomicNumberArray();
@@ -369,7 +369,7 @@ std::vector<int> AtomElements(vtkDataObject* atoms)
   return elements;
 }
 
-std::vector<NamedAtom> NamedAtomsOf(vtkDataObject* input)
+std::vector<NamedAtom> ReadNamedAtoms(vtkDataObject* input)
 {
   vtkPoints* places = AtomPoints(input);
   std::vector<NamedAtom> atoms(static_cast<std::size_t>(places ? places->GetNumberOfPoints() : 0));
@@ -378,25 +378,25 @@ std::vector<NamedAtom> NamedAtomsOf(vtkDataObject* input)
     places->GetPoint(static_cast<vtkIdType>(i), atoms[i].Place.data());
     if (!IsFinite(atoms[i].Place))
     {
-      RefuseCoordinate(i);
+      RejectCoordinate(i);
     }
   }
-  TakeTexts(input, "AtomName", &NamedAtom::Name, atoms);
-  TakeTexts(input, "ResidueName", &NamedAtom::Residue, atoms);
-  TakeTexts(input, "Chain", &NamedAtom::Chain, atoms);
-  TakeTexts(input, "InsertionCode", &NamedAtom::InsertionCode, atoms);
-  TakeTexts(input, "AltLoc", &NamedAtom::AltLoc, atoms);
+  ReadTexts(input, "AtomName", &NamedAtom::Name, atoms);
+  ReadTexts(input, "ResidueName", &NamedAtom::Residue, atoms);
+  ReadTexts(input, "Chain", &NamedAtom::Chain, atoms);
+  ReadTexts(input, "InsertionCode", &NamedAtom::InsertionCode, atoms);
+  ReadTexts(input, "AltLoc", &NamedAtom::AltLoc, atoms);
   const std::vector<int> elements = atoms.empty() ? std::vector<int>() : AtomElements(input);
   for (std::size_t i = 0; i < elements.size(); ++i)
   {
     atoms[i].Element = elements[i];
   }
   const std::size_t n = atoms.size();
-  TakeNumbers(input, "ResidueId", n,
+  ReadNumbers(input, "ResidueId", n,
     [&](std::size_t i, double value) { atoms[i].ResidueId = static_cast<int>(value); });
-  TakeNumbers(input, "Occupancy", n,
+  ReadNumbers(input, "Occupancy", n,
     [&](std::size_t i, double value) { atoms[i].Occupancy = std::isnan(value) ? 1.0 : value; });
-  TakeNumbers(
+  ReadNumbers(
     input, "IsHetero", n, [&](std::size_t i, double value) { atoms[i].IsHetero = value != 0.0; });
   return atoms;
 }
@@ -408,7 +408,7 @@ std::string InputArrayName(vtkAlgorithm* filter, int index)
   return name ? name : "";
 }
 
-std::set<std::string> NamesIn(const std::string& list)
+std::set<std::string> SplitNames(const std::string& list)
 {
   constexpr const char* separators = " ,;\t\n";
   std::set<std::string> names;

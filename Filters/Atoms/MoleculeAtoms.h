@@ -58,11 +58,11 @@ struct AtomOptions
 };
 
 /// All residues except water, which is kept on request (the properties of AtomProperties.h).
-VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions WholeMolecule(
+VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions SelectWholeMolecule(
   const std::string& radiusArray, bool keepWaters = false, bool unitedAtoms = true);
 
 /// The chains and the other residues that `options` keeps, including atoms of radius 0.
-VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions PolymerOf(
+VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions SelectPolymer(
   const std::string& radiusArray, const PolymerOptions& options);
 
 /// The atoms that a filter uses. Places and radii in angstrom.
@@ -109,7 +109,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT vtkDataSetAttributes* AtomData(vtkDataObject* atom
 VTKISTHMUSFILTERSATOMS_EXPORT std::vector<int> AtomElements(vtkDataObject* atoms);
 
 /// The names of all atoms. Throws std::invalid_argument for coordinates that are not finite.
-VTKISTHMUSFILTERSATOMS_EXPORT std::vector<NamedAtom> NamedAtomsOf(vtkDataObject* atoms);
+VTKISTHMUSFILTERSATOMS_EXPORT std::vector<NamedAtom> ReadNamedAtoms(vtkDataObject* atoms);
 
 /// The name of the array selected as input array `index` of `filter`; empty: none.
 VTKISTHMUSFILTERSATOMS_EXPORT std::string InputArrayName(vtkAlgorithm* filter, int index);
@@ -119,7 +119,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT void AddNotes(
   const std::vector<std::string>& notes, vtkDataObject* to);
 
 /// Names separated by blanks, commas or semicolons.
-VTKISTHMUSFILTERSATOMS_EXPORT std::set<std::string> NamesIn(const std::string& list);
+VTKISTHMUSFILTERSATOMS_EXPORT std::set<std::string> SplitNames(const std::string& list);
 
 }
 

@@ -16,7 +16,7 @@ constexpr double ArrowFactor = 1.6;      ///< width of an arrow's head over that
 constexpr double NucleotideFactor = 1.8; ///< diameter of a nucleic acid's tube over that of coil
 constexpr double StrandExponent = 6.0;
 
-Point3 Normalized(const Point3& v, const Point3& otherwise)
+Point3 NormalizedOr(const Point3& v, const Point3& otherwise)
 {
   const double length = Length(v);
   return length > 1e-6 ? (1.0 / length) * v : otherwise;
@@ -26,13 +26,13 @@ Point3 Normalized(const Point3& v, const Point3& otherwise)
 Point3 AnyNormal(const Point3& t)
 {
   const Point3 axis = std::abs(t[0]) < 0.7 ? Point3{ 1.0, 0.0, 0.0 } : Point3{ 0.0, 1.0, 0.0 };
-  return Normalized(Cross(t, axis), { 0.0, 0.0, 1.0 });
+  return NormalizedOr(Cross(t, axis), { 0.0, 0.0, 1.0 });
 }
 
 /// `v` without its part along the unit vector `t`; `otherwise` if nothing is left.
 Point3 PerpendicularTo(const Point3& t, const Point3& v, const Point3& otherwise)
 {
-  return Normalized(v - Dot(v, t) * t, otherwise);
+  return NormalizedOr(v - Dot(v, t) * t, otherwise);
 }
 
 /// Half axes and exponent of the superellipse.
@@ -100,7 +100,7 @@ public:
       const double nx = std::copysign(std::pow(std::abs(x), steep), x) / section.Wide;
       const double ny = std::copysign(std::pow(std::abs(y), steep), y) / section.Thin;
       this->AddPoint(frame.Place + (section.Wide * x) * frame.Side + (section.Thin * y) * other,
-        Normalized(nx * frame.Side + ny * other, other));
+        NormalizedOr(nx * frame.Side + ny * other, other));
     }
     return first;
   }
@@ -123,17 +123,17 @@ public:
     {
       this->Mesh.Normals[static_cast<std::size_t>(ring + k)] = normal;
     }
-    const std::int64_t centre = this->AddPoint(frame.Place, normal);
+    const std::int64_t center = this->AddPoint(frame.Place, normal);
     for (std::int64_t k = 0; k < this->Sides; ++k)
     {
       const std::int64_t after = (k + 1) % this->Sides;
       if (direction > 0.0)
       {
-        this->AddPolygon({ centre, ring + k, ring + after }, item);
+        this->AddPolygon({ center, ring + k, ring + after }, item);
       }
       else
       {
-        this->AddPolygon({ centre, ring + after, ring + k }, item);
+        this->AddPolygon({ center, ring + after, ring + k }, item);
       }
     }
   }
@@ -146,14 +146,14 @@ public:
     {
       return;
     }
-    const Point3 tangent = Normalized(along, along);
+    const Point3 tangent = NormalizedOr(along, along);
     const Point3 side = AnyNormal(tangent);
     const Section round{ radius, radius };
     const std::int64_t ring = this->AddRing({ from, tangent, side }, round);
     this->Join(ring, this->AddRing({ to, tangent, side }, round), item);
   }
 
-  void AddBall(const Point3& centre, double radius, std::int64_t item)
+  void AddBall(const Point3& center, double radius, std::int64_t item)
   {
     if (this->UnitBall.Points.empty())
     {
@@ -162,7 +162,7 @@ public:
     const auto first = static_cast<std::int64_t>(this->Mesh.Points.size());
     for (const Point3& p : this->UnitBall.Points)
     {
-      this->AddPoint(centre + radius * p, p);
+      this->AddPoint(center + radius * p, p);
     }
     for (std::size_t c = 0; c < this->UnitBall.Corners.size(); c += 3)
     {
@@ -182,7 +182,7 @@ private:
       { -g, 0, -1 }, { -g, 0, 1 } } };
     for (const Point3& corner : corners)
     {
-      this->UnitBall.Points.push_back(Normalized(corner, corner));
+      this->UnitBall.Points.push_back(NormalizedOr(corner, corner));
     }
     this->UnitBall.Corners = { 0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4,
       11, 10, 2, 10, 7, 6, 7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11,
@@ -206,7 +206,7 @@ private:
       {
         const Point3 sum =
           points[static_cast<std::size_t>(a)] + points[static_cast<std::size_t>(b)];
-        points.push_back(Normalized(sum, sum));
+        points.push_back(NormalizedOr(sum, sum));
       }
       return at->second;
     };
@@ -269,7 +269,7 @@ public:
     return k > 0 ? this->BeginsArrow(k - 1) : this->IsClosed && this->BeginsArrow(this->Count - 1);
   }
 
-  SecondaryStructure Of(std::size_t k) const { return this->Structure[k % this->Count]; }
+  SecondaryStructure StructureAt(std::size_t k) const { return this->Structure[k % this->Count]; }
 
   /// The curve at fraction `t` of the way from residue `k` to the next; `before` is the side
   /// before.
@@ -287,7 +287,7 @@ public:
       (3.0 * tt - 2.0 * ttt) * q + (ttt - tt) * n;
     const Point3 slope = (6.0 * tt - 6.0 * t) * p + (3.0 * tt - 4.0 * t + 1.0) * m +
       (6.0 * t - 6.0 * tt) * q + (3.0 * tt - 2.0 * t) * n;
-    frame.Tangent = Normalized(slope, Normalized(q - p, { 1.0, 0.0, 0.0 }));
+    frame.Tangent = NormalizedOr(slope, NormalizedOr(q - p, { 1.0, 0.0, 0.0 }));
     // Along the curve the sides of neighbours agree; only a closed one may have to turn at its end.
     const Point3& a = this->Sides[k];
     const Point3 b = Dot(a, this->Sides[next]) < 0.0 ? -1.0 * this->Sides[next] : this->Sides[next];
@@ -351,13 +351,13 @@ private:
       const Point3 side = Cross(Cross(a, b), a);
       if (Length(side) > 1e-3)
       {
-        return Normalized(side, side);
+        return NormalizedOr(side, side);
       }
     }
     const Point3 back = k > 0 ? this->Traces[k] - this->Traces[k - 1]
       : this->Count > 2       ? this->Traces[2] - this->Traces[1]
                               : Point3{ 0.0, 0.0, 0.0 };
-    return Normalized(Cross(back, a), AnyNormal(Normalized(a, { 1.0, 0.0, 0.0 })));
+    return NormalizedOr(Cross(back, a), AnyNormal(NormalizedOr(a, { 1.0, 0.0, 0.0 })));
   }
 
   void FindSides(const std::vector<NamedAtom>& atoms, const std::vector<PolymerResidue>& residues)
@@ -376,7 +376,7 @@ private:
     {
       const Point3& after = spans[std::min(k, spans.size() - 1)];
       const Point3& before = spans[k > 0 ? k - 1 : 0];
-      this->Sides.push_back(Normalized(before + after, after));
+      this->Sides.push_back(NormalizedOr(before + after, after));
     }
     this->SmoothStrandSides();
   }
@@ -388,7 +388,7 @@ private:
     {
       if (this->IsStrand(k))
       {
-        this->Sides[k] = Normalized(rough[k - 1] + 2.0 * rough[k] + rough[k + 1], rough[k]);
+        this->Sides[k] = NormalizedOr(rough[k - 1] + 2.0 * rough[k] + rough[k + 1], rough[k]);
       }
     }
   }
@@ -404,7 +404,7 @@ private:
   std::vector<Point3> Sides;
 };
 
-Section SectionOf(SecondaryStructure structure, const CartoonShape& shape)
+Section GetSection(SecondaryStructure structure, const CartoonShape& shape)
 {
   const double thin = 0.5 * shape.RibbonThickness;
   const double wide = 0.5 * shape.RibbonWidth;
@@ -424,7 +424,7 @@ Section SectionOf(SecondaryStructure structure, const CartoonShape& shape)
 /// Section at residue `k`; where an arrow ends, that of coil.
 Section SectionAt(const ChainPiece& piece, std::size_t k, const CartoonShape& shape)
 {
-  return SectionOf(piece.EndsArrow(k) ? SecondaryStructure::Coil : piece.Of(k), shape);
+  return GetSection(piece.EndsArrow(k) ? SecondaryStructure::Coil : piece.StructureAt(k), shape);
 }
 
 void DrawPiece(const ChainPiece& piece, const CartoonShape& shape, Builder& builder)

@@ -17,8 +17,8 @@ NearestBall::NearestBall(const std::vector<Ball>& balls)
     high[axis] = -this->Low[axis];
     for (const Ball& ball : balls)
     {
-      this->Low[axis] = std::min(this->Low[axis], ball.Centre[axis]);
-      high[axis] = std::max(high[axis], ball.Centre[axis]);
+      this->Low[axis] = std::min(this->Low[axis], ball.Center[axis]);
+      high[axis] = std::max(high[axis], ball.Center[axis]);
       this->Largest = std::max(this->Largest, ball.Radius);
     }
   }
@@ -39,14 +39,14 @@ NearestBall::NearestBall(const std::vector<Ball>& balls)
     static_cast<std::size_t>(this->Counts[0] * this->Counts[1] * this->Counts[2]));
   for (std::size_t ball = 0; ball < balls.size(); ++ball)
   {
-    const Cell c = this->CellOf(balls[ball].Centre);
+    const Cell c = this->FindCell(balls[ball].Center);
     this
       ->Members[static_cast<std::size_t>(c[0] + this->Counts[0] * (c[1] + this->Counts[1] * c[2]))]
       .push_back(ball);
   }
 }
 
-NearestBall::Cell NearestBall::CellOf(const std::array<double, 3>& place) const
+NearestBall::Cell NearestBall::FindCell(const std::array<double, 3>& place) const
 {
   Cell cell;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -60,7 +60,7 @@ NearestBall::Cell NearestBall::CellOf(const std::array<double, 3>& place) const
 
 std::size_t NearestBall::At(const std::array<double, 3>& place) const
 {
-  const Cell centre = this->CellOf(place);
+  const Cell center = this->FindCell(place);
   const std::int64_t last = std::max({ this->Counts[0], this->Counts[1], this->Counts[2] });
   double best = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;
@@ -75,17 +75,17 @@ std::size_t NearestBall::At(const std::array<double, 3>& place) const
     Cell end;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      first[axis] = std::max<std::int64_t>(centre[axis] - shell, 0);
-      end[axis] = std::min(centre[axis] + shell + 1, this->Counts[axis]);
+      first[axis] = std::max<std::int64_t>(center[axis] - shell, 0);
+      end[axis] = std::min(center[axis] + shell + 1, this->Counts[axis]);
     }
     for (std::int64_t k = first[2]; k < end[2]; ++k)
     {
       for (std::int64_t j = first[1]; j < end[1]; ++j)
       {
-        const bool side = std::abs(k - centre[2]) == shell || std::abs(j - centre[1]) == shell;
+        const bool side = std::abs(k - center[2]) == shell || std::abs(j - center[1]) == shell;
         for (std::int64_t i = first[0]; i < end[0]; ++i)
         {
-          if (!side && std::abs(i - centre[0]) != shell)
+          if (!side && std::abs(i - center[0]) != shell)
           {
             continue;
           }
@@ -93,7 +93,7 @@ std::size_t NearestBall::At(const std::array<double, 3>& place) const
             this
               ->Members[static_cast<std::size_t>(i + this->Counts[0] * (j + this->Counts[1] * k))])
           {
-            const auto& c = this->Balls[ball].Centre;
+            const auto& c = this->Balls[ball].Center;
             const double distance = std::hypot(place[0] - c[0], place[1] - c[1], place[2] - c[2]) -
               this->Balls[ball].Radius;
             if (distance < best || (distance == best && ball < nearest))

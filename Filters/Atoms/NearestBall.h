@@ -20,12 +20,12 @@ class NearestBall
 public:
   explicit NearestBall(const std::vector<Ball>& balls);
 
-  /// Number of the ball with the least |place - centre| - radius; the lower of two alike.
+  /// Number of the ball with the least |place - center| - radius; the lower of two alike.
   std::size_t At(const std::array<double, 3>& place) const;
 
 private:
   using Cell = std::array<std::int64_t, 3>;
-  Cell CellOf(const std::array<double, 3>& place) const;
+  Cell FindCell(const std::array<double, 3>& place) const;
 
   std::vector<Ball> Balls;
   std::array<double, 3> Low{};

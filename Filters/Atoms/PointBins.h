@@ -34,7 +34,7 @@ public:
     order.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      order.emplace_back(this->BinOf(points[i]), static_cast<std::int64_t>(i));
+      order.emplace_back(this->FindBin(points[i]), static_cast<std::int64_t>(i));
     }
     std::sort(order.begin(), order.end());
     this->Entries.reserve(points.size());
@@ -85,8 +85,8 @@ public:
   void NearRanges(const Point3& place, double reach, Visit&& visit) const
   {
     const double squared = reach * reach;
-    Bin low = this->BinOf({ place[0] - reach, place[1] - reach, place[2] - reach });
-    Bin high = this->BinOf({ place[0] + reach, place[1] + reach, place[2] + reach });
+    Bin low = this->FindBin({ place[0] - reach, place[1] - reach, place[2] - reach });
+    Bin high = this->FindBin({ place[0] + reach, place[1] + reach, place[2] + reach });
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       low[axis] = std::max(low[axis], this->Low[axis]);
@@ -113,8 +113,9 @@ public:
           continue;
         }
         const double chord = std::sqrt(left) + 1e-12 * (reach + std::fabs(place[0]));
-        const auto [first, last] = this->Row(z, y, std::max(low[2], this->BinOf(place[0] - chord)),
-          std::min(high[2], this->BinOf(place[0] + chord)));
+        const auto [first, last] =
+          this->Row(z, y, std::max(low[2], this->FindBin(place[0] - chord)),
+            std::min(high[2], this->FindBin(place[0] + chord)));
         if (first < last)
         {
           visit(first, last);
@@ -165,14 +166,14 @@ private:
     std::size_t next = 0;
     for (std::size_t i = 0; i < order.size(); ++i)
     {
-      for (const std::size_t at = this->NumberOf(order[i].first); next <= at; ++next)
+      for (const std::size_t at = this->CountPoints(order[i].first); next <= at; ++next)
       {
         this->Begins[next] = i;
       }
     }
   }
 
-  std::size_t NumberOf(const Bin& bin) const
+  std::size_t CountPoints(const Bin& bin) const
   {
     return static_cast<std::size_t>(
       ((bin[0] - this->Low[0]) * (this->High[1] - this->Low[1] + 1) + bin[1] - this->Low[1]) *
@@ -190,8 +191,8 @@ private:
     }
     if (!this->Begins.empty())
     {
-      return { this->Begins[this->NumberOf({ z, y, first })],
-        this->Begins[this->NumberOf({ z, y, last }) + 1] };
+      return { this->Begins[this->CountPoints({ z, y, first })],
+        this->Begins[this->CountPoints({ z, y, last }) + 1] };
     }
     const auto low = std::lower_bound(this->Bins.begin(), this->Bins.end(), Bin{ z, y, first });
     const auto high = std::upper_bound(low, this->Bins.end(), Bin{ z, y, last });
@@ -199,7 +200,7 @@ private:
       static_cast<std::size_t>(high - this->Bins.begin()) };
   }
 
-  std::int64_t BinOf(double x) const
+  std::int64_t FindBin(double x) const
   {
     constexpr double most = 9007199254740992.0; // 2^53
     const double bin = std::floor(x / this->Size);
@@ -207,9 +208,9 @@ private:
                        : -static_cast<std::int64_t>(most);
   }
 
-  Bin BinOf(const Point3& p) const
+  Bin FindBin(const Point3& p) const
   {
-    return { this->BinOf(p[2]), this->BinOf(p[1]), this->BinOf(p[0]) };
+    return { this->FindBin(p[2]), this->FindBin(p[1]), this->FindBin(p[0]) };
   }
 
   /// Distance of `x` from the bins with this number along its axis.

@@ -105,13 +105,13 @@ int LinkEnd(const NamedAtom& atom)
   return atom.Name == "O3'" || atom.Name == "O3*" ? 4 : 0;
 }
 
-bool Fit(int a, int b)
+bool CanLink(int a, int b)
 {
   return (a == 1 && b == 2) || (a == 2 && b == 1) || (a == 3 && b == 4) || (a == 4 && b == 3);
 }
 
 /// Marks residues linked to a residue of a chain as part of it.
-void SpreadAlongChains(const std::vector<NamedAtom>& atoms, const std::vector<std::size_t>& of,
+void PropagateAlongChains(const std::vector<NamedAtom>& atoms, const std::vector<std::size_t>& of,
   std::vector<Residue>& residues)
 {
   std::vector<std::size_t> ends;
@@ -148,7 +148,8 @@ void SpreadAlongChains(const std::vector<NamedAtom>& atoms, const std::vector<st
         {
           const std::size_t other = ends[static_cast<std::size_t>(end)];
           Residue& to = residues[of[other]];
-          if (!to.IsPolymer && !IsWater(to.Name) && Fit(LinkEnd(atoms[i]), LinkEnd(atoms[other])))
+          if (!to.IsPolymer && !IsWater(to.Name) &&
+            CanLink(LinkEnd(atoms[i]), LinkEnd(atoms[other])))
           {
             to.IsPolymer = true;
             open.push_back(of[other]);
@@ -158,7 +159,7 @@ void SpreadAlongChains(const std::vector<NamedAtom>& atoms, const std::vector<st
   }
 }
 
-Kind KindOf(const Residue& residue, bool anyPolymer)
+Kind ClassifyResidue(const Residue& residue, bool anyPolymer)
 {
   if (IsWater(residue.Name))
   {
@@ -176,7 +177,7 @@ Kind KindOf(const Residue& residue, bool anyPolymer)
   return ProstheticGroups().count(residue.Name) > 0 ? Kind::Prosthetic : Kind::Ligand;
 }
 
-bool Keeps(const PolymerOptions& options, Kind kind)
+bool IsIncluded(const PolymerOptions& options, Kind kind)
 {
   switch (kind)
   {
@@ -209,7 +210,7 @@ public:
     }
   }
 
-  bool Keeps(const NamedAtom& a) const
+  bool IsIncluded(const NamedAtom& a) const
   {
     if (a.AltLoc.empty())
     {
@@ -235,7 +236,7 @@ private:
 };
 
 /// Counts of the dropped atoms.
-class LeftOut
+class DroppedAtoms
 {
 public:
   void Add(Kind kind, const Residue& residue)
@@ -245,7 +246,7 @@ public:
     atoms += residue.HeavyAtoms;
   }
 
-  std::vector<std::string> Sentences() const
+  std::vector<std::string> Messages() const
   {
     std::vector<std::string> sentences;
     for (const auto& [kind, names] : this->Counts)
@@ -283,13 +284,13 @@ PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOp
     residue.IsPolymer = !residue.IsHetero && StandardResidues().count(residue.Name) > 0;
     anyPolymer = anyPolymer || residue.IsPolymer;
   }
-  SpreadAlongChains(atoms, of, residues);
-  LeftOut leftOut;
+  PropagateAlongChains(atoms, of, residues);
+  DroppedAtoms leftOut;
   std::vector<char> kept(residues.size(), 1);
   for (std::size_t r = 0; r < residues.size(); ++r)
   {
-    const Kind kind = KindOf(residues[r], anyPolymer);
-    if (!Keeps(options, kind) && options.Residues.count(residues[r].Name) == 0)
+    const Kind kind = ClassifyResidue(residues[r], anyPolymer);
+    if (!IsIncluded(options, kind) && options.Residues.count(residues[r].Name) == 0)
     {
       kept[r] = 0;
       leftOut.Add(kind, residues[r]);
@@ -297,7 +298,7 @@ PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOp
   }
   const Locations locations(atoms);
   PolymerChoice choice;
-  choice.Notes = leftOut.Sentences();
+  choice.Notes = leftOut.Messages();
   choice.AnyChain = anyPolymer;
   std::size_t hydrogens = 0;
   std::size_t alternates = 0;
@@ -305,7 +306,7 @@ PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOp
   {
     const bool wanted = kept[of[i]] != 0;
     const bool hydrogen = IsHydrogen(atoms[i]) && !options.Hydrogens;
-    const bool here = locations.Keeps(atoms[i]);
+    const bool here = locations.IsIncluded(atoms[i]);
     hydrogens += wanted && hydrogen ? 1 : 0;
     alternates += wanted && !hydrogen && !here ? 1 : 0;
     if (wanted && !hydrogen && here)

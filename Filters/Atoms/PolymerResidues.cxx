@@ -12,7 +12,7 @@ constexpr double LongestPhosphodiester = 2.2;
 constexpr double LongestStep = 4.5; ///< CA to CA: 2.9 (cis) or 3.8 angstrom
 constexpr double LongestNucleotideStep = 8.0;
 
-bool AreOfOneResidue(const NamedAtom& a, const NamedAtom& b)
+bool InSameResidue(const NamedAtom& a, const NamedAtom& b)
 {
   return a.ResidueId == b.ResidueId && a.Chain == b.Chain && a.Residue == b.Residue &&
     a.InsertionCode == b.InsertionCode;
@@ -61,7 +61,7 @@ bool IsFirstName(const std::string& name)
 }
 
 /// Purines have N9; of them N1 faces the other strand, of pyrimidines N3.
-std::int64_t BaseEndOf(const std::vector<NamedAtom>& atoms, const PolymerResidue& residue)
+std::int64_t FindBaseEnd(const std::vector<NamedAtom>& atoms, const PolymerResidue& residue)
 {
   std::int64_t n1 = PolymerResidue::None;
   std::int64_t n3 = PolymerResidue::None;
@@ -76,7 +76,7 @@ std::int64_t BaseEndOf(const std::vector<NamedAtom>& atoms, const PolymerResidue
   return isPurine ? n1 : n3;
 }
 
-void Complete(const std::vector<NamedAtom>& atoms, PolymerResidue& residue)
+void CompleteResidue(const std::vector<NamedAtom>& atoms, PolymerResidue& residue)
 {
   if (residue.CA != PolymerResidue::None)
   {
@@ -85,7 +85,7 @@ void Complete(const std::vector<NamedAtom>& atoms, PolymerResidue& residue)
   else if (residue.C4 != PolymerResidue::None || residue.P != PolymerResidue::None)
   {
     residue.Kind = ResidueKind::Nucleotide;
-    residue.BaseEnd = BaseEndOf(atoms, residue);
+    residue.BaseEnd = FindBaseEnd(atoms, residue);
   }
 }
 
@@ -122,7 +122,7 @@ bool AreLinked(
                    : AreNear(atoms, a.O3, b.P, LongestPhosphodiester, byStep);
 }
 
-std::vector<PolymerResidue> ResiduesOf(
+std::vector<PolymerResidue> FindResidues(
   const std::vector<NamedAtom>& atoms, const std::vector<std::size_t>& kept)
 {
   std::vector<PolymerResidue> residues;
@@ -130,7 +130,7 @@ std::vector<PolymerResidue> ResiduesOf(
   {
     const NamedAtom& atom = atoms[i];
     const bool isNew = residues.empty() ||
-      !AreOfOneResidue(atoms[residues.back().Atoms.front()], atom) ||
+      !InSameResidue(atoms[residues.back().Atoms.front()], atom) ||
       (IsFirstName(atom.Name) && atom.Name == atoms[residues.back().Atoms.front()].Name);
     if (isNew)
     {
@@ -141,7 +141,7 @@ std::vector<PolymerResidue> ResiduesOf(
   }
   for (PolymerResidue& residue : residues)
   {
-    Complete(atoms, residue);
+    CompleteResidue(atoms, residue);
   }
   for (std::size_t r = 0; r + 1 < residues.size(); ++r)
   {

@@ -52,7 +52,7 @@ struct PolymerResidue
  * same chain, number, insertion code and residue name are a residue, until the backbone's first
  * atom comes again. O(atoms).
  */
-VTKISTHMUSFILTERSATOMS_EXPORT std::vector<PolymerResidue> ResiduesOf(
+VTKISTHMUSFILTERSATOMS_EXPORT std::vector<PolymerResidue> FindResidues(
   const std::vector<NamedAtom>& atoms, const std::vector<std::size_t>& kept);
 
 /**

@@ -175,7 +175,7 @@ struct Ladder
   std::int64_t Bridges = 1;
 };
 
-BridgeType BridgeOf(const BackboneBonds& bonds, std::int64_t i, std::int64_t j)
+BridgeType ClassifyBridge(const BackboneBonds& bonds, std::int64_t i, std::int64_t j)
 {
   if (!bonds.IsUnbroken(i - 1, i + 1) || !bonds.IsUnbroken(j - 1, j + 1))
   {
@@ -203,7 +203,7 @@ std::vector<Ladder> FindLadders(const BackboneBonds& bonds, std::size_t residues
   std::vector<std::vector<std::size_t>> ending(residues); // ladders by their last residue i
   for (const auto& [i, j] : bonds.Near())
   {
-    const BridgeType type = j < i + 3 ? BridgeType::None : BridgeOf(bonds, i, j);
+    const BridgeType type = j < i + 3 ? BridgeType::None : ClassifyBridge(bonds, i, j);
     if (type == BridgeType::None)
     {
       continue;

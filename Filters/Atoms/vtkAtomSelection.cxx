@@ -33,7 +33,7 @@ using isthmus::PolymerChoice;
 using isthmus::PolymerOptions;
 
 /// The atoms of `choice` that `options` keeps in addition to the chains.
-std::vector<std::size_t> WithoutPolymer(
+std::vector<std::size_t> NonPolymerAtoms(
   const std::vector<NamedAtom>& atoms, const PolymerOptions& options, const PolymerChoice& choice)
 {
   PolymerOptions chains;
@@ -73,7 +73,7 @@ std::vector<vtkIdType> CopyPoints(
 }
 
 /// The cells whose points are all kept; their numbers in the input, from `first`, go to `kept`.
-vtkSmartPointer<vtkCellArray> CellsOf(
+vtkSmartPointer<vtkCellArray> CopyKeptCells(
   vtkCellArray* cells, const std::vector<vtkIdType>& placeOf, vtkIdType first, vtkIdList* kept)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
@@ -104,10 +104,10 @@ void CopyCells(vtkPolyData* atoms, const std::vector<vtkIdType>& placeOf, vtkPol
   const vtkIdType lines = atoms->GetNumberOfVerts();
   const vtkIdType polygons = lines + atoms->GetNumberOfLines();
   const vtkIdType strips = polygons + atoms->GetNumberOfPolys();
-  output->SetVerts(CellsOf(atoms->GetVerts(), placeOf, 0, kept));
-  output->SetLines(CellsOf(atoms->GetLines(), placeOf, lines, kept));
-  output->SetPolys(CellsOf(atoms->GetPolys(), placeOf, polygons, kept));
-  output->SetStrips(CellsOf(atoms->GetStrips(), placeOf, strips, kept));
+  output->SetVerts(CopyKeptCells(atoms->GetVerts(), placeOf, 0, kept));
+  output->SetLines(CopyKeptCells(atoms->GetLines(), placeOf, lines, kept));
+  output->SetPolys(CopyKeptCells(atoms->GetPolys(), placeOf, polygons, kept));
+  output->SetStrips(CopyKeptCells(atoms->GetStrips(), placeOf, strips, kept));
   vtkCellData* data = output->GetCellData();
   data->CopyAllOn();
   data->CopyAllocate(atoms->GetCellData(), kept->GetNumberOfIds());
@@ -120,7 +120,7 @@ int vtkAtomSelection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
@@ -140,13 +140,13 @@ void vtkAtomSelection::Select(vtkPointSet* atoms, vtkPointSet* output)
   keep.Ions = this->IncludeIons;
   keep.Ligands = this->IncludeLigands;
   keep.ProstheticGroups = this->IncludeProstheticGroups;
-  keep.Residues = isthmus::NamesIn(this->IncludeResidues);
-  const std::vector<NamedAtom> named = isthmus::NamedAtomsOf(atoms);
+  keep.Residues = isthmus::SplitNames(this->IncludeResidues);
+  const std::vector<NamedAtom> named = isthmus::ReadNamedAtoms(atoms);
   this->UpdateProgress(0.3);
   PolymerChoice choice = isthmus::ChoosePolymer(named, keep);
   if (!this->IncludeChains)
   {
-    choice.Kept = WithoutPolymer(named, keep, choice);
+    choice.Kept = NonPolymerAtoms(named, keep, choice);
     choice.Notes.emplace_back("Chains of amino acids and nucleotides were left out.");
   }
   this->UpdateProgress(0.7);

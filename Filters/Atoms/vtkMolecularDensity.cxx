@@ -56,7 +56,7 @@ MoleculeAtoms ScaledAtoms(vtkDataObject* input, const std::string& radii, double
 void Widen(DensityGrid& grid, vtkInformation* outInfo)
 {
   const isthmus::Extent announced =
-    isthmus::ExtentOf(outInfo, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    isthmus::ReadExtent(outInfo, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::int64_t nodes = announced[2 * axis + 1] + 1;
@@ -75,8 +75,8 @@ void SetGeometry(const DensityGrid& grid, vtkImageData* image)
 /// The array `Density` of the image, not yet filled.
 vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
-  isthmus::MemoryBudget().RequireGrid(
-    grid.Dimensions, sizeof(float), isthmus::TextOf("choose a Spacing larger than ", grid.Spacing));
+  isthmus::MemoryBudget().RequireGrid(grid.Dimensions, sizeof(float),
+    isthmus::JoinText("choose a Spacing larger than ", grid.Spacing));
   const auto density = isthmus::NamedArray<vtkFloatArray>(
     "Density", isthmus::At(grid.Dimensions[0] * grid.Dimensions[1] * grid.Dimensions[2]));
   image->GetPointData()->SetScalars(density);
@@ -130,7 +130,7 @@ int vtkMolecularDensity::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
   output->Initialize();
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::RequireRange("Form", this->Form, UnionOfBalls, GaussianSum);
@@ -161,7 +161,7 @@ void vtkMolecularDensity::FillImage(
   SetGeometry(grid, output);
   const isthmus::GridView<float> nodes{ AddDensity(output, grid)->GetPointer(0), grid.Dimensions,
     { grid.Spacing, grid.Spacing, grid.Spacing } };
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   if (this->Form == UnionOfBalls)
   {
     isthmus::UnionOfBalls(atoms.Balls, grid.Origin, nodes, progress);

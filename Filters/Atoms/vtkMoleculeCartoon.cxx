@@ -61,7 +61,7 @@ using isthmus::operator+;
 
 using Indices = std::vector<std::size_t>;
 
-std::string LabelOf(const NamedAtom& atom)
+std::string MakeResidueLabel(const NamedAtom& atom)
 {
   const std::string number =
     atom.Residue.empty() && atom.ResidueId == 0 ? "" : std::to_string(atom.ResidueId);
@@ -91,7 +91,7 @@ std::vector<double> Values(vtkPointSet* atoms, const char* name)
   return values;
 }
 
-double MeanOf(const std::vector<double>& values, const Indices& atoms)
+double ComputeMean(const std::vector<double>& values, const Indices& atoms)
 {
   double sum = 0.0;
   double count = 0.0;
@@ -130,11 +130,11 @@ void NameResidues(const std::vector<NamedAtom>& atoms, Residues& residues)
       residues.ChainNames.push_back(atom.Chain);
     }
     residues.Chain.push_back(at->second);
-    residues.Labels.push_back(LabelOf(atom));
+    residues.Labels.push_back(MakeResidueLabel(atom));
   }
 }
 
-std::vector<SecondaryStructure> StructureOfFile(
+std::vector<SecondaryStructure> StructureFromFile(
   const std::vector<double>& values, const std::vector<PolymerResidue>& residues)
 {
   std::vector<SecondaryStructure> structure;
@@ -182,16 +182,16 @@ template <typename Of>
 void AddResidueArrays(const std::vector<NamedAtom>& atoms, const Residues& residues,
   vtkFieldData* data, std::size_t rows, Of&& of)
 {
-  using isthmus::AddColumnOf;
-  AddColumnOf<vtkIntArray>(
+  using isthmus::AddComputedColumn;
+  AddComputedColumn<vtkIntArray>(
     data, "ResidueIndex", rows, [&](std::size_t row) { return static_cast<int>(of(row)); });
-  AddColumnOf<vtkStringArray>(
+  AddComputedColumn<vtkStringArray>(
     data, "Residue", rows, [&](std::size_t row) { return residues.Labels[of(row)]; });
-  AddColumnOf<vtkIntArray>(data, "ResidueId", rows,
+  AddComputedColumn<vtkIntArray>(data, "ResidueId", rows,
     [&](std::size_t row) { return atoms[residues.List[of(row)].Atoms.front()].ResidueId; });
-  AddColumnOf<vtkIntArray>(
+  AddComputedColumn<vtkIntArray>(
     data, "ChainIndex", rows, [&](std::size_t row) { return residues.Chain[of(row)]; });
-  AddColumnOf<vtkUnsignedCharArray>(data, "SecondaryStructure", rows,
+  AddComputedColumn<vtkUnsignedCharArray>(data, "SecondaryStructure", rows,
     [&](std::size_t row) { return static_cast<unsigned char>(residues.Structure[of(row)]); });
 }
 
@@ -208,9 +208,9 @@ void AddMeans(vtkPointSet* atoms, const char* name, const Residues& residues, vt
   std::vector<double> means;
   for (const PolymerResidue& residue : residues.List)
   {
-    means.push_back(MeanOf(values, residue.Atoms));
+    means.push_back(ComputeMean(values, residue.Atoms));
   }
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     data, name, rows, [&](std::size_t row) { return means[of(row)]; });
 }
 
@@ -246,7 +246,7 @@ void FillTable(vtkPointSet* input, const std::vector<NamedAtom>& atoms, const Re
   AddMeans(input, "pLDDT", residues, data, rows, same);
   const auto text = [&](const char* name, std::string NamedAtom::*member)
   {
-    isthmus::AddColumnOf<vtkStringArray>(data, name, rows,
+    isthmus::AddComputedColumn<vtkStringArray>(data, name, rows,
       [&](std::size_t row) { return atoms[residues.List[row].Atoms.front()].*member; });
   };
   text("ResidueName", &NamedAtom::Residue);
@@ -255,7 +255,7 @@ void FillTable(vtkPointSet* input, const std::vector<NamedAtom>& atoms, const Re
 }
 
 /// Bonds, the lines of the input, of which both ends are drawn.
-std::vector<std::array<std::int64_t, 2>> BondsOf(
+std::vector<std::array<std::int64_t, 2>> CollectBonds(
   vtkPointSet* atoms, const std::vector<char>& isDrawn)
 {
   std::vector<std::array<std::int64_t, 2>> bonds;
@@ -330,7 +330,7 @@ int vtkMoleculeCartoon::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::Check(this->Parameters);
@@ -345,7 +345,7 @@ int vtkMoleculeCartoon::RequestData(
 
 void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
 {
-  const std::vector<NamedAtom> atoms = isthmus::NamedAtomsOf(input);
+  const std::vector<NamedAtom> atoms = isthmus::ReadNamedAtoms(input);
   this->UpdateProgress(0.1);
   std::vector<std::string> notes;
 
@@ -369,13 +369,13 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   this->UpdateProgress(0.4);
 
   Residues residues;
-  residues.List = isthmus::ResiduesOf(atoms, chains.Kept);
+  residues.List = isthmus::FindResidues(atoms, chains.Kept);
   residues.OfChains = residues.List.size();
   const std::vector<double> given = Values(input, "SecondaryStructure");
   const bool isGiven = !given.empty() && !this->ComputeSecondaryStructure;
   if (residues.OfChains > 0)
   {
-    residues.Structure = isGiven ? StructureOfFile(given, residues.List)
+    residues.Structure = isGiven ? StructureFromFile(given, residues.List)
                                  : isthmus::FindSecondaryStructure(atoms, residues.List);
     notes.emplace_back(isGiven ? "The secondary structure is the file's."
                                : "The secondary structure is DSSP's, by hydrogen bonds.");
@@ -388,7 +388,7 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
     notes.push_back(std::to_string(untraced) +
       " residues of chains have neither CA nor C4' nor P and are not in the cartoon.");
   }
-  for (PolymerResidue& residue : isthmus::ResiduesOf(atoms, others))
+  for (PolymerResidue& residue : isthmus::FindResidues(atoms, others))
   {
     residue.IsLinked = false;
     residues.List.push_back(std::move(residue));
@@ -400,7 +400,7 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   // Balls and sticks.
   std::vector<std::size_t> residueOf(atoms.size(), 0);
   std::vector<char> isDrawn(atoms.size(), 0);
-  const std::set<std::string> listed = isthmus::NamesIn(this->StickResidues);
+  const std::set<std::string> listed = isthmus::SplitNames(this->StickResidues);
   for (std::size_t r = 0; r < residues.List.size(); ++r)
   {
     const Indices& members = residues.List[r].Atoms;
@@ -411,7 +411,7 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
       isDrawn[i] = isSticks ? 1 : 0;
     }
   }
-  const std::vector<std::array<std::int64_t, 2>> bonds = BondsOf(input, isDrawn);
+  const std::vector<std::array<std::int64_t, 2>> bonds = CollectBonds(input, isDrawn);
   std::vector<char> isBonded(atoms.size(), 0);
   for (const auto& [a, b] : bonds)
   {
@@ -429,11 +429,11 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   }
   isthmus::MemoryBudget().Require(
     CartoonBytes(balls.size(), bonds.size(), residues.OfChains, shape.Sides),
-    isthmus::TextOf("A cartoon of ", residues.OfChains, " residues and ", balls.size(), " balls"),
+    isthmus::JoinText("A cartoon of ", residues.OfChains, " residues and ", balls.size(), " balls"),
     "reduce Sides, or select fewer atoms");
   CartoonMesh cartoon;
   CartoonMesh sticks;
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
   const std::vector<PolymerResidue> ofChains(
     residues.List.begin(), residues.List.begin() + static_cast<std::ptrdiff_t>(residues.OfChains));
   isthmus::DrawCartoon(
@@ -455,9 +455,9 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   const auto atomOf = [&](std::size_t p) { return static_cast<std::size_t>(sticks.Items[p]); };
   const std::size_t polygons = sticks.NumberOfPolygons();
   data = second->GetCellData();
-  isthmus::AddColumnOf<vtkUnsignedShortArray>(data, "Element", polygons,
+  isthmus::AddComputedColumn<vtkUnsignedShortArray>(data, "Element", polygons,
     [&](std::size_t p) { return static_cast<unsigned short>(atoms[atomOf(p)].Element); });
-  isthmus::AddColumnOf<vtkStringArray>(
+  isthmus::AddComputedColumn<vtkStringArray>(
     data, "AtomName", polygons, [&](std::size_t p) { return atoms[atomOf(p)].Name; });
   AddResidueArrays(
     atoms, residues, data, polygons, [&](std::size_t p) { return residueOf[atomOf(p)]; });
@@ -466,7 +466,7 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
     const std::vector<double> values = Values(input, name);
     if (!values.empty())
     {
-      isthmus::AddColumnOf<vtkDoubleArray>(
+      isthmus::AddComputedColumn<vtkDoubleArray>(
         data, name, polygons, [&](std::size_t p) { return values[atomOf(p)]; });
     }
   }

@@ -17,32 +17,32 @@ namespace isthmus
 /// @name Number of cells of a kind in a map; the second argument only selects the kind
 ///@{
 template <typename Id>
-std::size_t CountOf(const CompactCombinatorialMap<Id>& map, VertexHandle<Id>)
+std::size_t CountElements(const CompactCombinatorialMap<Id>& map, VertexHandle<Id>)
 {
   return map.NumberOfVertices();
 }
 template <typename Id>
-std::size_t CountOf(const CompactCombinatorialMap<Id>& map, EdgeHandle<Id>)
+std::size_t CountElements(const CompactCombinatorialMap<Id>& map, EdgeHandle<Id>)
 {
   return map.Edges().Size();
 }
 template <typename Id>
-std::size_t CountOf(const CompactCombinatorialMap<Id>& map, FaceHandle<Id>)
+std::size_t CountElements(const CompactCombinatorialMap<Id>& map, FaceHandle<Id>)
 {
   return map.NumberOfFaces();
 }
 template <typename Id>
-std::size_t CountOf(const CompactCombinatorialMap<Id>& map, HalfFaceHandle<Id>)
+std::size_t CountElements(const CompactCombinatorialMap<Id>& map, HalfFaceHandle<Id>)
 {
   return map.NumberOfHalfFaces();
 }
 template <typename Id>
-std::size_t CountOf(const CompactCombinatorialMap<Id>& map, DartHandle<Id>)
+std::size_t CountElements(const CompactCombinatorialMap<Id>& map, DartHandle<Id>)
 {
   return map.NumberOfDarts();
 }
 template <typename Id>
-std::size_t CountOf(const CompactCombinatorialMap<Id>& map, CellHandle<Id>)
+std::size_t CountElements(const CompactCombinatorialMap<Id>& map, CellHandle<Id>)
 {
   return map.NumberOfCells();
 }
@@ -58,11 +58,11 @@ class Attribute
 public:
   explicit Attribute(const Map& map, const Value& initial = Value())
     : Mesh(map)
-    , List(CountOf(map, Cell()), initial)
+    , List(CountElements(map, Cell()), initial)
   {
   }
-  Value& operator[](Cell cell) { return this->List[this->Mesh.IndexOf(cell)]; }
-  const Value& operator[](Cell cell) const { return this->List[this->Mesh.IndexOf(cell)]; }
+  Value& operator[](Cell cell) { return this->List[this->Mesh.GetIndex(cell)]; }
+  const Value& operator[](Cell cell) const { return this->List[this->Mesh.GetIndex(cell)]; }
   /// All values, in the order of the cells' numbers.
   const std::vector<Value>& Values() const { return this->List; }
 

@@ -38,7 +38,7 @@ bool RunsAlong(const std::vector<int>& face, int from, int to)
 
 }
 
-FaceList ConsistentlyOriented(FaceList faces)
+FaceList OrientFaces(FaceList faces)
 {
   std::map<LocalEdge, std::vector<std::size_t>> facesOfEdge;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -88,21 +88,21 @@ CellType::LocalDarts CellType::NumberEdges() const
 {
   if (this->VertexCount < 4)
   {
-    this->Refuse("has fewer than four vertices");
+    this->Reject("has fewer than four vertices");
   }
   LocalDarts dartOf;
   for (const std::vector<int>& face : this->FaceVertices)
   {
     if (face.size() < 3 || std::set<int>(face.begin(), face.end()).size() != face.size())
     {
-      this->Refuse("has a face with fewer than three vertices or with a repeated vertex");
+      this->Reject("has a face with fewer than three vertices or with a repeated vertex");
     }
     ForEachSide(face,
       [&](int a, int b)
       {
         if (std::min(a, b) < 0 || std::max(a, b) >= this->VertexCount)
         {
-          this->Refuse("has a face with the edge " + Text({ a, b }) + ", whose vertices are not " +
+          this->Reject("has a face with the edge " + Text({ a, b }) + ", whose vertices are not " +
             "all among its " + std::to_string(this->VertexCount));
         }
         dartOf[std::minmax(a, b)] = 0;
@@ -111,7 +111,7 @@ CellType::LocalDarts CellType::NumberEdges() const
   // Local numbers of darts have 16 bits.
   if (2 * dartOf.size() + 1 > 65535)
   {
-    this->Refuse("has more than 32,767 edges");
+    this->Reject("has more than 32,767 edges");
   }
   unsigned number = 0;
   for (auto& edge : dartOf)
@@ -136,7 +136,7 @@ void CellType::NumberDarts()
         const unsigned dart = dartOf.at(std::minmax(a, b)) + (a > b ? 1u : 0u);
         if (used[dart])
         {
-          this->Refuse(
+          this->Reject(
             "has two faces that run along its edge " + Text({ a, b }) + " in the same direction");
         }
         used[dart] = true;
@@ -152,7 +152,7 @@ void CellType::NumberDarts()
   {
     if (!used[edge.second] || !used[Beta2(edge.second)])
     {
-      this->Refuse("is open at its edge " + Text(edge.first));
+      this->Reject("is open at its edge " + Text(edge.first));
     }
   }
 }
@@ -193,7 +193,7 @@ void CellType::CheckSphere() const
     const unsigned degree = this->VertexDegree(static_cast<unsigned>(v));
     if (degree == 0)
     {
-      this->Refuse("has the vertex " + std::to_string(v) + " in none of its faces");
+      this->Reject("has the vertex " + std::to_string(v) + " in none of its faces");
     }
     const unsigned first = this->VertexDart(static_cast<unsigned>(v), 0);
     unsigned fan = 0;
@@ -205,13 +205,13 @@ void CellType::CheckSphere() const
     } while (dart != first);
     if (fan != degree)
     {
-      this->Refuse("touches itself at its vertex " + std::to_string(v));
+      this->Reject("touches itself at its vertex " + std::to_string(v));
     }
   }
   const int euler = this->VertexCount - this->NumberOfEdges() + this->NumberOfFaces();
   if (euler != 2 || this->DartsReachedFromFirst() != this->NumberOfDarts())
   {
-    this->Refuse("is not a sphere: its Euler number (vertices - edges + faces) is " +
+    this->Reject("is not a sphere: its Euler number (vertices - edges + faces) is " +
       std::to_string(euler) + ", or its faces are in several pieces");
   }
 }
@@ -235,7 +235,7 @@ int CellType::DartsReachedFromFirst() const
   return static_cast<int>(queue.size());
 }
 
-void CellType::Refuse(const std::string& reason) const
+void CellType::Reject(const std::string& reason) const
 {
   throw std::invalid_argument("The cell type '" + this->TypeName + "' " + reason +
     ". List its faces counter-clockwise seen from outside, with each edge in two faces.");
@@ -255,7 +255,7 @@ std::size_t CellType::MemoryBytes() const
   return bytes;
 }
 
-CellType CellType::Mirrored() const
+CellType CellType::MakeMirrorImage() const
 {
   FaceList faces = this->FaceVertices;
   for (std::vector<int>& face : faces)

@@ -29,7 +29,7 @@ using FaceList = std::vector<std::vector<int>>;
  * directions; the first face keeps its direction. If this is not possible, the faces are returned
  * unchanged, and CellType will reject them.
  */
-VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT FaceList ConsistentlyOriented(FaceList faces);
+VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT FaceList OrientFaces(FaceList faces);
 
 /**
  * Local combinatorial map of one kind of cell.
@@ -113,7 +113,7 @@ public:
   std::size_t MemoryBytes() const;
 
   /// The mirror image of the type: the direction of every face is reversed.
-  CellType Mirrored() const;
+  CellType MakeMirrorImage() const;
 
   friend bool operator==(const CellType& a, const CellType& b)
   {
@@ -128,7 +128,7 @@ private:
   void GatherVertexDarts();
   void CheckSphere() const;
   int DartsReachedFromFirst() const;
-  [[noreturn]] void Refuse(const std::string& reason) const;
+  [[noreturn]] void Reject(const std::string& reason) const;
 
   std::string TypeName;
   int VertexCount;

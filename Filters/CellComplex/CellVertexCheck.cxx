@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t NamedCells = 5;
 
 /// The cells of one error message, in any order, as the subject of the message.
-std::string Named(std::vector<std::size_t> cells)
+std::string FormatCells(std::vector<std::size_t> cells)
 {
   std::sort(cells.begin(), cells.end());
   std::string text = cells.size() == 1 ? "Cell " : "Cells ";
@@ -67,13 +67,13 @@ void CellVertexCheck::ThrowIfBad() const
   if (!this->OutOfRange.empty())
   {
     throw MeshError(MeshError::Reason::OutOfRange,
-      Named(this->OutOfRange) + ": a vertex number is not in 0 ... " +
+      FormatCells(this->OutOfRange) + ": a vertex number is not in 0 ... " +
         std::to_string(this->NumberOfVertices - 1) + ". Correct the list of cells.");
   }
   if (!this->Degenerate.empty())
   {
     throw MeshError(MeshError::Reason::Degenerate,
-      Named(this->Degenerate) + ": the same vertex occurs twice. Remove degenerate cells.");
+      FormatCells(this->Degenerate) + ": the same vertex occurs twice. Remove degenerate cells.");
   }
 }
 

@@ -147,7 +147,7 @@ void CompactCombinatorialMap<Id>::CopyVertices(
       for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
       {
         const Cell cell(static_cast<Id>(c));
-        const Block& block = this->BlockOf(cell);
+        const Block& block = this->GetBlock(cell);
         const std::size_t base = block.VertexIndex(cell, 0);
         const std::int64_t* vertices = &cellVertices[base];
         check.Add(c, { vertices, block.VertexCount });
@@ -177,7 +177,7 @@ void CompactCombinatorialMap<Id>::NumberBoundaryFaces()
   for (std::size_t c = 0; c < this->CellCount; ++c)
   {
     const Cell cell(static_cast<Id>(c));
-    const Block& block = this->BlockOf(cell);
+    const Block& block = this->GetBlock(cell);
     for (unsigned f = 0; f < block.FaceCount; ++f)
     {
       Dart& across = this->H2D[block.HalfFaceIndex(cell, f)];
@@ -197,7 +197,7 @@ void CompactCombinatorialMap<Id>::ChooseVertexDarts()
 {
   for (const Dart first : this->B2D)
   {
-    for (const Dart dart : this->Darts(this->HalfFaceOf(first)))
+    for (const Dart dart : this->Darts(this->GetHalfFace(first)))
     {
       Dart& chosen = this->V2D[this->StartVertex(dart).Value];
       chosen = this->IsOutside(chosen) ? dart : chosen;
@@ -206,7 +206,7 @@ void CompactCombinatorialMap<Id>::ChooseVertexDarts()
   for (std::size_t c = 0; c < this->CellCount; ++c)
   {
     const Cell cell(static_cast<Id>(c));
-    const Block& block = this->BlockOf(cell);
+    const Block& block = this->GetBlock(cell);
     for (unsigned v = 0; v < block.VertexCount; ++v)
     {
       Dart& chosen = this->V2D[this->Cv2V[block.VertexIndex(cell, v)].Value];
@@ -281,7 +281,7 @@ auto CompactCombinatorialMap<Id>::CornersOfPinchedVertices() const
       if (missing[vertices[v].Value])
       {
         corners.emplace_back(
-          vertices[v], this->MakeDart(cell, this->TypeOf(cell).VertexDart(v, 0)));
+          vertices[v], this->MakeDart(cell, this->GetType(cell).VertexDart(v, 0)));
       }
     }
   }

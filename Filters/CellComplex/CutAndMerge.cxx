@@ -19,7 +19,7 @@ public:
   template <typename Map>
   void Add(const Map& map, typename Map::Cell cell, const std::vector<std::int64_t>& newVertices)
   {
-    const std::size_t type = this->TypeNumber(map.TypeOf(cell));
+    const std::size_t type = this->TypeNumber(map.GetType(cell));
     if (this->Cells.Runs.empty() || this->Cells.Runs.back().Type != type)
     {
       this->Cells.Runs.push_back({ type, 0 });

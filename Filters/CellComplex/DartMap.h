@@ -73,7 +73,7 @@ public:
   /// True for the outside of a boundary face (and for the dart of a vertex without cells).
   bool IsOutside(Dart dart) const { return this->LocalDart(dart) == 0; }
   /// The boundary face that an outside dart represents.
-  BoundaryFace BoundaryFaceOf(Dart outside) const
+  BoundaryFace GetBoundaryFace(Dart outside) const
   {
     return BoundaryFace(outside.Value >> this->Bits);
   }
@@ -85,32 +85,32 @@ public:
   /// Outside for a dart of a boundary face.
   Dart Beta3(Dart dart) const
   {
-    const Block& block = this->BlockOf(this->CellOf(dart));
+    const Block& block = this->GetBlock(this->GetCell(dart));
     const CellType::Dart& local = block.Darts[this->LocalDart(dart)];
     return this->StepBack(
-      this->H2D[block.HalfFaceIndex(this->CellOf(dart), local.Face)], local.Position);
+      this->H2D[block.HalfFaceIndex(this->GetCell(dart), local.Face)], local.Position);
   }
 
-  Cell CellOf(Dart dart) const { return Cell(dart.Value >> this->Bits); }
+  Cell GetCell(Dart dart) const { return Cell(dart.Value >> this->Bits); }
   Vertex StartVertex(Dart dart) const
   {
-    const Block& block = this->BlockOf(this->CellOf(dart));
+    const Block& block = this->GetBlock(this->GetCell(dart));
     return this
-      ->Cv2V[block.VertexIndex(this->CellOf(dart), block.Darts[this->LocalDart(dart)].Start)];
+      ->Cv2V[block.VertexIndex(this->GetCell(dart), block.Darts[this->LocalDart(dart)].Start)];
   }
   Vertex EndVertex(Dart dart) const { return this->StartVertex(this->Beta2(dart)); }
   /// Both at once, slightly faster.
   std::pair<Vertex, Vertex> EndVertices(Dart dart) const
   {
-    const Block& block = this->BlockOf(this->CellOf(dart));
-    const Vertex* vertices = this->Cv2V.data() + block.VertexIndex(this->CellOf(dart), 0);
+    const Block& block = this->GetBlock(this->GetCell(dart));
+    const Vertex* vertices = this->Cv2V.data() + block.VertexIndex(this->GetCell(dart), 0);
     const unsigned local = this->LocalDart(dart);
     return { vertices[block.Darts[local].Start],
       vertices[block.Darts[CellType::Beta2(local)].Start] };
   }
-  HalfFace HalfFaceOf(Dart dart) const
+  HalfFace GetHalfFace(Dart dart) const
   {
-    return this->MakeHalfFace(this->CellOf(dart), this->At(dart).Face);
+    return this->MakeHalfFace(this->GetCell(dart), this->At(dart).Face);
   }
   ///@}
 
@@ -120,7 +120,7 @@ public:
   {
     return HalfFace(static_cast<Id>(cell.Value << this->Bits) | static_cast<Id>(localFace));
   }
-  Cell CellOf(HalfFace half) const { return Cell(half.Value >> this->Bits); }
+  Cell GetCell(HalfFace half) const { return Cell(half.Value >> this->Bits); }
   unsigned LocalFace(HalfFace half) const
   {
     return static_cast<unsigned>(half.Value & this->Mask());
@@ -128,54 +128,54 @@ public:
   Dart FirstDart(HalfFace half) const
   {
     return this->MakeDart(
-      this->CellOf(half), this->TypeOf(this->CellOf(half)).FaceDart(this->LocalFace(half), 0));
+      this->GetCell(half), this->GetType(this->GetCell(half)).FaceDart(this->LocalFace(half), 0));
   }
   /// beta3 of the first dart, from the table: a dart of the cell beyond, or outside.
-  Dart Across(HalfFace half) const { return this->H2D[this->IndexOf(half)]; }
+  Dart Across(HalfFace half) const { return this->H2D[this->GetIndex(half)]; }
   bool IsBoundary(HalfFace half) const { return this->IsOutside(this->Across(half)); }
   /// The darts around a half face, counter-clockwise seen from outside its cell.
   auto Darts(HalfFace half) const
   {
-    const CellType& type = this->TypeOf(this->CellOf(half));
-    const Cell cell = this->CellOf(half);
+    const CellType& type = this->GetType(this->GetCell(half));
+    const Cell cell = this->GetCell(half);
     const unsigned face = this->LocalFace(half);
     return IndexRange(type.FaceSize(face),
       [this, &type, cell, face](std::size_t i)
       { return this->MakeDart(cell, type.FaceDart(face, static_cast<unsigned>(i))); });
   }
   /// The first dart of a boundary half face.
-  Dart DartOf(BoundaryFace face) const { return this->B2D[face.Value]; }
+  Dart GetDart(BoundaryFace face) const { return this->B2D[face.Value]; }
   ///@}
 
   /// @name Cells
   ///@{
-  const CellType& TypeOf(Cell cell) const { return *this->BlockOf(cell).Type; }
+  const CellType& GetType(Cell cell) const { return *this->GetBlock(cell).Type; }
   View<Vertex> Vertices(Cell cell) const
   {
-    const Block& block = this->BlockOf(cell);
+    const Block& block = this->GetBlock(cell);
     return { this->Cv2V.data() + block.VertexIndex(cell, 0), block.VertexCount };
   }
   auto HalfFaces(Cell cell) const
   {
-    return IndexRange(this->BlockOf(cell).FaceCount,
+    return IndexRange(this->GetBlock(cell).FaceCount,
       [this, cell](std::size_t f) { return this->MakeHalfFace(cell, static_cast<unsigned>(f)); });
   }
   auto Darts(Cell cell) const
   {
-    return IndexRange(this->BlockOf(cell).DartCount,
+    return IndexRange(this->GetBlock(cell).DartCount,
       [this, cell](std::size_t d) { return this->MakeDart(cell, static_cast<unsigned>(d + 1)); });
   }
   /// One dart for each edge of the cell.
   auto EdgeDarts(Cell cell) const
   {
-    return IndexRange(this->BlockOf(cell).DartCount / 2,
+    return IndexRange(this->GetBlock(cell).DartCount / 2,
       [this, cell](std::size_t e)
       { return this->MakeDart(cell, static_cast<unsigned>(2 * e + 1)); });
   }
   /// For each face of a cell, in their order, a dart in the cell beyond it, or outside.
   View<Dart> Neighbours(Cell cell) const
   {
-    const Block& block = this->BlockOf(cell);
+    const Block& block = this->GetBlock(cell);
     return { this->H2D.data() + block.HalfFaceIndex(cell, 0), block.FaceCount };
   }
   ///@}
@@ -183,10 +183,10 @@ public:
   /// @name Vertices; their stars are traversed by StarWalk
   ///@{
   /// A dart that starts there, on a boundary face if the vertex has one; outside if it has no cell.
-  Dart DartOf(Vertex vertex) const { return this->V2D[vertex.Value]; }
+  Dart GetDart(Vertex vertex) const { return this->V2D[vertex.Value]; }
   bool IsBoundary(Vertex vertex) const
   {
-    const Dart dart = this->DartOf(vertex);
+    const Dart dart = this->GetDart(vertex);
     return !this->IsOutside(dart) && this->IsOutside(this->Beta3(dart));
   }
   /// A dart for each further umbrella of cells at a vertex where the mesh is pinched.
@@ -195,18 +195,18 @@ public:
 
   /// @name Indices of cells of each kind in an array of attributes
   ///@{
-  std::size_t IndexOf(Vertex vertex) const { return vertex.Value; }
-  std::size_t IndexOf(Edge edge) const { return edge.Value; }
-  std::size_t IndexOf(Face face) const { return face.Value; }
-  std::size_t IndexOf(Cell cell) const { return cell.Value; }
-  std::size_t IndexOf(HalfFace half) const
+  std::size_t GetIndex(Vertex vertex) const { return vertex.Value; }
+  std::size_t GetIndex(Edge edge) const { return edge.Value; }
+  std::size_t GetIndex(Face face) const { return face.Value; }
+  std::size_t GetIndex(Cell cell) const { return cell.Value; }
+  std::size_t GetIndex(HalfFace half) const
   {
-    return this->BlockOf(this->CellOf(half))
-      .HalfFaceIndex(this->CellOf(half), this->LocalFace(half));
+    return this->GetBlock(this->GetCell(half))
+      .HalfFaceIndex(this->GetCell(half), this->LocalFace(half));
   }
-  std::size_t IndexOf(Dart dart) const
+  std::size_t GetIndex(Dart dart) const
   {
-    const Block& block = this->BlockOf(this->CellOf(dart));
+    const Block& block = this->GetBlock(this->GetCell(dart));
     return block.DartBase + (dart.Value >> this->Bits) * block.DartCount + this->LocalDart(dart) -
       1;
   }
@@ -240,13 +240,13 @@ protected:
   };
 
   Id Mask() const { return static_cast<Id>((Id(1) << this->Bits) - 1); }
-  const Block& BlockOf(Cell cell) const
+  const Block& GetBlock(Cell cell) const
   {
     return this->Blocks[this->C2B.empty() ? 0 : this->C2B[cell.Value]];
   }
   const CellType::Dart& At(Dart dart) const
   {
-    return this->BlockOf(this->CellOf(dart)).Darts[this->LocalDart(dart)];
+    return this->GetBlock(this->GetCell(dart)).Darts[this->LocalDart(dart)];
   }
   Dart Sibling(Dart dart, unsigned local) const
   {
@@ -257,7 +257,7 @@ protected:
     const unsigned local = this->LocalDart(across);
     return local == 0 || steps == 0
       ? across
-      : this->Sibling(across, this->TypeOf(this->CellOf(across)).Back(local, steps));
+      : this->Sibling(across, this->GetType(this->GetCell(across)).Back(local, steps));
   }
 
   std::vector<CellType> Types;

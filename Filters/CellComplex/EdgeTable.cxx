@@ -23,7 +23,7 @@ EdgeTable<Id>::EdgeTable(const Map& map, const ProgressCallback& progress)
 
 /// Whether `dart`, from the smaller to the larger vertex, is the one that represents its fan.
 template <typename Id>
-bool EdgeTable<Id>::Leads(Dart dart) const
+bool EdgeTable<Id>::IsLeader(Dart dart) const
 {
   if (this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(dart))))
   {
@@ -67,7 +67,7 @@ auto EdgeTable<Id>::LeadingDarts(const ProgressCallback& progress) const
             dart = this->Mesh.EndVertex(dart) < this->Mesh.StartVertex(dart)
               ? this->Mesh.Beta2(dart)
               : dart;
-            if (this->Leads(dart))
+            if (this->IsLeader(dart))
             {
               leaders[chunk].push_back(dart);
             }
@@ -195,7 +195,7 @@ CellEdgeTable<Id>::CellEdgeTable(const Map& map, const EdgeTable<Id>& edges)
       {
         for (const Dart dart : map.EdgeDarts(Cell(static_cast<Id>(c))))
         {
-          this->C2E[map.IndexOf(dart) / 2] = edges.Of(dart);
+          this->C2E[map.GetIndex(dart) / 2] = edges.Find(dart);
         }
       }
     });

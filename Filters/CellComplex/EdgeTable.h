@@ -72,14 +72,14 @@ public:
 
   std::size_t Size() const { return this->E2D.size(); }
   /// The dart of an edge, from its smaller to its larger vertex.
-  Dart DartOf(Edge edge) const { return this->E2D[edge.Value]; }
+  Dart GetDart(Edge edge) const { return this->E2D[edge.Value]; }
   bool IsBoundary(Edge edge) const
   {
-    return this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(this->DartOf(edge))));
+    return this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(this->GetDart(edge))));
   }
 
   /// The edge of any dart.
-  Edge Of(Dart dart) const
+  Edge Find(Dart dart) const
   {
     const auto [a, b] = this->Mesh.EndVertices(dart);
     const Id start = std::min(a, b).Value, end = std::max(a, b).Value;
@@ -147,14 +147,14 @@ public:
   /// other. The two half faces of each cell at the edge are those of the dart and of its beta2.
   FanRange Fan(Edge edge) const
   {
-    return { FanIterator(&this->Mesh, this->DartOf(edge), this->FurtherFans(edge)) };
+    return { FanIterator(&this->Mesh, this->GetDart(edge), this->FurtherFans(edge)) };
   }
 
   void AppendMemory(std::vector<TableMemory>& report) const;
 
 private:
   View<std::pair<Edge, Dart>> FurtherFans(Edge edge) const;
-  bool Leads(Dart dart) const;
+  bool IsLeader(Dart dart) const;
   std::vector<std::vector<Dart>> LeadingDarts(const ProgressCallback& progress) const;
   void SortByVertices(std::vector<std::vector<Dart>> leaders, const ProgressCallback& progress);
   void JoinPinchedEdges();
@@ -186,11 +186,11 @@ public:
 
   CellEdgeTable(const Map& map, const EdgeTable<Id>& edges);
 
-  Edge Of(Dart dart) const { return this->C2E[this->Mesh.IndexOf(dart) / 2]; }
+  Edge Find(Dart dart) const { return this->C2E[this->Mesh.GetIndex(dart) / 2]; }
   /// The edges of a cell, in the order of the map's EdgeDarts(cell).
-  View<Edge> Of(Cell cell) const
+  View<Edge> Find(Cell cell) const
   {
-    return { this->C2E.data() + this->Mesh.IndexOf(this->Mesh.MakeDart(cell, 1)) / 2,
+    return { this->C2E.data() + this->Mesh.GetIndex(this->Mesh.MakeDart(cell, 1)) / 2,
       this->Mesh.EdgeDarts(cell).size() };
   }
 

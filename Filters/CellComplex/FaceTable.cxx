@@ -22,7 +22,7 @@ void FaceTable<Id>::ForEachLeader(const ProgressCallback& progress, Visit&& visi
     for (const HalfFace half : this->Mesh.HalfFaces(typename Map::Cell(static_cast<Id>(c))))
     {
       const Dart across = this->Mesh.Across(half);
-      if (this->Mesh.IsOutside(across) || half < this->Mesh.HalfFaceOf(across))
+      if (this->Mesh.IsOutside(across) || half < this->Mesh.GetHalfFace(across))
       {
         visit(half);
       }
@@ -54,19 +54,19 @@ FaceTable<Id>::FaceTable(const Map& map, const ProgressCallback& progress)
     {
       for (std::int64_t v = first; v < last; ++v)
       {
-        this->SortFacesOf(static_cast<std::size_t>(v));
+        this->SortVertexFaces(static_cast<std::size_t>(v));
       }
     },
     Between(progress, 0.6, 1.0));
 }
 
 template <typename Id>
-void FaceTable<Id>::SortFacesOf(std::size_t vertex)
+void FaceTable<Id>::SortVertexFaces(std::size_t vertex)
 {
   const auto vertices = [this](Dart first)
   {
     std::vector<Vertex> sorted;
-    for (const Dart dart : this->Mesh.Darts(this->Mesh.HalfFaceOf(first)))
+    for (const Dart dart : this->Mesh.Darts(this->Mesh.GetHalfFace(first)))
     {
       sorted.push_back(this->Mesh.StartVertex(dart));
     }

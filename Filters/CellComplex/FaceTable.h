@@ -36,13 +36,13 @@ public:
   explicit FaceTable(const Map& map, const ProgressCallback& progress = {});
 
   std::size_t Size() const { return this->F2D.size(); }
-  Dart DartOf(Face face) const { return this->F2D[face.Value]; }
-  HalfFace HalfFaceOf(Face face) const { return this->Mesh.HalfFaceOf(this->DartOf(face)); }
+  Dart GetDart(Face face) const { return this->F2D[face.Value]; }
+  HalfFace GetHalfFace(Face face) const { return this->Mesh.GetHalfFace(this->GetDart(face)); }
   /// A dart in the face's second cell, outside for a boundary face.
-  Dart Across(Face face) const { return this->Mesh.Across(this->HalfFaceOf(face)); }
+  Dart Across(Face face) const { return this->Mesh.Across(this->GetHalfFace(face)); }
   bool IsBoundary(Face face) const { return this->Mesh.IsOutside(this->Across(face)); }
 
-  Face Of(HalfFace half) const
+  Face Find(HalfFace half) const
   {
     const Dart leader = this->Leader(half);
     Id face = this->V2F[this->SmallestVertex(half).Value];
@@ -53,7 +53,7 @@ public:
     return Face(face);
   }
   /// The face of any dart.
-  Face Of(Dart dart) const { return this->Of(this->Mesh.HalfFaceOf(dart)); }
+  Face Find(Dart dart) const { return this->Find(this->Mesh.GetHalfFace(dart)); }
 
   /// The faces whose smallest vertex is `vertex`.
   auto StartingAt(Vertex vertex) const
@@ -72,7 +72,7 @@ private:
     const Dart across = this->Mesh.Across(half);
     if (!this->Mesh.IsOutside(across))
     {
-      const HalfFace other = this->Mesh.HalfFaceOf(across);
+      const HalfFace other = this->Mesh.GetHalfFace(across);
       half = other < half ? other : half;
     }
     return this->Mesh.FirstDart(half);
@@ -88,7 +88,7 @@ private:
   }
   template <typename Visit>
   void ForEachLeader(const ProgressCallback& progress, Visit&& visit) const;
-  void SortFacesOf(std::size_t vertex);
+  void SortVertexFaces(std::size_t vertex);
 
   const Map& Mesh;
   std::vector<Dart> F2D;

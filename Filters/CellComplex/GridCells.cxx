@@ -41,7 +41,7 @@ GridCellType PrismWithSides(int vtkType, const std::string& name, int n)
 }
 
 /// The linear type whose corners come first in a cell of type `vtkType`, or -1.
-int LinearTypeOf(int vtkType)
+int GetLinearType(int vtkType)
 {
   switch (vtkType)
   {
@@ -109,13 +109,13 @@ public:
       this->AddPolyhedron(id);
       return;
     }
-    const int linear = LinearTypeOf(vtkType);
+    const int linear = GetLinearType(vtkType);
     const std::vector<GridCellType>& known = LinearCellTypes();
     const auto found = std::find_if(known.begin(), known.end(),
       [&](const GridCellType& type) { return type.VTKType == (linear < 0 ? vtkType : linear); });
     if (found == known.end())
     {
-      this->LeaveOut(id);
+      this->SkipCell(id);
       return;
     }
     this->Cells.Simplified += linear < 0 ? 0 : 1;
@@ -123,7 +123,7 @@ public:
   }
 
 private:
-  void LeaveOut(vtkIdType id)
+  void SkipCell(vtkIdType id)
   {
     this->Grid->GetCell(id, this->Generic);
     if (this->Generic->GetCellDimension() == 3)
@@ -133,7 +133,7 @@ private:
         ", whose faces are not determined by its points: convert such cells to polyhedra or "
         "tetrahedra.");
     }
-    ++this->Cells.LeftOut;
+    ++this->Cells.DroppedCells;
   }
 
   void AddLinear(vtkIdType id, const GridCellType& type, std::size_t known)
@@ -187,7 +187,7 @@ private:
         face.push_back(found == local.end() ? -1 : found->second);
       }
     }
-    faces = ConsistentlyOriented(std::move(faces));
+    faces = OrientFaces(std::move(faces));
     const auto number = this->PolyhedronNumber(id, static_cast<int>(count), faces, points);
     this->BeginCell(id, number);
     this->Cells.Vertices.insert(this->Cells.Vertices.end(), points, points + count);
@@ -202,7 +202,7 @@ private:
       CellType type("polyhedron of cell " + std::to_string(id), vertexCount, faces);
       if (this->ByVolume && this->SixVolumes(faces, points) < 0.0)
       {
-        type = type.Mirrored();
+        type = type.MakeMirrorImage();
       }
       return this->TypeNumber(type);
     }
@@ -314,9 +314,9 @@ std::string GridCells::Remark() const
     remark += std::to_string(this->Simplified) +
       " cells of higher order are represented by their corner points only. ";
   }
-  if (this->LeftOut > 0)
+  if (this->DroppedCells > 0)
   {
-    remark += std::to_string(this->LeftOut) +
+    remark += std::to_string(this->DroppedCells) +
       " cells that are points, lines or surfaces are dropped: only volume cells are used here. ";
   }
   return remark + this->Inverted.Message();

@@ -68,7 +68,7 @@ private:
   std::vector<CellRun> Runs;
   std::vector<std::int64_t> Vertices;
   std::vector<vtkIdType> GridIds;
-  std::int64_t Simplified = 0, LeftOut = 0;
+  std::int64_t Simplified = 0, DroppedCells = 0;
   InvertedCells Inverted;
 };
 

@@ -19,7 +19,7 @@ constexpr std::uint32_t Free = 0xFFFFFFFFu;
 constexpr std::size_t NamedClashes = 5;
 
 /// Multipliers of splitmix64: neighbouring numbers of vertices must not have similar sums.
-std::uint32_t Scramble(std::uint64_t vertex)
+std::uint32_t HashVertex(std::uint64_t vertex)
 {
   vertex *= 0x9E3779B97F4A7C15u;
   vertex ^= vertex >> 29;
@@ -54,7 +54,7 @@ void HalfFaceMatching<Id>::ForEachHalfFace(std::int64_t chunk, Visit&& visit) co
   for (std::size_t c = first; c < last; ++c)
   {
     const typename Map::Cell cell{ static_cast<Id>(c) };
-    const CellType& type = this->Mesh.TypeOf(cell);
+    const CellType& type = this->Mesh.GetType(cell);
     const auto vertices = this->Mesh.Vertices(cell);
     for (unsigned f = 0; f < static_cast<unsigned>(type.NumberOfFaces()); ++f)
     {
@@ -63,7 +63,7 @@ void HalfFaceMatching<Id>::ForEachHalfFace(std::int64_t chunk, Visit&& visit) co
       {
         const std::size_t vertex = vertices[type.At(type.FaceDart(f, i)).Start].Value;
         key.SmallestVertex = std::min(key.SmallestVertex, vertex);
-        key.Hash += Scramble(vertex); // a sum: the order of the vertices does not matter
+        key.Hash += HashVertex(vertex); // a sum: the order of the vertices does not matter
       }
       visit(this->Mesh.MakeHalfFace(cell, f), key);
     }
@@ -79,7 +79,7 @@ void HalfFaceMatching<Id>::CountChunk(std::int64_t chunk)
 }
 
 template <typename Id>
-void HalfFaceMatching<Id>::DealChunk(std::int64_t chunk)
+void HalfFaceMatching<Id>::DistributeChunk(std::int64_t chunk)
 {
   Id* places = this->Places.data() + static_cast<std::size_t>(chunk) * this->Buckets;
   this->ForEachHalfFace(chunk,
@@ -89,7 +89,7 @@ void HalfFaceMatching<Id>::DealChunk(std::int64_t chunk)
 }
 
 template <typename Id>
-std::size_t HalfFaceMatching<Id>::TurnCountsIntoPlaces()
+std::size_t HalfFaceMatching<Id>::ConvertCountsToOffsets()
 {
   std::size_t total = 0;
   this->BucketStarts.resize(this->Buckets + 1);
@@ -127,9 +127,9 @@ void HalfFaceMatching<Id>::Run(const ProgressCallback& progress)
   };
   eachChunk(&HalfFaceMatching::CountChunk, 0.0, 0.2);
   // Each chunk has its own places in each bucket: no locks, and an order that threads don't change.
-  const std::size_t total = this->TurnCountsIntoPlaces();
+  const std::size_t total = this->ConvertCountsToOffsets();
   this->Entries.reset(new Entry[total]); // not filled twice
-  eachChunk(&HalfFaceMatching::DealChunk, 0.2, 0.5);
+  eachChunk(&HalfFaceMatching::DistributeChunk, 0.2, 0.5);
   ParallelFor(
     0, static_cast<std::int64_t>(this->Buckets), 16,
     [this](std::int64_t first, std::int64_t last) { this->MatchBuckets(first, last); },
@@ -185,32 +185,32 @@ void HalfFaceMatching<Id>::MatchBucket(std::size_t bucket, std::vector<std::uint
 template <typename Id>
 void HalfFaceMatching<Id>::Join(HalfFace a, HalfFace b, const Alignment& alignment)
 {
-  const auto indexA = this->Mesh.IndexOf(a);
+  const auto indexA = this->Mesh.GetIndex(a);
   if (!this->Mesh.IsOutside(this->Mesh.H2D[indexA]))
   {
-    this->Remember({ Reason::NonManifold, a, b });
+    this->RecordClash({ Reason::NonManifold, a, b });
     return;
   }
   if (!alignment.Opposite)
   {
-    this->Remember({ Reason::Orientation, a, b });
+    this->RecordClash({ Reason::Orientation, a, b });
     return;
   }
   // Dart i of a lies on dart Position - i of b, so the first of b lies on dart Position of a.
-  const auto cellA = this->Mesh.CellOf(a), cellB = this->Mesh.CellOf(b);
+  const auto cellA = this->Mesh.GetCell(a), cellB = this->Mesh.GetCell(b);
   this->Mesh.H2D[indexA] = this->Mesh.MakeDart(
-    cellB, this->Mesh.TypeOf(cellB).FaceDart(this->Mesh.LocalFace(b), alignment.Position));
-  this->Mesh.H2D[this->Mesh.IndexOf(b)] = this->Mesh.MakeDart(
-    cellA, this->Mesh.TypeOf(cellA).FaceDart(this->Mesh.LocalFace(a), alignment.Position));
+    cellB, this->Mesh.GetType(cellB).FaceDart(this->Mesh.LocalFace(b), alignment.Position));
+  this->Mesh.H2D[this->Mesh.GetIndex(b)] = this->Mesh.MakeDart(
+    cellA, this->Mesh.GetType(cellA).FaceDart(this->Mesh.LocalFace(a), alignment.Position));
 }
 
 template <typename Id>
 typename HalfFaceMatching<Id>::Alignment HalfFaceMatching<Id>::Compare(HalfFace a, HalfFace b) const
 {
-  const CellType& typeA = this->Mesh.TypeOf(this->Mesh.CellOf(a));
-  const CellType& typeB = this->Mesh.TypeOf(this->Mesh.CellOf(b));
-  const auto verticesA = this->Mesh.Vertices(this->Mesh.CellOf(a));
-  const auto verticesB = this->Mesh.Vertices(this->Mesh.CellOf(b));
+  const CellType& typeA = this->Mesh.GetType(this->Mesh.GetCell(a));
+  const CellType& typeB = this->Mesh.GetType(this->Mesh.GetCell(b));
+  const auto verticesA = this->Mesh.Vertices(this->Mesh.GetCell(a));
+  const auto verticesB = this->Mesh.Vertices(this->Mesh.GetCell(b));
   const unsigned faceA = this->Mesh.LocalFace(a), faceB = this->Mesh.LocalFace(b);
   const unsigned size = typeA.FaceSize(faceA);
   if (size != typeB.FaceSize(faceB))
@@ -257,7 +257,7 @@ bool HalfFaceMatching<Id>::SameVertices(HalfFace a, HalfFace b) const
 }
 
 template <typename Id>
-void HalfFaceMatching<Id>::Remember(const Clash& clash)
+void HalfFaceMatching<Id>::RecordClash(const Clash& clash)
 {
   const std::lock_guard<std::mutex> lock(this->ClashMutex);
   this->Clashes.push_back(clash);
@@ -281,8 +281,8 @@ void HalfFaceMatching<Id>::ThrowFirstClashes()
   {
     if (clash.Why == reason && ++count <= NamedClashes)
     {
-      pairs += (pairs.empty() ? "" : ", ") + std::to_string(this->Mesh.CellOf(clash.First).Value) +
-        " and " + std::to_string(this->Mesh.CellOf(clash.Second).Value);
+      pairs += (pairs.empty() ? "" : ", ") + std::to_string(this->Mesh.GetCell(clash.First).Value) +
+        " and " + std::to_string(this->Mesh.GetCell(clash.Second).Value);
     }
   }
   pairs += count > NamedClashes ? " and " + std::to_string(count - NamedClashes) + " more" : "";

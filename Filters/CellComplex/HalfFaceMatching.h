@@ -64,14 +64,14 @@ private:
   template <typename Visit>
   void ForEachHalfFace(std::int64_t chunk, Visit&& visit) const;
   void CountChunk(std::int64_t chunk);
-  void DealChunk(std::int64_t chunk);
-  std::size_t TurnCountsIntoPlaces();
+  void DistributeChunk(std::int64_t chunk);
+  std::size_t ConvertCountsToOffsets();
   void MatchBuckets(std::int64_t first, std::int64_t last);
   void MatchBucket(std::size_t bucket, std::vector<std::uint32_t>& slots);
   void Join(HalfFace a, HalfFace b, const Alignment& alignment);
   Alignment Compare(HalfFace a, HalfFace b) const;
   bool SameVertices(HalfFace a, HalfFace b) const;
-  void Remember(const Clash& clash);
+  void RecordClash(const Clash& clash);
   void ThrowFirstClashes();
   std::size_t Bucket(std::size_t vertex) const { return vertex >> this->BucketShift; }
   std::size_t Smallest(HalfFace half) const;

@@ -27,7 +27,7 @@ StarTable<Id>::StarTable(const Map& map)
   {
     const typename Map::Cell cell(static_cast<Id>(c));
     const View<Vertex> vertices = map.Vertices(cell);
-    const CellType& type = map.TypeOf(cell);
+    const CellType& type = map.GetType(cell);
     for (unsigned v = 0; v < vertices.size(); ++v)
     {
       this->Darts[--this->Offsets[vertices[v].Value]] = map.MakeDart(cell, type.VertexDart(v, 0));

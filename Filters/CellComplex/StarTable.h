@@ -26,7 +26,7 @@ public:
   explicit StarTable(const Map& map);
 
   /// One dart that starts at `vertex` for each cell around it, ordered by cell.
-  View<Dart> Of(Vertex vertex) const
+  View<Dart> Find(Vertex vertex) const
   {
     const Id first = this->Offsets[vertex.Value];
     return { this->Darts.data() + first,

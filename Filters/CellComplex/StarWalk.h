@@ -207,7 +207,7 @@ public:
     this->Found.Clear();
     this->Count = 0;
     this->Center = vertex;
-    this->Flood(this->Mesh.DartOf(vertex));
+    this->Flood(this->Mesh.GetDart(vertex));
     for (const auto& further : this->Mesh.FurtherUmbrellas(vertex))
     {
       this->Flood(further.second);
@@ -255,9 +255,9 @@ public:
     this->ForEachDart(
       [this](Dart dart)
       {
-        const HalfFace half = this->Mesh.HalfFaceOf(dart);
+        const HalfFace half = this->Mesh.GetHalfFace(dart);
         const Dart across = this->Mesh.Across(half);
-        if (this->Mesh.IsOutside(across) || half < this->Mesh.HalfFaceOf(across))
+        if (this->Mesh.IsOutside(across) || half < this->Mesh.GetHalfFace(across))
         {
           this->Faces.push_back(half);
         }
@@ -271,7 +271,7 @@ public:
     this->Faces.clear();
     for (const Dart spoke : this->Star())
     {
-      for (const HalfFace half : this->Mesh.HalfFaces(this->Mesh.CellOf(spoke)))
+      for (const HalfFace half : this->Mesh.HalfFaces(this->Mesh.GetCell(spoke)))
       {
         if (!this->Touches(half))
         {
@@ -299,7 +299,7 @@ private:
 
   void Flood(Dart seed)
   {
-    if (this->Mesh.IsOutside(seed) || !this->Found.Insert(this->Mesh.CellOf(seed).Value))
+    if (this->Mesh.IsOutside(seed) || !this->Found.Insert(this->Mesh.GetCell(seed).Value))
     {
       return;
     }
@@ -378,15 +378,15 @@ private:
   /// Adds the new cells beyond the faces at the vertex of one cell.
   void CrossFaces(Dart spoke)
   {
-    const auto cell = this->Mesh.CellOf(spoke);
-    const CellType& type = this->Mesh.TypeOf(cell);
+    const auto cell = this->Mesh.GetCell(spoke);
+    const CellType& type = this->Mesh.GetType(cell);
     const View<Dart> beyond = this->Mesh.Neighbours(cell);
     const unsigned corner = type.At(this->Mesh.LocalDart(spoke)).Start;
     for (unsigned i = 0; i < type.VertexDegree(corner); ++i)
     {
       const unsigned local = type.VertexDart(corner, i);
       const Dart across = beyond[type.At(local).Face];
-      if (!this->Mesh.IsOutside(across) && this->Found.Insert(this->Mesh.CellOf(across).Value))
+      if (!this->Mesh.IsOutside(across) && this->Found.Insert(this->Mesh.GetCell(across).Value))
       {
         // beta3 ends at the vertex, so the dart after it starts there.
         this->Add(this->Mesh.Beta1(this->Mesh.Beta3(this->Mesh.MakeDart(cell, local))));

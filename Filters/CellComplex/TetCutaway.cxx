@@ -75,7 +75,7 @@ std::vector<unsigned char> CutAway(const CompactCombinatorialMap<Id>& map,
     {
       if (!map.IsOutside(across))
       {
-        take(map.CellOf(across));
+        take(map.GetCell(across));
       }
     }
   }

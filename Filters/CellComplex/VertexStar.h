@@ -36,7 +36,7 @@ public:
     {
       for (const Dart dart : this->Mesh.Darts(half))
       {
-        if (this->Found.Insert(this->Whole.Edges().Of(dart).Value))
+        if (this->Found.Insert(this->Whole.Edges().Find(dart).Value))
         {
           this->Buffer.push_back(dart);
         }

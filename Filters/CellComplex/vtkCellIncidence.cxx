@@ -66,7 +66,7 @@ struct Elements
     isthmus::SizeArray(this->Connectivity, sum);
   }
 
-  vtkIdType* PointsOf(vtkIdType i)
+  vtkIdType* GetElementPoints(vtkIdType i)
   {
     return this->Connectivity->GetPointer(this->Offsets->GetValue(i));
   }
@@ -119,14 +119,14 @@ void FillEdges(const Map& map, const isthmus::GridCells& cells, Elements& lines,
       for (vtkIdType i = first; i < last; ++i)
       {
         const typename Map::Edge edge(static_cast<typename Map::IdType>(i));
-        const auto ends = map.EndVertices(edges.DartOf(edge));
-        lines.PointsOf(i)[0] = static_cast<vtkIdType>(ends.first.Value);
-        lines.PointsOf(i)[1] = static_cast<vtkIdType>(ends.second.Value);
+        const auto ends = map.EndVertices(edges.GetDart(edge));
+        lines.GetElementPoints(i)[0] = static_cast<vtkIdType>(ends.first.Value);
+        lines.GetElementPoints(i)[1] = static_cast<vtkIdType>(ends.second.Value);
         vtkIdType count = 0;
-        typename Map::Cell smallest = map.CellOf(edges.DartOf(edge));
+        typename Map::Cell smallest = map.GetCell(edges.GetDart(edge));
         for (const auto dart : edges.Fan(edge))
         {
-          smallest = std::min(smallest, map.CellOf(dart));
+          smallest = std::min(smallest, map.GetCell(dart));
           ++count;
         }
         lines.Set(i, edges.IsBoundary(edge), count, cells.GridId(smallest.Value));
@@ -141,7 +141,7 @@ void FillFaces(const Map& map, const isthmus::GridCells& cells, Elements& polygo
 {
   const auto& faces = map.Faces();
   const auto halfFaceOf = [&](vtkIdType i)
-  { return faces.HalfFaceOf(typename Map::Face(static_cast<typename Map::IdType>(i))); };
+  { return faces.GetHalfFace(typename Map::Face(static_cast<typename Map::IdType>(i))); };
   polygons.LayOut(
     [&](vtkIdType i) { return static_cast<vtkIdType>(map.Darts(halfFaceOf(i)).size()); });
   isthmus::ParallelFor(
@@ -150,15 +150,15 @@ void FillFaces(const Map& map, const isthmus::GridCells& cells, Elements& polygo
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        vtkIdType* point = polygons.PointsOf(i);
+        vtkIdType* point = polygons.GetElementPoints(i);
         for (const auto dart : map.Darts(halfFaceOf(i)))
         {
           *point++ = static_cast<vtkIdType>(map.StartVertex(dart).Value);
         }
         const auto across = map.Across(halfFaceOf(i));
         const bool boundary = map.IsOutside(across);
-        polygons.Set(i, boundary, boundary ? 1 : 2, cells.GridId(map.CellOf(halfFaceOf(i)).Value));
-        second->SetValue(i, boundary ? -1 : cells.GridId(map.CellOf(across).Value));
+        polygons.Set(i, boundary, boundary ? 1 : 2, cells.GridId(map.GetCell(halfFaceOf(i)).Value));
+        second->SetValue(i, boundary ? -1 : cells.GridId(map.GetCell(across).Value));
       }
     },
     progress);
@@ -183,8 +183,8 @@ int vtkCellIncidence::RequestData(
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* edges = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* faces = vtkPolyData::GetData(outputVector, 1);
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  return isthmus::Guarded(this, outputVector,
+  const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");

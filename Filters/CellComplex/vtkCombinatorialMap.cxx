@@ -47,7 +47,7 @@ public:
   virtual std::vector<isthmus::TableMemory> Tables() const = 0;
   virtual double Estimate() const = 0;
 
-  vtkIdType Checked(int kind, vtkIdType id) const
+  vtkIdType CheckId(int kind, vtkIdType id) const
   {
     if (id < 0 || id >= this->Number(kind))
     {
@@ -60,10 +60,10 @@ public:
 };
 
 template <typename Map>
-class vtkCombinatorialMap::vtkInternalsOf : public vtkCombinatorialMap::vtkInternals
+class vtkCombinatorialMap::vtkTypedInternals : public vtkCombinatorialMap::vtkInternals
 {
 public:
-  vtkInternalsOf(vtkUnstructuredGrid* grid, const isthmus::GridCells& cells)
+  vtkTypedInternals(vtkUnstructuredGrid* grid, const isthmus::GridCells& cells)
     : Mesh(cells.List())
     , Star(this->Mesh)
     , CellOfGrid(isthmus::At(grid->GetNumberOfCells()), -1)
@@ -103,7 +103,7 @@ public:
     const DartId other = dimension == 1 ? this->Mesh.Beta1(d)
       : dimension == 2                  ? this->Mesh.Beta2(d)
                                         : this->Mesh.Beta3(d);
-    return this->Mesh.IsOutside(other) ? -1 : static_cast<vtkIdType>(this->Mesh.IndexOf(other));
+    return this->Mesh.IsOutside(other) ? -1 : static_cast<vtkIdType>(this->Mesh.GetIndex(other));
   }
 
   std::vector<isthmus::TableMemory> Tables() const override { return this->Mesh.MemoryReport(); }
@@ -134,40 +134,40 @@ private:
   DartId DartAt(vtkIdType id) const
   {
     const auto first = [this](CellId cell)
-    { return this->Mesh.IndexOf(this->Mesh.MakeDart(cell, 1)); };
+    { return this->Mesh.GetIndex(this->Mesh.MakeDart(cell, 1)); };
     const CellId cell = this->CellAt(id, first);
     return this->Mesh.MakeDart(cell, static_cast<unsigned>(isthmus::At(id) - first(cell) + 1));
   }
   HalfFaceId HalfFaceAt(vtkIdType id) const
   {
     const auto first = [this](CellId cell)
-    { return this->Mesh.IndexOf(this->Mesh.MakeHalfFace(cell, 0)); };
+    { return this->Mesh.GetIndex(this->Mesh.MakeHalfFace(cell, 0)); };
     const CellId cell = this->CellAt(id, first);
     return this->Mesh.MakeHalfFace(cell, static_cast<unsigned>(isthmus::At(id) - first(cell)));
   }
 
   /// The element of kind `to` that a dart belongs to.
-  vtkIdType Of(DartId dart, int to) const
+  vtkIdType Find(DartId dart, int to) const
   {
     switch (to)
     {
       case Vertex:
         return static_cast<vtkIdType>(this->Mesh.StartVertex(dart).Value);
       case Edge:
-        return static_cast<vtkIdType>(this->Mesh.Edges().Of(dart).Value);
+        return static_cast<vtkIdType>(this->Mesh.Edges().Find(dart).Value);
       case Face:
-        return static_cast<vtkIdType>(this->Mesh.Faces().Of(dart).Value);
+        return static_cast<vtkIdType>(this->Mesh.Faces().Find(dart).Value);
       case Cell:
-        return this->GridCell[this->Mesh.CellOf(dart).Value];
+        return this->GridCell[this->Mesh.GetCell(dart).Value];
       case HalfFace:
-        return static_cast<vtkIdType>(this->Mesh.IndexOf(this->Mesh.HalfFaceOf(dart)));
+        return static_cast<vtkIdType>(this->Mesh.GetIndex(this->Mesh.GetHalfFace(dart)));
       default:
-        return static_cast<vtkIdType>(this->Mesh.IndexOf(dart));
+        return static_cast<vtkIdType>(this->Mesh.GetIndex(dart));
     }
   }
 
   template <typename Visit>
-  void ForDarts(int from, vtkIdType id, Visit&& visit);
+  void ForEachDart(int from, vtkIdType id, Visit&& visit);
 
   Map Mesh;
   isthmus::StarWalk<Number_> Star;
@@ -178,7 +178,7 @@ private:
 /// Visits all darts of an element.
 template <typename Map>
 template <typename Visit>
-void vtkCombinatorialMap::vtkInternalsOf<Map>::ForDarts(int from, vtkIdType id, Visit&& visit)
+void vtkCombinatorialMap::vtkTypedInternals<Map>::ForEachDart(int from, vtkIdType id, Visit&& visit)
 {
   const auto visitHalf = [&](HalfFaceId half)
   {
@@ -206,11 +206,11 @@ void vtkCombinatorialMap::vtkInternalsOf<Map>::ForDarts(int from, vtkIdType id, 
     case Face:
     {
       const HalfFaceId half =
-        this->Mesh.Faces().HalfFaceOf(typename Map::Face(static_cast<Number_>(id)));
+        this->Mesh.Faces().GetHalfFace(typename Map::Face(static_cast<Number_>(id)));
       visitHalf(half);
       if (!this->Mesh.IsBoundary(half))
       {
-        visitHalf(this->Mesh.HalfFaceOf(this->Mesh.Across(half)));
+        visitHalf(this->Mesh.GetHalfFace(this->Mesh.Across(half)));
       }
       break;
     }
@@ -232,7 +232,7 @@ void vtkCombinatorialMap::vtkInternalsOf<Map>::ForDarts(int from, vtkIdType id, 
 }
 
 template <typename Map>
-void vtkCombinatorialMap::vtkInternalsOf<Map>::Find(
+void vtkCombinatorialMap::vtkTypedInternals<Map>::Find(
   int from, vtkIdType id, int to, std::vector<vtkIdType>& found)
 {
   found.clear();
@@ -251,7 +251,7 @@ void vtkCombinatorialMap::vtkInternalsOf<Map>::Find(
                                               "and half faces; ask the ") +
         KindNames[isthmus::At(from)] + " for what it meets.");
     }
-    this->ForDarts(from, id,
+    this->ForEachDart(from, id,
       [&](DartId dart)
       {
         const DartId across = this->Mesh.Beta3(dart);
@@ -261,15 +261,15 @@ void vtkCombinatorialMap::vtkInternalsOf<Map>::Find(
         }
         else if (!this->Mesh.IsOutside(across))
         {
-          add(this->Of(across, to));
+          add(this->Find(across, to));
         }
       });
     return;
   }
-  this->ForDarts(from, id,
+  this->ForEachDart(from, id,
     [&](DartId dart)
     {
-      add(this->Of(dart, to));
+      add(this->Find(dart, to));
       if (from == Dart && to == Vertex)
       {
         add(static_cast<vtkIdType>(this->Mesh.EndVertex(dart).Value));
@@ -285,7 +285,7 @@ namespace
 
 /// Runs `work`; an exception becomes an error of `self`, and the result is false.
 template <typename Work>
-bool Attempted(vtkObject* self, Work&& work)
+bool RunReported(vtkObject* self, Work&& work)
 {
   try
   {
@@ -305,7 +305,7 @@ bool vtkCombinatorialMap::SetMesh(vtkUnstructuredGrid* mesh)
 {
   this->Internals.reset();
   this->Modified();
-  return Attempted(this,
+  return RunReported(this,
     [&]
     {
       if (!mesh)
@@ -319,12 +319,12 @@ bool vtkCombinatorialMap::SetMesh(vtkUnstructuredGrid* mesh)
         if (isthmus::CompactCombinatorialMap<std::uint32_t>::FitsIn(cells.List()))
         {
           using Map = isthmus::CompactCombinatorialMap<std::uint32_t>;
-          this->Internals = std::make_unique<vtkInternalsOf<Map>>(mesh, cells);
+          this->Internals = std::make_unique<vtkTypedInternals<Map>>(mesh, cells);
         }
         else
         {
           using Map = isthmus::CompactCombinatorialMap<std::uint64_t>;
-          this->Internals = std::make_unique<vtkInternalsOf<Map>>(mesh, cells);
+          this->Internals = std::make_unique<vtkTypedInternals<Map>>(mesh, cells);
         }
         if (!cells.Remark().empty())
         {
@@ -349,7 +349,7 @@ bool vtkCombinatorialMap::SetMesh(vtkUnstructuredGrid* mesh)
 vtkIdType vtkCombinatorialMap::GetNumber(int kind)
 {
   vtkIdType number = 0;
-  Attempted(this,
+  RunReported(this,
     [&]
     {
       RequireKind(kind);
@@ -361,7 +361,7 @@ vtkIdType vtkCombinatorialMap::GetNumber(int kind)
 void vtkCombinatorialMap::GetIncident(int from, vtkIdType id, int to, vtkIdList* found)
 {
   found->Reset();
-  Attempted(this,
+  RunReported(this,
     [&]
     {
       RequireKind(from);
@@ -369,7 +369,7 @@ void vtkCombinatorialMap::GetIncident(int from, vtkIdType id, int to, vtkIdList*
       std::vector<vtkIdType> ids;
       if (this->Internals)
       {
-        this->Internals->Find(from, this->Internals->Checked(from, id), to, ids);
+        this->Internals->Find(from, this->Internals->CheckId(from, id), to, ids);
       }
       for (const vtkIdType element : ids)
       {
@@ -383,7 +383,7 @@ void vtkCombinatorialMap::GetIncidence(
 {
   offsets->Initialize();
   ids->Initialize();
-  Attempted(this,
+  RunReported(this,
     [&]
     {
       RequireKind(from);
@@ -405,7 +405,7 @@ void vtkCombinatorialMap::GetIncidence(
 void vtkCombinatorialMap::GetBeta(int dimension, vtkIdTypeArray* darts)
 {
   darts->Initialize();
-  Attempted(this,
+  RunReported(this,
     [&]
     {
       if (dimension < 1 || dimension > 3)

@@ -92,7 +92,7 @@ private:
 
   class vtkInternals;
   template <typename Map>
-  class vtkInternalsOf;
+  class vtkTypedInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
 

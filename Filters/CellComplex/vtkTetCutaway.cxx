@@ -62,8 +62,8 @@ typename Map::Cell CellNearest(const Map& map, vtkUnstructuredGrid* grid, const 
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < map.NumberOfBoundaryFaces(); ++b)
   {
-    const auto dart = map.DartOf(typename Map::BoundaryFace(static_cast<typename Map::IdType>(b)));
-    const auto darts = map.Darts(map.HalfFaceOf(dart));
+    const auto dart = map.GetDart(typename Map::BoundaryFace(static_cast<typename Map::IdType>(b)));
+    const auto darts = map.Darts(map.GetHalfFace(dart));
     const isthmus::Position center =
       Center(grid, darts.size(), [&](std::size_t v) { return map.StartVertex(darts[v]); });
     const double squared = (center[0] - point[0]) * (center[0] - point[0]) +
@@ -72,7 +72,7 @@ typename Map::Cell CellNearest(const Map& map, vtkUnstructuredGrid* grid, const 
     if (squared < least)
     {
       least = squared;
-      nearest = map.CellOf(dart);
+      nearest = map.GetCell(dart);
     }
   }
   return nearest;
@@ -84,8 +84,8 @@ typename Map::Cell CellOfFace(const Map& map, vtkIdType face)
 {
   isthmus::RequireRange("SeedFace", static_cast<double>(face), 0.0,
     static_cast<double>(map.NumberOfFaces()) - 1.0, "These are the faces of the mesh.");
-  return map.CellOf(
-    map.Faces().DartOf(typename Map::Face(static_cast<typename Map::IdType>(face))));
+  return map.GetCell(
+    map.Faces().GetDart(typename Map::Face(static_cast<typename Map::IdType>(face))));
 }
 
 /// What is left of `input`, and its surface.
@@ -111,7 +111,7 @@ public:
       {
         const auto across = map.Neighbours(cell)[f];
         const bool boundary = map.IsOutside(across);
-        if (boundary || this->Gone[map.CellOf(across).Value])
+        if (boundary || this->Gone[map.GetCell(across).Value])
         {
           points->Reset();
           for (const auto dart : map.Darts(map.MakeHalfFace(cell, f)))
@@ -200,7 +200,7 @@ int vtkTetCutaway::RequestData(
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
   vtkUnstructuredGrid* remaining = vtkUnstructuredGrid::GetData(outputVector, 1);
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
   const auto cut = [&](const auto& map, const isthmus::GridCells& cells)
   {
     if (!cells.Remark().empty())
@@ -232,7 +232,7 @@ int vtkTetCutaway::RequestData(
     isthmus::Report(progress, 0.9);
     remainder.WriteCells(cells, remaining);
   };
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");

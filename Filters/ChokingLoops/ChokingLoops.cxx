@@ -396,7 +396,7 @@ ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& me
 {
   ChokingLoopTimes times;
   Stopwatch watch;
-  TriangleMesh checked = CheckedSurface(CopyOf(surface), true, Between(progress, 0.0, 0.1));
+  TriangleMesh checked = CheckedSurface(CopyMesh(surface), true, Between(progress, 0.0, 0.1));
   times.Check = watch.Lap();
   CellFiltration filtration =
     LowerStarFiltration(mesh, values, checked, Between(progress, 0.1, 0.5));

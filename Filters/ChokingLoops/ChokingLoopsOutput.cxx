@@ -281,19 +281,22 @@ using Row = const FeatureRow&;
 /// Attributes that loops, membranes and choke points have.
 void AddCommonColumns(vtkFieldData* data, const FeatureRows& rows)
 {
-  AddColumnOf<vtkIntArray>(data, "FeatureId", rows, [](Row row) { return row.Shown->Index; });
-  AddColumnOf<vtkIntArray>(
+  AddComputedColumn<vtkIntArray>(data, "FeatureId", rows, [](Row row) { return row.Shown->Index; });
+  AddComputedColumn<vtkIntArray>(
     data, "Kind", rows, [](Row row) { return static_cast<int>(row.Feature->Kind); });
-  AddColumnOf<vtkDoubleArray>(data, "Radius", rows, [](Row row) { return row.Feature->Radius(); });
-  AddColumnOf<vtkDoubleArray>(data, "Birth", rows, [](Row row) { return row.Feature->Birth(); });
-  AddColumnOf<vtkDoubleArray>(data, "Death", rows, [](Row row) { return row.Feature->Death; });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
+    data, "Radius", rows, [](Row row) { return row.Feature->Radius(); });
+  AddComputedColumn<vtkDoubleArray>(
+    data, "Birth", rows, [](Row row) { return row.Feature->Birth(); });
+  AddComputedColumn<vtkDoubleArray>(
+    data, "Death", rows, [](Row row) { return row.Feature->Death; });
+  AddComputedColumn<vtkDoubleArray>(
     data, "Persistence", rows, [](Row row) { return row.Feature->Persistence(); });
 }
 
 void AddSide(vtkFieldData* data, const FeatureRows& rows)
 {
-  AddColumnOf<vtkIntArray>(
+  AddComputedColumn<vtkIntArray>(
     data, "Side", rows, [](Row row) { return static_cast<int>(row.Feature->Side); });
 }
 
@@ -381,17 +384,19 @@ void FillLoops(
   vtkFieldData* const data = output->GetCellData();
   AddCommonColumns(data, rows);
   AddSide(data, rows);
-  AddColumnOf<vtkStringArray>(
+  AddComputedColumn<vtkStringArray>(
     data, "KindName", rows, [](Row row) { return GetKindName(row.Feature->Kind); });
-  AddColumnOf<vtkIntArray>(data, "Trusted", rows, [](Row row) { return row.Feature->Trusted; });
-  AddColumnOf<vtkIntArray>(data, "SharedWith", rows, [](Row row) { return row.Shown->SharedWith; });
-  AddColumnOf<vtkIntArray>(data, "Component", rows,
+  AddComputedColumn<vtkIntArray>(
+    data, "Trusted", rows, [](Row row) { return row.Feature->Trusted; });
+  AddComputedColumn<vtkIntArray>(
+    data, "SharedWith", rows, [](Row row) { return row.Shown->SharedWith; });
+  AddComputedColumn<vtkIntArray>(data, "Component", rows,
     [&](Row row) { return loops.Homology().GetComponent(row.Shown->Geometry->Anchors[row.Loop]); });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Uncertainty", rows, [](Row row) { return ComputeUncertainty(*row.Feature); });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Length", rows, [](Row row) { return row.Shown->Geometry->Lengths[row.Loop]; });
-  AddColumnOf<vtkDoubleArray>(data, "Reach", rows, [](Row row) { return row.Reach; });
+  AddComputedColumn<vtkDoubleArray>(data, "Reach", rows, [](Row row) { return row.Reach; });
   output->GetCellData()->SetActiveScalars("Radius");
 }
 
@@ -415,16 +420,16 @@ void FillMembranes(const ChokingLoops& loops, const std::vector<ShownFeature>& f
   output->SetPolys(triangles);
   vtkFieldData* const data = output->GetCellData();
   AddCommonColumns(data, rows);
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Area", rows, [](Row row) { return row.Shown->Geometry->Area; });
   if (method != MembraneMethod::Automatic)
   {
-    AddColumnOf<vtkIntArray>(
+    AddComputedColumn<vtkIntArray>(
       data, "Method", rows, [](Row row) { return static_cast<int>(row.Shown->Geometry->Method); });
   }
   if (method == MembraneMethod::Greedy)
   {
-    AddColumnOf<vtkDoubleArray>(
+    AddComputedColumn<vtkDoubleArray>(
       data, "GrowthCost", rows, [](Row row) { return row.Shown->Geometry->GrowthCost; });
   }
 }
@@ -453,17 +458,19 @@ void FillDiagram(const ChokingLoops& loops, vtkTable* output)
   using Feature = const ShapeFeature&;
   const std::vector<ShapeFeature>& features = loops.Diagram().Features;
   vtkFieldData* const data = output->GetRowData();
-  AddColumnOf<vtkIntArray>(data, "FeatureId", features.size(), [](std::size_t row) { return row; });
-  AddColumnOf<vtkIntArray>(data, "Dimension", features, [](Feature f) { return f.Dimension; });
-  AddColumnOf<vtkIntArray>(
+  AddComputedColumn<vtkIntArray>(
+    data, "FeatureId", features.size(), [](std::size_t row) { return row; });
+  AddComputedColumn<vtkIntArray>(
+    data, "Dimension", features, [](Feature f) { return f.Dimension; });
+  AddComputedColumn<vtkIntArray>(
     data, "Side", features, [](Feature f) { return static_cast<int>(f.Side); });
-  AddColumnOf<vtkIntArray>(
+  AddComputedColumn<vtkIntArray>(
     data, "Kind", features, [](Feature f) { return static_cast<int>(f.Kind); });
-  AddColumnOf<vtkDoubleArray>(data, "Birth", features, [](Feature f) { return f.PairBirth; });
-  AddColumnOf<vtkDoubleArray>(data, "Death", features, [](Feature f) { return f.PairDeath; });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(data, "Birth", features, [](Feature f) { return f.PairBirth; });
+  AddComputedColumn<vtkDoubleArray>(data, "Death", features, [](Feature f) { return f.PairDeath; });
+  AddComputedColumn<vtkDoubleArray>(
     data, "Persistence", features, [](Feature f) { return f.PairDeath - f.PairBirth; });
-  AddColumnOf<vtkDoubleArray>(data, "Radius", features, [](Feature f) { return f.Radius(); });
+  AddComputedColumn<vtkDoubleArray>(data, "Radius", features, [](Feature f) { return f.Radius(); });
 }
 
 void AddAnalysisFieldData(

@@ -190,7 +190,7 @@ std::vector<ConformingGenerator> ConformingGenerators(
   const SurfaceView& surface, const ProgressCallback& progress, ConformingMesh* mesh)
 {
   std::optional<ConformingMesh> made;
-  TriangleMesh embedded = CopyOf(surface);
+  TriangleMesh embedded = CopyMesh(surface);
   CellFiltration f = FiltrationByBalls(
     (mesh ? *mesh : made.emplace(surface)).Take(Between(progress, 0.0, 0.6)), embedded);
   std::vector<Point3>().swap(embedded.Points); // those of f

@@ -154,7 +154,7 @@ Ring GreedyGrowth::CollectRing(SimplexId v, const std::vector<TetrahedronId>& st
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
       const TetrahedronId beyond = this->F.Neighbours[cell][corner];
-      const TriangleId t = this->F.TriangleOf(cell, corner);
+      const TriangleId t = this->F.GetTriangle(cell, corner);
       if (this->F.Tetrahedra[cell][corner] == v || beyond < cell || !this->IsOpen(t))
       {
         continue;
@@ -237,7 +237,7 @@ bool GreedyGrowth::Spread(SimplexId v, const std::vector<TetrahedronId>& star)
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
       if (this->F.Tetrahedra[queue[i]][corner] == v ||
-        this->Membrane.count(this->F.TriangleOf(queue[i], corner)) != 0)
+        this->Membrane.count(this->F.GetTriangle(queue[i], corner)) != 0)
       {
         continue;
       }

@@ -366,9 +366,9 @@ private:
     TaggedSurface after;
     try
     {
-      after =
-        Combined(before, added, isTunnel ? BooleanOperation::Union : BooleanOperation::Difference,
-          Finest * plate.Thickness);
+      after = CombineSurfaces(before, added,
+        isTunnel ? BooleanOperation::Union : BooleanOperation::Difference,
+        Finest * plate.Thickness);
     }
     catch (const std::runtime_error&)
     {

@@ -57,7 +57,7 @@ TetrahedralParameters MeshingParameters(const TriangleMesh& surface)
   TetrahedralParameters parameters;
   parameters.Side = MeshedSide::Both;
   parameters.BoxMargin = 0.1;
-  const Bounds3 box = BoundsOf(surface);
+  const Bounds3 box = ComputeBounds(surface);
   const Point3 size = box.Max - box.Min;
   const double margin = 2.0 * parameters.BoxMargin * box.Diagonal();
   parameters.TetGen.MaximumVolume =

@@ -176,7 +176,7 @@ void ChokeSurroundings::Pass(CellPlace own)
     {
       continue;
     }
-    const TriangleId triangle = this->F.TriangleOf(cell, corner);
+    const TriangleId triangle = this->F.GetTriangle(cell, corner);
     if (!this->Context.IsWall(triangle))
     {
       this->Cross(triangle, own);

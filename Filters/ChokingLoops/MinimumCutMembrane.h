@@ -148,7 +148,7 @@ void ChokeSurroundings::ForLinks(TetrahedronId cell, Visit&& visit) const
   {
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      report(this->F.TriangleOf(cell, corner));
+      report(this->F.GetTriangle(cell, corner));
     }
     return;
   }

@@ -89,7 +89,7 @@ void MakeExact(
   }
 }
 
-/// For GridOfDistances(), the copy that is contoured, and the contour.
+/// For ComputeDistanceGrid(), the copy that is contoured, and the contour.
 double GridBytes(const Bounds3& box, std::int64_t cells)
 {
   constexpr double bytes = 40.0; // for each node
@@ -111,7 +111,7 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, const OffsetSurfacePara
     {
       RequireShellsApart(surface); // with the place in the user's unit
     }
-    TriangleMesh scaled = CopyOf(surface);
+    TriangleMesh scaled = CopyMesh(surface);
     scale.Apply(scaled.Points);
     OffsetSurfaceParameters scaledParameters = parameters;
     scaledParameters.Distance *= scale.Factor();
@@ -130,7 +130,7 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, const OffsetSurfacePara
   const Bounds3 box = BoxAround(surface, distance, cells);
   MemoryBudget().Require(GridBytes(box, cells),
     "A grid with a Resolution of " + std::to_string(cells), "choose a lower Resolution");
-  DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.5));
+  DistanceGrid grid = ComputeDistanceGrid(surface, box, cells, Between(progress, 0.0, 0.5));
   if (distance > 2.0 * grid.Spacing)
   {
     MakeExact(surface, distance, grid, Between(progress, 0.5, 0.9));
@@ -143,9 +143,9 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, const OffsetSurfacePara
   }
   if (parameters.Side != SideSelection::Both)
   {
-    const std::vector<Point3> points = PointsFrom(grid.Origin, surface);
+    const std::vector<Point3> points = TranslatedPoints(grid.Origin, surface);
     const std::vector<unsigned char> inside = NodesInside({ points, surface.Triangles },
-      ShapeOf(grid), [&](const Point3& p) { return p + grid.Origin; });
+      GetGridShape(grid), [&](const Point3& p) { return p + grid.Origin; });
     const bool wanted = parameters.Side == SideSelection::Inside;
     for (std::size_t i = 0; i < inside.size(); ++i)
     {

@@ -7,9 +7,9 @@
 #include "Remeshing/SurfaceRepair.h"
 #include "Remeshing/ThinTriangles.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMeasures.h"
-#include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ void DrawApart(TriangleMesh& mesh)
 }
 
 /// Volume of the surface after orientation; parts that face inward count as holes.
-double VolumeOf(const SurfaceView& mesh)
+double MakeVolumeView(const SurfaceView& mesh)
 {
   double six = 0.0;
   const Point3 origin = mesh.Points.empty() ? Point3{ 0, 0, 0 } : mesh.Points.front();
@@ -112,10 +112,10 @@ void ReportChanges(const SurfaceView& before, const SurfaceView& after, RepairRe
 /// One round of repair.
 TriangleMesh Repaired(const SurfaceView& surface, const ProgressCallback& progress)
 {
-  TriangleMesh mesh = CopyOf(surface);
+  TriangleMesh mesh = CopyMesh(surface);
   if (FindDefects(mesh).None() && !ThinTriangles(mesh).empty())
   {
-    mesh = WithoutThinTriangles(mesh);
+    mesh = RemoveThinTriangles(mesh);
   }
   const SurfaceDefects defects = FindDefects(mesh);
   if (!defects.None() || !SelfIntersections(mesh, Between(progress, 0.0, 0.3)).empty())
@@ -138,7 +138,7 @@ bool IsClean(const SurfaceView& mesh, bool allowCrossings, const ProgressCallbac
 TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& what,
   bool allowCrossings, RepairReport& report, const ProgressCallback& progress)
 {
-  TriangleMesh mesh = CopyOf(surface);
+  TriangleMesh mesh = CopyMesh(surface);
   bool clean = false;
   try
   {
@@ -162,8 +162,8 @@ TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& 
   {
     throw std::invalid_argument(what + " It could not be repaired." + advice);
   }
-  const double before = VolumeOf(surface);
-  const double share = before > 0.0 ? std::abs(VolumeOf(mesh) - before) / before : HUGE_VAL;
+  const double before = MakeVolumeView(surface);
+  const double share = before > 0.0 ? std::abs(MakeVolumeView(mesh) - before) / before : HUGE_VAL;
   if (!(share <= RepairableShare))
   {
     throw std::invalid_argument(what + " Its repair would change the volume by " +
@@ -298,7 +298,7 @@ TriangleMesh CheckedMergedSurface(TriangleMesh surface, const SurfaceDefects& de
   const auto rest = Between(progress, 0.6, 1.0);
   if (!defects.None() && !(report && CanBeRepaired(defects)))
   {
-    throw std::invalid_argument(defects.Sentence() + DescribeOpenBoundary(surface, defects) +
+    throw std::invalid_argument(defects.Message() + DescribeOpenBoundary(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(CapHoles of Choking Loops closes holes and orients triangles consistently; Fill Holes "
       "closes holes).");
@@ -306,7 +306,7 @@ TriangleMesh CheckedMergedSurface(TriangleMesh surface, const SurfaceDefects& de
   RequireThickness(surface);
   if (!defects.None())
   {
-    return RepairedForAnalysis(surface, defects.Sentence(), allowCrossings, *report, rest);
+    return RepairedForAnalysis(surface, defects.Message(), allowCrossings, *report, rest);
   }
   if (report)
   {
@@ -347,16 +347,16 @@ TriangleMesh CheckedSurface(
   surface = MergePoints(surface);
   Report(progress, 0.1);
   SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
-  SurfaceMending mending;
+  SurfaceCorrection correction;
   if (report && IsMerelyOpen(defects))
   {
-    const std::vector<Triangle> joined = JoinCracks(surface, mending);
+    const std::vector<Triangle> joined = JoinCracks(surface, correction);
     surface = MergePoints(SurfaceView(surface.Points, joined));
     defects = FindDefects(surface);
   }
   TriangleMesh checked =
     CheckedMergedSurface(std::move(surface), defects, allowCrossings, progress, report);
-  const std::string message = mending.Message();
+  const std::string message = correction.Message();
   if (!message.empty())
   {
     report->Message = message + (report->Message.empty() ? "" : " ") + report->Message;
@@ -603,7 +603,7 @@ TriangleMesh Refined(const SurfaceView& mesh, const std::vector<Refinement>& wan
   }
   const double everywhere = isMany ? 0.6 * spacing : HUGE_VAL;
   return SplitLongEdges(
-    CopyOf(mesh),
+    CopyMesh(mesh),
     [&wanted, everywhere](const Point3& a, const Point3& b)
     {
       double limit = everywhere;
@@ -630,7 +630,7 @@ TriangleMesh FirstSamples(
   const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
   {
     return SplitLongEdges(
-      CopyOf(surface), [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
+      CopyMesh(surface), [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
   };
   const double edges = LengthOfEdges(surface);
   RequireRange("SampleSpacing", spacing, 0.0, LargestLength,

@@ -52,7 +52,7 @@ constexpr const char* Unsettled = ", including handles or tunnels on the surface
 // Estimated costs are for developers: VTK shows the level TRACE only if asked to.
 void LogDrawingCost(const isthmus::DrawingCost& cost)
 {
-  vtkLog(TRACE, << isthmus::TextOf("Choking loops: ", cost.Loops, " features still to be drawn, ",
+  vtkLog(TRACE, << isthmus::JoinText("Choking loops: ", cost.Loops, " features still to be drawn, ",
                   "about ", SecondsText(cost.Seconds), "."));
 }
 
@@ -64,7 +64,7 @@ void LogMinimumCost(const isthmus::SurfaceView& surface, double spacing)
     spacing > 0.0 ? 2.0 * std::pow(isthmus::EdgeLengthFor(surface, 1.0) / spacing, 2.0) : 20000.0;
   const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
   const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
-  vtkLog(TRACE, << isthmus::TextOf("Choking loops of at least ", whole(samples),
+  vtkLog(TRACE, << isthmus::JoinText("Choking loops of at least ", whole(samples),
                   " samples: at least ", whole(50.0 + samples / 400.0), " MiB."));
 }
 
@@ -73,11 +73,11 @@ void LogAnalysisCost(const isthmus::AnalysisCost& cost)
 {
   if (cost.Seconds < 0.0)
   {
-    vtkLog(TRACE, << isthmus::TextOf("Choking loops: ", cost.Samples, " samples, about ",
+    vtkLog(TRACE, << isthmus::JoinText("Choking loops: ", cost.Samples, " samples, about ",
                     isthmus::MemoryText(cost.Bytes), "."));
     return;
   }
-  vtkLog(TRACE, << isthmus::TextOf("Choking loops: from sampling to features about ",
+  vtkLog(TRACE, << isthmus::JoinText("Choking loops: from sampling to features about ",
                   SecondsText(cost.Seconds), " in all", (cost.Own > 0 ? Unsettled : ".")));
 }
 
@@ -217,7 +217,7 @@ int vtkChokingLoops::FillOutputPortInformation(int port, vtkInformation* informa
 void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
 {
   const isthmus::LoopSearchParameters& p = this->Parameters;
-  const vtkInternals::Key key{ isthmus::StateOf(surface), isthmus::StateOf(grid), p.Filtration,
+  const vtkInternals::Key key{ isthmus::GetState(surface), isthmus::GetState(grid), p.Filtration,
     p.MorseFunction, p.MorseArrayName, p.SampleSpacing, p.AllowSelfIntersections, p.CapHoles,
     p.MemoryLimit };
   this->Internals->Cache.Get(key,
@@ -235,8 +235,8 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseSurface(
 {
   isthmus::RequirePlaces(vtkPointSet::SafeDownCast(grid), "the mesh");
   std::fill_n(this->StageTimes, 5, 0.0);
-  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
-  isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
+  const auto progress = isthmus::Between(isthmus::MakeProgress(this), 0.0, AnalysisPart);
+  isthmus::TriangleMesh triangles = isthmus::ToTriangleMesh(surface);
   if (triangles.Triangles.empty())
   {
     throw std::invalid_argument("The surface has " + std::to_string(triangles.Points.size()) +
@@ -308,7 +308,7 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
       << "Greedy membranes need the filtration Tetrahedral mesh: all points of the Delaunay "
          "filtration lie on the surface. The automatic membranes are used instead.");
   }
-  const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
+  const auto progress = isthmus::Between(isthmus::MakeProgress(this), AnalysisPart, 1.0);
   isthmus::DrawFeatures(analysis, chosen, rounds, this->Internals->Current().Geometry,
     LogDrawingCost, progress, method);
   std::vector<isthmus::ShownFeature> shown;

@@ -30,14 +30,14 @@ void FillTable(const std::vector<isthmus::HandleFill>& fills, vtkTable* table)
   using Fill = isthmus::HandleFill;
   const auto isTunnel = [](const Fill& fill) { return fill.Kind == isthmus::FeatureKind::Tunnel; };
   vtkFieldData* const data = table->GetRowData();
-  isthmus::AddColumnOf<vtkIntArray>(
+  isthmus::AddComputedColumn<vtkIntArray>(
     data, "Filling", fills.size(), [](std::size_t row) { return row + 1; });
-  isthmus::AddColumnOf<vtkIntArray>(
+  isthmus::AddComputedColumn<vtkIntArray>(
     data, "Kind", fills, [](const Fill& fill) { return static_cast<int>(fill.Kind); });
-  isthmus::AddColumnOf<vtkStringArray>(data, "KindName", fills,
+  isthmus::AddComputedColumn<vtkStringArray>(data, "KindName", fills,
     [&](const Fill& fill) { return isTunnel(fill) ? "tunnel" : "handle"; });
   const auto add = [&](const char* name, const auto& of)
-  { isthmus::AddColumnOf<vtkDoubleArray>(data, name, fills, of); };
+  { isthmus::AddComputedColumn<vtkDoubleArray>(data, name, fills, of); };
   add("Radius", [](const Fill& fill) { return fill.Radius; });
   add("Area", [](const Fill& fill) { return fill.Area; });
   add("Thickness", [](const Fill& fill) { return fill.Thickness; });
@@ -74,7 +74,7 @@ int vtkHandleFilling::RequestData(
 {
   auto* surface = vtkPolyData::GetData(output, 0);
   auto* table = vtkTable::GetData(output, 1);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       const auto whole = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
@@ -82,8 +82,8 @@ int vtkHandleFilling::RequestData(
       {
         return;
       }
-      const isthmus::FilledSurface filled =
-        isthmus::FillHandles(isthmus::MeshOf(whole), this->Parameters, isthmus::ProgressOf(this));
+      const isthmus::FilledSurface filled = isthmus::FillHandles(
+        isthmus::ToTriangleMesh(whole), this->Parameters, isthmus::MakeProgress(this));
       if (!filled.Repairs.Message.empty())
       {
         vtkWarningMacro(<< filled.Repairs.Message);
@@ -91,7 +91,7 @@ int vtkHandleFilling::RequestData(
       if (filled.Left > 0)
       {
         vtkWarningMacro(
-          << isthmus::TextOf(filled.Left, " of ", filled.Left + filled.Fills.size(),
+          << isthmus::JoinText(filled.Left, " of ", filled.Left + filled.Fills.size(),
                " handles and tunnels below the size were not removed: they have no membrane with a "
                "single loop that keeps clear of the rest of the surface."));
       }

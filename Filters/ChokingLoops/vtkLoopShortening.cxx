@@ -112,7 +112,7 @@ std::vector<SimplexId> WalkThrough(const SurfaceAdjacency& s, const std::vector<
 struct Surface
 {
   explicit Surface(vtkPolyData* data)
-    : Mesh(isthmus::CheckedSurface(isthmus::MeshOf(data), true))
+    : Mesh(isthmus::CheckedSurface(isthmus::ToTriangleMesh(data), true))
     , Adjacency(Mesh)
   {
     isthmus::SetMesh(this->Mesh, this->Corners);
@@ -198,7 +198,7 @@ int vtkLoopShortening::RequestData(
 {
   auto* loops = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       isthmus::RequirePlaces(loops, "the loops");
@@ -218,7 +218,7 @@ int vtkLoopShortening::RequestData(
       {
         const auto done = [count](vtkIdType i)
         { return static_cast<double>(i) / static_cast<double>(count); };
-        const auto progress = isthmus::Between(isthmus::ProgressOf(this), done(c), done(c + 1));
+        const auto progress = isthmus::Between(isthmus::MakeProgress(this), done(c), done(c + 1));
         isthmus::Report(progress, 0.0);
         shortened.Add(surface.Adjacency,
           isthmus::ShortenLoop(

@@ -92,26 +92,26 @@ void WriteHandles(const std::vector<MapHandle>& handles, bool bridges, const Fea
   vtkPointData* data = output->GetPointData();
   const auto featureOf = [&features](const MapHandle& handle) -> const ScalarFeature&
   { return features.Features[static_cast<std::size_t>(handle.Feature)]; };
-  AddColumnOf<vtkIdTypeArray>(data, "FeatureId", wanted,
+  AddComputedColumn<vtkIdTypeArray>(data, "FeatureId", wanted,
     [](const MapHandle& handle) { return static_cast<vtkIdType>(handle.Feature); });
-  AddColumnOf<vtkIntArray>(data, "Dimension", wanted,
+  AddComputedColumn<vtkIntArray>(data, "Dimension", wanted,
     [&](const MapHandle& handle) { return featureOf(handle).Pair.Dimension; });
   const auto add = [&](const char* name, const auto& of)
-  { AddColumnOf<vtkDoubleArray>(data, name, wanted, of); };
+  { AddComputedColumn<vtkDoubleArray>(data, name, wanted, of); };
   add("Birth", [&](const MapHandle& handle) { return featureOf(handle).Birth; });
   add("Death", [&](const MapHandle& handle) { return featureOf(handle).Death; });
   add("Persistence", [&](const MapHandle& handle) { return featureOf(handle).Persistence; });
   add("Level", [](const MapHandle& handle) { return handle.Level; });
   add("From", [](const MapHandle& handle) { return handle.Interval[0]; });
   add("To", [](const MapHandle& handle) { return handle.Interval[1]; });
-  AddColumnOf<vtkIntArray>(data, "IsThere", wanted,
+  AddComputedColumn<vtkIntArray>(data, "IsThere", wanted,
     [level](const MapHandle& handle)
     { return handle.Interval[0] <= level && level <= handle.Interval[1] ? 1 : 0; });
   if (support)
   {
-    AddColumnOf<vtkDoubleArray>(
+    AddComputedColumn<vtkDoubleArray>(
       data, "BootstrapSupport", rows, [support](std::size_t i) { return support->Support[i]; });
-    AddColumnOf<vtkDoubleArray>(
+    AddComputedColumn<vtkDoubleArray>(
       data, "PValue", rows, [support](std::size_t i) { return support->PValue[i]; });
   }
   data->SetActiveScalars("Level");
@@ -136,14 +136,14 @@ void FillIntervals(const std::vector<StableInterval>& intervals, vtkTable* table
 {
   vtkDataSetAttributes* rows = table->GetRowData();
   const auto add = [&](const char* name, const auto& of)
-  { AddColumnOf<vtkDoubleArray>(rows, name, intervals, of); };
+  { AddComputedColumn<vtkDoubleArray>(rows, name, intervals, of); };
   add("From", [](const StableInterval& interval) { return interval.Low; });
   add("To", [](const StableInterval& interval) { return interval.High; });
   add("Middle", [](const StableInterval& interval) { return interval.Middle(); });
   add("Length", [](const StableInterval& interval) { return interval.High - interval.Low; });
   for (std::size_t d = 0; d < 3; ++d)
   {
-    AddColumnOf<vtkIdTypeArray>(rows, "Beta" + std::to_string(d), intervals,
+    AddComputedColumn<vtkIdTypeArray>(rows, "Beta" + std::to_string(d), intervals,
       [d](const StableInterval& interval) { return interval.Betti[d]; });
   }
 }
@@ -349,7 +349,7 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
     work.Correlation = ComputeCorrelation(work.Image, work.Scalars, others);
     if (work.Correlation < LeastCorrelation)
     {
-      vtkWarningMacro(<< isthmus::TextOf("The half maps have a correlation of only ",
+      vtkWarningMacro(<< isthmus::JoinText("The half maps have a correlation of only ",
                         isthmus::FixedNumber(work.Correlation, 2),
                         " (of means over 4 x 4 x 4 nodes), so they have nothing in common: the "
                         "handles of their "
@@ -359,7 +359,7 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
     work.Image = work.Mean;
     work.Scalars = work.Mean->GetPointData()->GetScalars();
   }
-  work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
+  work.Volume = isthmus::MakeVolumeView(work.Scalars, work.Image);
 }
 
 void vtkMapHandles::CheckParameters() const
@@ -386,7 +386,7 @@ void vtkMapHandles::FindFeatures(vtkInternals& work)
   isthmus::CubicalParameters parameters;
   parameters.Superlevel = this->InsideIsHigher;
   const auto& pairs = this->Cache->Pairs(
-    work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.3));
+    work.Volume, parameters, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.3));
   work.Features = isthmus::ScalarFeatures(work.Volume, statistics, pairs, wanted);
   work.Intervals =
     isthmus::StableIntervals(work.Features, this->InsideIsHigher, work.Parameters.Range);
@@ -414,7 +414,7 @@ void vtkMapHandles::FillTables(const vtkInternals& work, vtkInformationVector* o
     bootstrap.Level = work.Level.Level;
     support = isthmus::ComputeSupport(handles, work.Volume, work.Parameters,
       work.Features.Threshold, work.Noise, bootstrap,
-      isthmus::Between(isthmus::ProgressOf(this), 0.3, this->Loops ? 0.6 : 0.95));
+      isthmus::Between(isthmus::MakeProgress(this), 0.3, this->Loops ? 0.6 : 0.95));
   }
   for (const int port : { BridgesPort, WindowsPort })
   {
@@ -435,7 +435,7 @@ void vtkMapHandles::FillSurfaces(const vtkInternals& work, vtkInformationVector*
   isthmus::ToWorld(work.Image, level.Guide);
   vtkPolyData* contour = vtkPolyData::GetData(outputVector, ContourPort);
   isthmus::SetMesh(level.Guide, contour);
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   const double begun = work.Noise.empty() ? 0.4 : 0.6;
   isthmus::Report(progress, begun);
   if (!this->Loops)
@@ -465,7 +465,7 @@ void vtkMapHandles::FillSurfaces(const vtkInternals& work, vtkInformationVector*
   isthmus::Report(progress, 1.0); // leaves where it was stopped
   if (!complaint.empty())
   {
-    vtkWarningMacro(<< isthmus::TextOf("The choking loops of the contour: ", complaint));
+    vtkWarningMacro(<< isthmus::JoinText("The choking loops of the contour: ", complaint));
   }
   vtkPolyData::GetData(outputVector, LoopsPort)->ShallowCopy(loops->GetOutputDataObject(0));
   vtkPolyData::GetData(outputVector, ChokePointsPort)->ShallowCopy(loops->GetOutputDataObject(2));
@@ -475,7 +475,7 @@ int vtkMapHandles::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
@@ -514,7 +514,7 @@ int vtkMapHandles::RequestData(
           isthmus::AddColumn<vtkDoubleArray>(data, "RecommendedLevel", { work.RecommendedLevel });
         }
       }
-      isthmus::Report(isthmus::ProgressOf(this), 1.0);
+      isthmus::Report(isthmus::MakeProgress(this), 1.0);
     });
 }
 

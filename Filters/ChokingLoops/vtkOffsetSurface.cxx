@@ -53,7 +53,7 @@ int vtkOffsetSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* result = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
@@ -62,8 +62,8 @@ int vtkOffsetSurface::RequestData(
         return;
       }
       const isthmus::PolyDataTriangles triangles(surface);
-      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(
-        triangles.View(), this->Parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(triangles.View(),
+        this->Parameters, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.9));
       const auto values =
         isthmus::NamedArray<vtkDoubleArray>("DistanceToSurface", grid.Values.size());
       // vtkFlyingEdges3D orients triangles towards lower values, and these are to be outside.
@@ -80,7 +80,7 @@ int vtkOffsetSurface::RequestData(
       contour->ComputeNormalsOn();
       contour->ComputeScalarsOff(); // the distance everywhere, which would be the colour
       isthmus::UpdateInner(contour);
-      isthmus::Report(isthmus::ProgressOf(this), 1.0);
+      isthmus::Report(isthmus::MakeProgress(this), 1.0);
       result->ShallowCopy(contour->GetOutput());
       result->SetPoints(InWorld(contour->GetOutput()->GetPoints(), grid));
       isthmus::AddColumn<vtkDoubleArray>(result->GetFieldData(), "GridSpacing", { grid.Spacing });

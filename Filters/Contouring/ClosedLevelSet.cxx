@@ -48,7 +48,7 @@ std::array<double, 2> FiniteRange(const GridView<const T>& grid)
 
 /// A level set of a mask has a corner at each node, which no triangle resolves.
 template <typename T>
-void RefuseMask(const GridView<const T>& grid, double low, double high)
+void RejectMask(const GridView<const T>& grid, double low, double high)
 {
   const bool mask = low < high &&
     std::all_of(grid.Data, grid.Data + grid.Size(),
@@ -65,7 +65,7 @@ void RefuseMask(const GridView<const T>& grid, double low, double high)
 
 /// `grid` with a layer of `outside` around it, as an image in the frame of the grid.
 template <typename Array, typename T>
-vtkSmartPointer<vtkImageData> Padded(const GridView<const T>& grid, double outside)
+vtkSmartPointer<vtkImageData> PadImage(const GridView<const T>& grid, double outside)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   const auto& n = grid.Dimensions;
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkImageData> Padded(const GridView<const T>& grid, double outsi
 }
 
 template <typename T>
-GridView<const T> GridOf(const T* values, vtkImageData* image)
+GridView<const T> MakeGrid(const T* values, vtkImageData* image)
 {
   const int* n = image->GetDimensions();
   const double* h = image->GetSpacing();
@@ -119,18 +119,18 @@ ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsH
   {
     return result; // nothing is inside
   }
-  RefuseMask(grid, low, high);
+  RejectMask(grid, low, high);
   result.Field = TrilinearField<T>{ grid, outside };
   // Integers of more than 16 bits are not all numbers of type float.
   constexpr bool isWide = std::is_same_v<T, double> || (std::is_integral_v<T> && sizeof(T) > 2);
   using Array = std::conditional_t<isWide, vtkDoubleArray, vtkFloatArray>;
   vtkNew<vtkFlyingEdges3D> edges;
-  edges->SetInputData(Padded<Array>(grid, outside));
+  edges->SetInputData(PadImage<Array>(grid, outside));
   edges->SetValue(0, level);
   edges->ComputeNormalsOff();
   edges->ComputeScalarsOff();
   UpdateInner(edges);
-  result.Guide = MeshOf(edges->GetOutput());
+  result.Guide = ToTriangleMesh(edges->GetOutput());
   return result;
 }
 
@@ -150,7 +150,7 @@ ClosedLevelSet CloseLevelSet(
   switch (scalars->GetDataType())
   {
     vtkTemplateMacro(
-      return Close(GridOf(static_cast<const VTK_TT*>(values), image), level, insideIsHigher));
+      return Close(MakeGrid(static_cast<const VTK_TT*>(values), image), level, insideIsHigher));
     default:
       throw std::invalid_argument("The scalars are not numbers.");
   }

@@ -11,7 +11,7 @@ namespace isthmus
 namespace
 {
 
-std::int64_t RootOf(std::vector<std::int64_t>& roots, std::int64_t id)
+std::int64_t FindRoot(std::vector<std::int64_t>& roots, std::int64_t id)
 {
   const auto at = [&roots](std::int64_t i) -> std::int64_t&
   { return roots[static_cast<std::size_t>(i)]; };
@@ -24,7 +24,8 @@ std::int64_t RootOf(std::vector<std::int64_t>& roots, std::int64_t id)
 }
 
 /// The cell of an octree, 2^depth grid cells each way, that has `index` in it.
-Bounds3 CellOf(const UniformContour& contour, UniformContour::Index index, int depth, double reach)
+Bounds3 OctreeCellBounds(
+  const UniformContour& contour, UniformContour::Index index, int depth, double reach)
 {
   for (std::int64_t& i : index)
   {
@@ -82,7 +83,7 @@ ContourClusters::Level ContourClusters::Fine(const UniformContour& contour) cons
 
 /// Roots of clusters joined by sides inside a cell of this depth; these sides and the edges inside
 /// such cells are counted for the Euler number of the root, and removed.
-std::vector<std::int64_t> ContourClusters::Joined(Level& level, int depth) const
+std::vector<std::int64_t> ContourClusters::JoinRoots(Level& level, int depth) const
 {
   const auto isSame = [&level, depth](std::int64_t a, std::int64_t b)
   {
@@ -102,26 +103,26 @@ std::vector<std::int64_t> ContourClusters::Joined(Level& level, int depth) const
   std::for_each(outside, level.Sides.end(),
     [&](const auto& side)
     {
-      const std::int64_t a = RootOf(roots, side[0]), b = RootOf(roots, side[1]);
+      const std::int64_t a = FindRoot(roots, side[0]), b = FindRoot(roots, side[1]);
       // The lowest number is the root, whatever the order of the sides.
       roots[At(std::max(a, b))] = std::min(a, b);
     });
   std::vector<int> more(this->Points.size(), 0);
   std::for_each(
-    outside, level.Sides.end(), [&](const auto& side) { --more[At(RootOf(roots, side[0]))]; });
+    outside, level.Sides.end(), [&](const auto& side) { --more[At(FindRoot(roots, side[0]))]; });
   level.Sides.erase(outside, level.Sides.end());
   const auto inside = [&](const std::array<std::int64_t, 4>& edge)
   {
     const bool is =
       isSame(edge[0], edge[1]) && isSame(edge[0], edge[2]) && isSame(edge[0], edge[3]);
-    more[At(RootOf(roots, edge[0]))] += is ? 1 : 0;
+    more[At(FindRoot(roots, edge[0]))] += is ? 1 : 0;
     return is;
   };
   level.Edges.erase(
     std::remove_if(level.Edges.begin(), level.Edges.end(), inside), level.Edges.end());
   for (std::size_t i = 0; i < more.size(); ++i)
   {
-    roots[i] = RootOf(roots, static_cast<std::int64_t>(i));
+    roots[i] = FindRoot(roots, static_cast<std::int64_t>(i));
     level.Euler[i] += more[i];
   }
   return roots;
@@ -130,7 +131,7 @@ std::vector<std::int64_t> ContourClusters::Joined(Level& level, int depth) const
 bool ContourClusters::AddLevel(Level& level, int depth, const UniformContour& contour,
   const DualContouringParameters& parameters)
 {
-  const std::vector<std::int64_t> roots = this->Joined(level, depth);
+  const std::vector<std::int64_t> roots = this->JoinRoots(level, depth);
   constexpr auto none = static_cast<std::size_t>(-1);
   std::vector<int> members(roots.size(), 0);
   std::vector<std::size_t> place(roots.size(), none); // of a root's cluster among those that follow
@@ -168,8 +169,8 @@ bool ContourClusters::AddLevel(Level& level, int depth, const UniformContour& co
   {
     if (open.Id >= first)
     {
-      const bool near = this->Place(
-        open, CellOf(contour, level.Cells[At(open.Id)], depth, parameters.Reach), parameters);
+      const bool near = this->Place(open,
+        OctreeCellBounds(contour, level.Cells[At(open.Id)], depth, parameters.Reach), parameters);
       // Only a disc may shrink to a point: others would close a hole or join two sheets.
       this->MayStand[At(open.Id)] = near && level.Euler[At(open.Id)] == 1 ? 1 : 0;
       any = any || near;
@@ -227,7 +228,7 @@ namespace
 
 using Pair = std::array<std::int64_t, 2>;
 
-Pair Sorted(std::int64_t a, std::int64_t b)
+Pair MakeSortedPair(std::int64_t a, std::int64_t b)
 {
   return { std::min(a, b), std::max(a, b) };
 }
@@ -256,10 +257,10 @@ public:
       {
         const std::int64_t a = edge.Around[i], b = edge.Around[(i + 1) % 4];
         const std::int64_t other = cuts.Beyond(static_cast<std::int64_t>(e), a, b);
-        if (other >= 0 && this->FacePoints.count(Sorted(a, b)) == 0)
+        if (other >= 0 && this->FacePoints.count(MakeSortedPair(a, b)) == 0)
         {
           const Point3& there = this->Contour.Edges[static_cast<std::size_t>(other)].Crossing;
-          this->FacePoints[Sorted(a, b)] = this->AddPoint(0.5 * (edge.Crossing + there));
+          this->FacePoints[MakeSortedPair(a, b)] = this->AddPoint(0.5 * (edge.Crossing + there));
         }
       }
     }
@@ -326,7 +327,8 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       border.push_back(corners[i]);
-      const auto found = this->FacePoints.find(Sorted(corners[i], corners[(i + 1) % count]));
+      const auto found =
+        this->FacePoints.find(MakeSortedPair(corners[i], corners[(i + 1) % count]));
       if (found != this->FacePoints.end())
       {
         border.push_back(found->second);
@@ -349,8 +351,8 @@ private:
   /// for a reliable normal, e.g. of three points on a sharp edge.
   double Agreement(std::int64_t a, std::int64_t b, std::int64_t c, const Point3& normal) const
   {
-    const Point3 u = this->Clusters.PointOf(b) - this->Clusters.PointOf(a);
-    const Point3 v = this->Clusters.PointOf(c) - this->Clusters.PointOf(a);
+    const Point3 u = this->Clusters.GetPoint(b) - this->Clusters.GetPoint(a);
+    const Point3 v = this->Clusters.GetPoint(c) - this->Clusters.GetPoint(a);
     const Point3 n = Cross(u, v);
     const double length = Length(n);
     constexpr double thin = 1e-6;
@@ -358,9 +360,9 @@ private:
   }
 
   /// Distance of the midpoint of two corners from the planes that define the four points.
-  double OffPlanes(std::int64_t e, std::int64_t a, std::int64_t b) const
+  double DistanceFromPlanes(std::int64_t e, std::int64_t a, std::int64_t b) const
   {
-    const Point3 middle = 0.5 * (this->Clusters.PointOf(a) + this->Clusters.PointOf(b));
+    const Point3 middle = 0.5 * (this->Clusters.GetPoint(a) + this->Clusters.GetPoint(b));
     double sum = 0.0;
     for (const std::int64_t point : this->Contour.Edges[static_cast<std::size_t>(e)].Around)
     {
@@ -388,7 +390,7 @@ private:
     const bool isFirst = !(first > 0.0 && second > 0.0) ? first >= second
       : firstIsSharp != this->AreSharp(q[1], q[3])
       ? firstIsSharp
-      : this->OffPlanes(e, q[0], q[2]) <= this->OffPlanes(e, q[1], q[3]);
+      : this->DistanceFromPlanes(e, q[0], q[2]) <= this->DistanceFromPlanes(e, q[1], q[3]);
     const std::size_t turn = isFirst ? 0 : 1;
     this->Add(e, { q[turn], q[turn + 1], q[turn + 2], -1 });
     this->Add(e, { q[turn], q[turn + 2], q[(turn + 3) % 4], -1 });
@@ -411,7 +413,7 @@ ContourCuts::ContourCuts(const UniformContour& contour)
     for (std::size_t i = 0; i < 4; ++i)
     {
       this->Sides.push_back(
-        { Sorted(around[i], around[(i + 1) % 4]), static_cast<std::int64_t>(e) });
+        { MakeSortedPair(around[i], around[(i + 1) % 4]), static_cast<std::int64_t>(e) });
     }
   }
   std::sort(this->Sides.begin(), this->Sides.end(),
@@ -421,7 +423,7 @@ ContourCuts::ContourCuts(const UniformContour& contour)
 
 std::int64_t ContourCuts::Beyond(std::int64_t edge, std::int64_t a, std::int64_t b) const
 {
-  const Pair wanted = Sorted(a, b);
+  const Pair wanted = MakeSortedPair(a, b);
   auto side = std::lower_bound(this->Sides.begin(), this->Sides.end(), wanted,
     [](const Side& s, const Pair& points) { return s.Points < points; });
   for (; side != this->Sides.end() && side->Points == wanted; ++side)
@@ -434,7 +436,7 @@ std::int64_t ContourCuts::Beyond(std::int64_t edge, std::int64_t a, std::int64_t
   return -1;
 }
 
-ContourPolygons PolygonsOf(const UniformContour& contour, const ContourClusters& clusters,
+ContourPolygons BuildPolygons(const UniformContour& contour, const ContourClusters& clusters,
   bool triangles, const ContourCuts* cuts)
 {
   Maker maker(contour, clusters, triangles);
@@ -510,7 +512,7 @@ bool IsRing(const Around& around, bool mayBeOpen)
   return steps == count && (isChain ? mayBeOpen : count >= 3);
 }
 
-Wedges WedgesOf(const ContourPolygons& polygons)
+Wedges CollectWedges(const ContourPolygons& polygons)
 {
   Wedges wedges;
   for (std::size_t i = 0; i < polygons.Corners.size(); ++i)
@@ -532,7 +534,7 @@ NonManifoldPoints FindNonManifoldPoints(
   const ContourPolygons& polygons, const std::vector<char>& mayBeOpen)
 {
   NonManifoldPoints bad{ polygons.Folded, std::vector<char>(mayBeOpen.size(), 0) };
-  const Wedges wedges = WedgesOf(polygons);
+  const Wedges wedges = CollectWedges(polygons);
   for (auto first = wedges.begin(), last = first; first != wedges.end(); first = last)
   {
     const std::int64_t corner = first->Corner;

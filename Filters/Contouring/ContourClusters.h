@@ -35,7 +35,7 @@ public:
   /// The clusters are stored after the points of the contour.
   bool IsCluster(std::int64_t id) const { return id >= this->NumberOfPoints; }
   std::int64_t Size() const { return static_cast<std::int64_t>(this->Points.size()); }
-  const Point3& PointOf(std::int64_t id) const { return this->Points[At(id)]; }
+  const Point3& GetPoint(std::int64_t id) const { return this->Points[At(id)]; }
 
   /// Moves a point of the contour.
   void Move(std::int64_t point, const Point3& x) { this->Points[At(point)] = x; }
@@ -63,7 +63,7 @@ private:
   /// False if no larger cluster is possible.
   bool AddLevel(Level& level, int depth, const UniformContour& contour,
     const DualContouringParameters& parameters);
-  std::vector<std::int64_t> Joined(Level& level, int depth) const;
+  std::vector<std::int64_t> JoinRoots(Level& level, int depth) const;
   bool Place(const Open& open, const Bounds3& box, const DualContouringParameters& parameters);
   void Relabel(Level& level) const;
 
@@ -117,7 +117,7 @@ private:
 };
 
 /// O(edges). @param cuts null, or the quadrilaterals to be cut.
-ContourPolygons PolygonsOf(const UniformContour& contour, const ContourClusters& clusters,
+ContourPolygons BuildPolygons(const UniformContour& contour, const ContourClusters& clusters,
   bool triangles, const ContourCuts* cuts);
 
 //--------------------------------------------------------------------------------------------------

@@ -66,9 +66,9 @@ public:
 
   double operator()(const cgal::Point& p) const
   {
-    if (++this->Asked % 4096 == 0)
+    if (++this->Evaluations % 4096 == 0)
     {
-      const auto asked = static_cast<double>(this->Asked);
+      const auto asked = static_cast<double>(this->Evaluations);
       Report(this->Progress, asked / (asked + this->Expected));
     }
     const double value = this->Field(cgal::FromCGAL(p));
@@ -82,7 +82,7 @@ private:
   const DelaunayIsosurfaceParameters& Parameters;
   double Expected;
   const ProgressCallback& Progress;
-  mutable std::int64_t Asked = 0;
+  mutable std::int64_t Evaluations = 0;
 };
 
 /// Refinement of one surface, in rounds of more and more points to start from.
@@ -128,7 +128,7 @@ public:
   }
 
   /// Whether one of these vertices is part of the surface.
-  bool Caught(const std::vector<Vertex>& vertices) const
+  bool IsCaptured(const std::vector<Vertex>& vertices) const
   {
     return std::any_of(vertices.begin(), vertices.end(),
       [this](const Vertex& v) { return this->Result.face_status(v) != Complex::NOT_IN_COMPLEX; });
@@ -183,7 +183,7 @@ std::string Place(const SeededComponent& component)
 
 /// Refines from the seeds of every component, and from all points of those that were missed;
 /// returns the positions of those that are still missing.
-std::vector<std::string> CatchAll(
+std::vector<std::string> CaptureComponents(
   Refinement& refinement, const SurfaceView& guide, const std::vector<SeededComponent>& components)
 {
   std::vector<std::vector<Vertex>> seeds;
@@ -196,7 +196,7 @@ std::vector<std::string> CatchAll(
   bool again = false;
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    if (!refinement.Caught(seeds[c]))
+    if (!refinement.IsCaptured(seeds[c]))
     {
       seeds[c] = refinement.Insert(guide, components[c].Points);
       again = true;
@@ -209,7 +209,7 @@ std::vector<std::string> CatchAll(
   std::vector<std::string> lost;
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    if (!refinement.Caught(seeds[c]))
+    if (!refinement.IsCaptured(seeds[c]))
     {
       lost.push_back(Place(components[c]));
     }
@@ -232,7 +232,7 @@ std::string Differences(
   const SurfaceDefects defects = FindDefects(surface);
   if (!defects.None())
   {
-    return defects.Sentence();
+    return defects.Message();
   }
   const auto count = [](const SurfaceView& mesh)
   {
@@ -305,7 +305,7 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
         Domain::create_implicit_mesh_domain(CGAL::parameters::function = std::cref(side),
           CGAL::parameters::bounding_object = box, CGAL::parameters::relative_error_bound = 1e-7);
       Refinement refinement(domain, parameters);
-      const std::vector<std::string> lost = CatchAll(refinement, guide, components);
+      const std::vector<std::string> lost = CaptureComponents(refinement, guide, components);
       DelaunayIsosurfaceResult result;
       result.Surface = refinement.Surface();
       result.Warning = Differences(result.Surface, guide, lost);

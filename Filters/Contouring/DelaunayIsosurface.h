@@ -29,7 +29,7 @@ struct DelaunayIsosurfaceParameters
   double Angle = 30.0; ///< smallest angle of a triangle, degrees, at most 30
   /// radius of a triangle's surface Delaunay ball at most; 0: see SetAutomaticSizes
   double Radius = 0.0;
-  /// its centre to the triangle's circumcentre at most; 0: see SetAutomaticSizes
+  /// its center to the triangle's circumcenter at most; 0: see SetAutomaticSizes
   double Distance = 0.0;
   std::int64_t MaximumNumberOfPoints = 5'000'000; ///< refinement that passes it ends in an error
 };

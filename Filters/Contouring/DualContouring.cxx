@@ -75,13 +75,13 @@ public:
       this->Clusters.Choose();
       this->Extract();
     }
-    return this->Numbered();
+    return this->MakeCompactContour();
   }
 
 private:
   void Extract()
   {
-    this->Polygons = PolygonsOf(this->Contour, this->Clusters, !this->Parameters.Quadrilaterals,
+    this->Polygons = BuildPolygons(this->Contour, this->Clusters, !this->Parameters.Quadrilaterals,
       this->Cuts ? &*this->Cuts : nullptr);
     this->IsOpen.assign(At(this->Clusters.Size()), 0);
     for (std::size_t p = 0; p < this->IsAtBorder.size(); ++p)
@@ -97,8 +97,8 @@ private:
     noClusters.Tolerance = 0.0;
     const ContourClusters points(this->Contour, noClusters, {});
     const ContourPolygons polygons =
-      PolygonsOf(this->Contour, points, !this->Parameters.Quadrilaterals, nullptr);
-    this->Fine = Triangulated(polygons, points, this->EdgeOfFine);
+      BuildPolygons(this->Contour, points, !this->Parameters.Quadrilaterals, nullptr);
+    this->Fine = Triangulate(polygons, points, this->EdgeOfFine);
   }
 
   /// Splits all clusters among the points of a crossed edge.
@@ -128,13 +128,13 @@ private:
   }
 
   /// Corners of quadrilaterals 0, 1, 2 and 0, 2, 3; the crossed edge each triangle is around.
-  static TriangleMesh Triangulated(const ContourPolygons& polygons, const ContourClusters& clusters,
+  static TriangleMesh Triangulate(const ContourPolygons& polygons, const ContourClusters& clusters,
     std::vector<std::int64_t>& edges)
   {
     TriangleMesh mesh;
     for (std::int64_t id = 0; id < clusters.Size(); ++id)
     {
-      mesh.Points.push_back(clusters.PointOf(id));
+      mesh.Points.push_back(clusters.GetPoint(id));
     }
     mesh.Points.insert(mesh.Points.end(), polygons.More.begin(), polygons.More.end());
     for (std::size_t i = 0; i < polygons.Corners.size(); ++i)
@@ -154,7 +154,7 @@ private:
   bool SplitFar()
   {
     std::vector<std::int64_t> edges;
-    const TriangleMesh mesh = Triangulated(this->Polygons, this->Clusters, edges);
+    const TriangleMesh mesh = Triangulate(this->Polygons, this->Clusters, edges);
     bool any = false;
     for (const std::int64_t t : TrianglesFartherThan(mesh, this->Fine, this->Parameters.Tolerance))
     {
@@ -170,7 +170,7 @@ private:
   bool SplitCrossing()
   {
     std::vector<std::int64_t> edges;
-    TriangleMesh mesh = Triangulated(this->Polygons, this->Clusters, edges);
+    TriangleMesh mesh = Triangulate(this->Polygons, this->Clusters, edges);
     this->MoveToWorld(mesh.Points); // rounding there may flip a sliver
     const std::vector<std::int64_t> crossing = SelfIntersections(mesh);
     this->StillCrossing = static_cast<std::int64_t>(crossing.size());
@@ -181,7 +181,7 @@ private:
     if (!this->Cuts)
     {
       this->Cuts.emplace(this->Contour);
-      this->IsCentred.assign(this->Contour.Points.size(), 0);
+      this->IsCentered.assign(this->Contour.Points.size(), 0);
     }
     std::set<std::int64_t> bad;
     for (const std::int64_t t : crossing)
@@ -191,20 +191,20 @@ private:
     bool any = false;
     for (const std::int64_t edge : bad)
     {
-      any = (this->IsFine(edge) ? this->CutOrCentre(edge) : this->SplitAround(edge)) || any;
+      any = (this->IsFine(edge) ? this->CutOrCenter(edge) : this->SplitAround(edge)) || any;
     }
-    this->MoveCentred();
-    return this->CutAroundCentred() || any;
+    this->MoveCentered();
+    return this->CutAroundCentered() || any;
   }
 
   /// Points that left their cells return to them.
-  bool SendHome(std::int64_t edge)
+  bool ReturnToCells(std::int64_t edge)
   {
     bool any = false;
     for (const std::int64_t point : this->Contour.Edges[At(edge)].Around)
     {
       const Bounds3 box = CellBox(this->Contour.Shape, this->Contour.Cells[At(point)], 1, 0.0);
-      const Point3& x = this->Clusters.PointOf(point);
+      const Point3& x = this->Clusters.GetPoint(point);
       bool isHome = true;
       for (std::size_t a = 0; a < 3; ++a)
       {
@@ -220,9 +220,9 @@ private:
     return any;
   }
 
-  bool CutOrCentre(std::int64_t edge)
+  bool CutOrCenter(std::int64_t edge)
   {
-    if (this->SendHome(edge))
+    if (this->ReturnToCells(edge))
     {
       return true;
     }
@@ -231,7 +231,7 @@ private:
       this->Cuts->Cut(edge);
       return true;
     }
-    return this->Centre(edge);
+    return this->Center(edge);
   }
 
   bool IsFine(std::int64_t edge) const
@@ -241,25 +241,25 @@ private:
       [this](std::int64_t point) { return this->Clusters.Tops()[At(point)] == point; });
   }
 
-  bool Centre(std::int64_t edge)
+  bool Center(std::int64_t edge)
   {
     bool any = false;
     for (const std::int64_t point : this->Contour.Edges[At(edge)].Around)
     {
-      any = any || !this->IsCentred[At(point)];
-      this->IsCentred[At(point)] = 1;
+      any = any || !this->IsCentered[At(point)];
+      this->IsCentered[At(point)] = 1;
     }
     return any;
   }
 
-  void MoveCentred()
+  void MoveCentered()
   {
     std::map<std::int64_t, std::pair<Point3, int>> sums;
     for (const UniformContour::Edge& edge : this->Contour.Edges)
     {
       for (const std::int64_t point : edge.Around)
       {
-        if (this->IsCentred[At(point)])
+        if (this->IsCentered[At(point)])
         {
           auto& [sum, count] = sums[point];
           sum = sum + edge.Crossing;
@@ -274,7 +274,7 @@ private:
   }
 
   /// All quadrilaterals at a point that was moved, so that its triangles stay in its cell.
-  bool CutAroundCentred()
+  bool CutAroundCentered()
   {
     bool any = false;
     for (std::int64_t e = 0; e < static_cast<std::int64_t>(this->Contour.Edges.size()); ++e)
@@ -282,7 +282,7 @@ private:
       const auto& around = this->Contour.Edges[At(e)].Around;
       if (this->Cuts->Has(e) ||
         std::none_of(around.begin(), around.end(),
-          [this](std::int64_t point) { return this->IsCentred[At(point)] != 0; }))
+          [this](std::int64_t point) { return this->IsCentered[At(point)] != 0; }))
       {
         continue;
       }
@@ -308,7 +308,7 @@ private:
   }
 
   /// Only the points that are used.
-  DualContour Numbered() const
+  DualContour MakeCompactContour() const
   {
     DualContour result;
     std::vector<std::int64_t> ids(At(this->Clusters.Size()) + this->Polygons.More.size(), -1);
@@ -325,7 +325,7 @@ private:
         {
           known = static_cast<std::int64_t>(result.Points.size());
           result.Points.push_back(id < this->Clusters.Size()
-              ? this->Clusters.PointOf(id)
+              ? this->Clusters.GetPoint(id)
               : this->Polygons.More[At(id - this->Clusters.Size())]);
         }
         id = known;
@@ -344,7 +344,7 @@ private:
   std::optional<ContourCuts> Cuts;
   std::vector<char> IsAtBorder; ///< of each point of the uniform contour
   std::vector<char> IsOpen;     ///< of each point or cluster that stands for one at the border
-  std::vector<char> IsCentred;  ///< of each point: moved to the mean of its crossings
+  std::vector<char> IsCentered; ///< of each point: moved to the mean of its crossings
   TriangleMesh Fine;            ///< the uniform contour
   std::vector<std::int64_t> EdgeOfFine; ///< crossed edge of each of its triangles
   std::int64_t StillCrossing = 0;

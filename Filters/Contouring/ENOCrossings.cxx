@@ -100,7 +100,7 @@ struct Root
 
 /// The fraction up to which `isBefore` holds.
 template <typename Before>
-double Bisected(const Before& isBefore)
+double Bisect(const Before& isBefore)
 {
   double low = 0.0, high = 1.0;
   for (int halving = 0; halving < 40; ++halving)
@@ -127,13 +127,13 @@ Root RootOn(const GridLine<T>& line, double level, double rough)
     const double bend =
       line.Bend(0) * line.Bend(1) > 0.0 ? std::copysign(least, line.Bend(0)) : 0.0;
     const Parabola both{ a, b - a - bend, bend };
-    return { Bisected([&](double t) { return (both.At(t) < level) == rises; }), 0.0, 0 };
+    return { Bisect([&](double t) { return (both.At(t) < level) == rises; }), 0.0, 0 };
   }
   const Parabola before{ a, a - line.At(-1), line.Bend(-1) };
   const Parabola behind{ b, b - line.At(2), line.Bend(2) };
   const auto isBefore = [&](double t)
   { return (before.At(t) > behind.At(1.0 - t)) == (jump > 0.0); };
-  const double t = Bisected(
+  const double t = Bisect(
     [&](double x) { return ((isBefore(x) ? before.At(x) : behind.At(1.0 - x)) < level) == rises; });
   return isBefore(t) ? Root{ t, before.SlopeAt(t), -1 } : Root{ t, -behind.SlopeAt(1.0 - t), 1 };
 }

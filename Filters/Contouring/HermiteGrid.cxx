@@ -49,7 +49,7 @@ struct Side
   Point3 Normal;
 };
 
-std::vector<Side> SidesOf(const SurfaceView& surface)
+std::vector<Side> CollectSides(const SurfaceView& surface)
 {
   std::vector<Side> sides;
   sides.reserve(3 * surface.Triangles.size());
@@ -74,7 +74,7 @@ std::vector<Side> SidesOf(const SurfaceView& surface)
 /// A segment's end: its point, and the other end.
 using End = std::array<vtkIdType, 2>;
 
-std::vector<Point3> CornersOf(const SurfaceView& surface, std::vector<End> ends, double cosine)
+std::vector<Point3> FindCorners(const SurfaceView& surface, std::vector<End> ends, double cosine)
 {
   std::sort(ends.begin(), ends.end());
   const auto along = [&](const End& end)
@@ -101,7 +101,7 @@ std::vector<Point3> CornersOf(const SurfaceView& surface, std::vector<End> ends,
 
 SharpEdges FindSharpEdges(const SurfaceView& surface, double cosine)
 {
-  const std::vector<Side> sides = SidesOf(surface);
+  const std::vector<Side> sides = CollectSides(surface);
   SharpEdges sharp;
   std::vector<End> ends;
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next)
@@ -118,7 +118,7 @@ SharpEdges FindSharpEdges(const SurfaceView& surface, double cosine)
       ends.push_back({ b, a });
     }
   }
-  sharp.Corners = CornersOf(surface, std::move(ends), cosine);
+  sharp.Corners = FindCorners(surface, std::move(ends), cosine);
   return sharp;
 }
 
@@ -126,7 +126,7 @@ namespace
 {
 
 template <typename T>
-auto RangeOf(const std::vector<T>& sorted, std::int64_t cell)
+auto FindRange(const std::vector<T>& sorted, std::int64_t cell)
 {
   const auto first = std::lower_bound(sorted.begin(), sorted.end(), cell,
     [](const T& item, std::int64_t wanted) { return item.Cell < wanted; });
@@ -215,7 +215,7 @@ std::optional<Point3> SharpFeatureGrid::NearestCorner(
   std::int64_t cell, const Point3& x, const Filter& isMine) const
 {
   Nearest nearest{ x };
-  const auto [first, last] = RangeOf(this->Corners, cell);
+  const auto [first, last] = FindRange(this->Corners, cell);
   for (auto corner = first; corner != last; ++corner)
   {
     if (isMine(corner->Place))
@@ -232,7 +232,7 @@ std::optional<Point3> SharpFeatureGrid::NearestOnEdge(
   // A tenth next to each face is left to the neighbour, so that no two cells use the same point.
   const double beside = part == Part::Middle ? 0.1 : 0.0;
   Nearest nearest{ x };
-  const auto [first, last] = RangeOf(this->Pieces, cell);
+  const auto [first, last] = FindRange(this->Pieces, cell);
   for (auto piece = first; piece != last; ++piece)
   {
     if (isMine(0.5 * (piece->Ends[0] + piece->Ends[1])))

@@ -19,7 +19,7 @@ double Quantile(const std::vector<double>& sorted, double fraction)
 
 /// Otsu's threshold of sorted values: half way between the last of one class and the first of the
 /// other.
-double TwoClasses(const std::vector<double>& sorted)
+double OtsuThreshold(const std::vector<double>& sorted)
 {
   // About the median, so that a large offset loses no digits.
   const double middle = Quantile(sorted, 0.5);
@@ -80,7 +80,7 @@ double EstimateLevel(std::vector<double>& values)
   {
     value = std::clamp(value, low, high);
   }
-  const double level = std::max(TwoClasses(values), std::min(background, top));
+  const double level = std::max(OtsuThreshold(values), std::min(background, top));
   // A few values only, as in a label map: still below the highest, so that something is inside.
   const auto below = std::lower_bound(values.begin(), values.end(), values.back());
   return level < values.back() || below == values.begin()
@@ -115,7 +115,7 @@ std::vector<double> SampleValues(const GridView<const T>& grid, const unsigned c
 }
 
 template <typename T>
-MapContrast ContrastOf(const GridView<const T>& grid, const unsigned char* noData)
+MapContrast MeasureContrast(const GridView<const T>& grid, const unsigned char* noData)
 {
   MapContrast contrast;
   const std::vector<double> values = SampleValues(grid, noData);
@@ -159,8 +159,8 @@ MapContrast ContrastOf(const GridView<const T>& grid, const unsigned char* noDat
 }
 
 template std::vector<double> SampleValues(const GridView<const float>&, const unsigned char*);
-template MapContrast ContrastOf(const GridView<const float>&, const unsigned char*);
-template MapContrast ContrastOf(const GridView<const double>&, const unsigned char*);
+template MapContrast MeasureContrast(const GridView<const float>&, const unsigned char*);
+template MapContrast MeasureContrast(const GridView<const double>&, const unsigned char*);
 template std::vector<double> SampleValues(const GridView<const double>&, const unsigned char*);
 
 }

@@ -56,7 +56,7 @@ struct MapContrast
 /// The contrast computed from SampleValues() and the nodes on the six faces: O(nodes^(2/3)) in
 /// addition to the sample.
 template <typename T>
-MapContrast ContrastOf(const GridView<const T>& grid, const unsigned char* noData = nullptr);
+MapContrast MeasureContrast(const GridView<const T>& grid, const unsigned char* noData = nullptr);
 
 }
 

@@ -56,7 +56,7 @@ std::vector<Component> FindComponents(
 }
 
 /// Rank of each component by area, or -1 for one that is removed; `areas` of the remaining ones.
-std::vector<std::int64_t> RankOf(const std::vector<Component>& components,
+std::vector<std::int64_t> RankByArea(const std::vector<Component>& components,
   const DustParameters& parameters, std::vector<double>& areas)
 {
   std::vector<std::size_t> order(components.size());
@@ -134,7 +134,7 @@ DustResult HideDust(TriangleMesh mesh, const DustParameters& parameters)
   Check(parameters);
   DustResult result;
   const std::vector<Component> components = FindComponents(mesh, result.Components);
-  const std::vector<std::int64_t> rank = RankOf(components, parameters, result.Areas);
+  const std::vector<std::int64_t> rank = RankByArea(components, parameters, result.Areas);
   result.Found = static_cast<std::int64_t>(components.size());
   for (std::int64_t& component : result.Components)
   {

@@ -125,7 +125,7 @@ constexpr CellEdge EdgesOfCell[12] = { { 0, 0, 0, X }, { 1, 0, 0, Y }, { 0, 1, 0
   { 0, 0, 0, Y }, { 0, 0, 1, X }, { 1, 0, 1, Y }, { 0, 1, 1, X }, { 0, 0, 1, Y }, { 0, 0, 0, Z },
   { 1, 0, 0, Z }, { 0, 1, 0, Z }, { 1, 1, 0, Z } };
 
-int TrianglesOf(std::uint8_t cell)
+int CountTriangles(std::uint8_t cell)
 {
   const int* edges = MarchingCubesCase(cell);
   int count = 0;
@@ -154,7 +154,7 @@ public:
     this->Cuts = { this->N[0], this->N[1] };
     for (int cell = 0; cell < 256; ++cell)
     {
-      this->Counts[cell] = TrianglesOf(static_cast<std::uint8_t>(cell));
+      this->Counts[cell] = CountTriangles(static_cast<std::uint8_t>(cell));
     }
   }
 
@@ -256,7 +256,7 @@ private:
     {
       this->Cuts.Within(flags,
         [&](Axis axis, std::int64_t i, std::int64_t j)
-        { this->SetPoint(axis, i, j, k, ids[axis][this->NodeOf(i, j)], mesh); });
+        { this->SetPoint(axis, i, j, k, ids[axis][this->GetNode(i, j)], mesh); });
       if (k + 1 == this->N[2])
       {
         break;
@@ -265,7 +265,7 @@ private:
       this->Cuts.Between(flags, above,
         [&](Axis axis, std::int64_t i, std::int64_t j)
         {
-          ids[axis][this->NodeOf(i, j)] = point;
+          ids[axis][this->GetNode(i, j)] = point;
           this->SetPoint(axis, i, j, k, point++, mesh);
         });
       point = this->Number(k + 1, above, next);
@@ -278,7 +278,7 @@ private:
     }
   }
 
-  std::size_t NodeOf(std::int64_t i, std::int64_t j) const
+  std::size_t GetNode(std::int64_t i, std::int64_t j) const
   {
     return static_cast<std::size_t>(i + this->N[0] * j);
   }
@@ -288,7 +288,7 @@ private:
   {
     std::int64_t point = this->FirstPoint[static_cast<std::size_t>(layer)];
     this->Cuts.Within(flags,
-      [&](Axis axis, std::int64_t i, std::int64_t j) { ids[axis][this->NodeOf(i, j)] = point++; });
+      [&](Axis axis, std::int64_t i, std::int64_t j) { ids[axis][this->GetNode(i, j)] = point++; });
     return point;
   }
 
@@ -304,7 +304,7 @@ private:
       {
         const CellEdge& edge = EdgesOfCell[edges[c]];
         // VTK's cases turn their front to the side of lower values: outwards.
-        corners[c] = (edge.K == 0 ? ids : next)[edge.Along][this->NodeOf(i + edge.I, j + edge.J)];
+        corners[c] = (edge.K == 0 ? ids : next)[edge.Along][this->GetNode(i + edge.I, j + edge.J)];
       }
     }
   }

@@ -23,7 +23,7 @@ enum class Place
 };
 
 /// All 27 combinations, with all free first.
-std::array<Place, 3> PlacesOf(int combination)
+std::array<Place, 3> DecodePlaces(int combination)
 {
   return { static_cast<Place>(combination % 3), static_cast<Place>(combination / 3 % 3),
     static_cast<Place>(combination / 9) };
@@ -33,8 +33,8 @@ std::array<Place, 3> PlacesOf(int combination)
  * The x with the least |a^(1/2) x|^2 - 2 b.x whose coordinates at sides are fixed; along directions
  * whose eigenvalue is not over `negligible`, 0. Box and x are relative to the mean.
  */
-Eigen::Vector3d LeastOnSides(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const Bounds3& box,
-  const std::array<Place, 3>& places, double negligible)
+Eigen::Vector3d MinimizeOnSides(const Eigen::Matrix3d& a, const Eigen::Vector3d& b,
+  const Bounds3& box, const std::array<Place, 3>& places, double negligible)
 {
   Eigen::Vector3d x = Eigen::Vector3d::Zero();
   Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
@@ -146,7 +146,7 @@ Point3 QuadricError::Least(const Bounds3& box, double threshold) const
   for (int combination = 0; combination < 27; ++combination)
   {
     const Eigen::Vector3d x =
-      LeastOnSides(a, b, around, PlacesOf(combination), threshold * largest);
+      MinimizeOnSides(a, b, around, DecodePlaces(combination), threshold * largest);
     Point3 candidate;
     bool fits = true;
     for (std::size_t i = 0; i < 3; ++i)
@@ -185,7 +185,7 @@ struct Face
   }
 };
 
-Face FaceOf(const std::vector<TangentPlane>& planes)
+Face FitFace(const std::vector<TangentPlane>& planes)
 {
   Face face;
   const double share = 1.0 / static_cast<double>(planes.size());
@@ -206,7 +206,7 @@ Face FaceOf(const std::vector<TangentPlane>& planes)
 }
 
 /// The face to which each plane belongs.
-std::vector<Face> FacesOf(const std::vector<TangentPlane>& planes)
+std::vector<Face> FitFaces(const std::vector<TangentPlane>& planes)
 {
   const double cosine = std::cos(std::atan(1.0) * 2.0 / 3.0); // of 30 degrees
   const auto count = static_cast<std::int64_t>(planes.size());
@@ -232,7 +232,7 @@ std::vector<Face> FacesOf(const std::vector<TangentPlane>& planes)
         own.push_back(planes[At(j)]);
       }
     }
-    faces.push_back(FaceOf(own));
+    faces.push_back(FitFace(own));
   }
   return faces;
 }
@@ -251,7 +251,7 @@ QuadricError FitQuadricError(
   {
     return best;
   }
-  const std::vector<Face> faces = FacesOf(planes);
+  const std::vector<Face> faces = FitFaces(planes);
   Point3 x = best.Least(around, threshold);
   constexpr int rounds = 3; // each reduces the error by a factor of h / R
   for (int round = 0; round < rounds; ++round)

@@ -22,22 +22,22 @@ DualCells::DualCells(const HermiteGrid& grid)
     this->PieceOfEdge.clear();
     for (const std::int64_t cell : this->Cells)
     {
-      this->PieceOfEdge.push_back(this->PiecesOf(cell));
+      this->PieceOfEdge.push_back(this->GetPieces(cell));
     }
-    if (!this->TurnDoubleFaces())
+    if (!this->FlipDoubleFaces())
     {
       break;
     }
   }
 }
 
-DualCells::Index DualCells::IndexOf(std::int64_t node) const
+DualCells::Index DualCells::GetIndex(std::int64_t node) const
 {
   return { node % this->Stride[1], node % this->Stride[2] / this->Stride[1],
     node / this->Stride[2] };
 }
 
-std::int64_t DualCells::NodeOf(const Index& i) const
+std::int64_t DualCells::GetNode(const Index& i) const
 {
   return i[0] + i[1] * this->Stride[1] + i[2] * this->Stride[2];
 }
@@ -64,7 +64,7 @@ void DualCells::FindActive()
     {
       for (std::int64_t i = 0; i + 1 < n[0]; ++i)
       {
-        const std::int64_t cell = this->NodeOf({ i, j, k });
+        const std::int64_t cell = this->GetNode({ i, j, k });
         int inside = 0;
         for (std::size_t corner = 0; corner < 8; ++corner)
         {
@@ -83,7 +83,7 @@ void DualCells::FindActive()
   }
 }
 
-DualCells::Face DualCells::FaceOf(std::int64_t cell, std::size_t axis, std::size_t side) const
+DualCells::Face DualCells::GetFace(std::int64_t cell, std::size_t axis, std::size_t side) const
 {
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   // Around the face: below, right, above, left.
@@ -114,7 +114,7 @@ DualCells::Face DualCells::FaceOf(std::int64_t cell, std::size_t axis, std::size
   return face;
 }
 
-std::array<signed char, CellEdges> DualCells::PiecesOf(std::int64_t cell) const
+std::array<signed char, CellEdges> DualCells::GetPieces(std::int64_t cell) const
 {
   std::array<std::size_t, CellEdges> parent;
   std::iota(parent.begin(), parent.end(), std::size_t{ 0 });
@@ -130,7 +130,7 @@ std::array<signed char, CellEdges> DualCells::PiecesOf(std::int64_t cell) const
   {
     for (const std::size_t side : { 0u, 1u })
     {
-      const Face face = this->FaceOf(cell, axis, side);
+      const Face face = this->GetFace(cell, axis, side);
       for (int pair = 0; pair < face.Crossed / 2; ++pair)
       {
         const auto at = static_cast<std::size_t>(2 * pair);
@@ -155,7 +155,7 @@ std::array<signed char, CellEdges> DualCells::PiecesOf(std::int64_t cell) const
 }
 
 /// Turns faces over which two cells are joined twice; returns whether there were any.
-bool DualCells::TurnDoubleFaces()
+bool DualCells::FlipDoubleFaces()
 {
   bool any = false;
   for (std::size_t c = 0; c < this->Cells.size(); ++c)
@@ -163,15 +163,15 @@ bool DualCells::TurnDoubleFaces()
     const std::int64_t cell = this->Cells[c];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const Face face = this->FaceOf(cell, axis, 0);
-      if (face.Crossed != 4 || this->IndexOf(cell)[axis] == 0 ||
+      const Face face = this->GetFace(cell, axis, 0);
+      if (face.Crossed != 4 || this->GetIndex(cell)[axis] == 0 ||
         this->Turned.count({ cell, axis }) > 0)
       {
         continue;
       }
       const auto& mine = this->PieceOfEdge[c];
       const auto& theirs = this->PieceOfEdge[this->Find(cell - this->Stride[axis])];
-      const Face other = this->FaceOf(cell - this->Stride[axis], axis, 1);
+      const Face other = this->GetFace(cell - this->Stride[axis], axis, 1);
       if (mine[face.Pairs[0]] == mine[face.Pairs[2]] &&
         theirs[other.Pairs[0]] == theirs[other.Pairs[2]])
       {
@@ -202,11 +202,12 @@ bool VertexPlacement::IsEmpty(std::int64_t cell) const
 Point3 VertexPlacement::Inside(std::int64_t cell, const QuadricError& planes) const
 {
   const Bounds3 box =
-    CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, this->Parameters.Reach);
+    CellBox(this->Grid.Shape, this->Cells.GetIndex(cell), 1, this->Parameters.Reach);
   return planes.Least(box, this->Parameters.FeatureThreshold);
 }
 
-bool VertexPlacement::PassBy(const QuadricError& planes, const Point3& x, double spacings) const
+bool VertexPlacement::AllPassNear(
+  const QuadricError& planes, const Point3& x, double spacings) const
 {
   const auto& h = this->Grid.Shape.Spacing;
   const double off = spacings * std::min({ h[0], h[1], h[2] });
@@ -217,7 +218,7 @@ bool VertexPlacement::MeetOnEdge(const QuadricError& planes, const Point3& x) co
 {
   const int rank = planes.Rank(this->Parameters.FeatureThreshold);
   // More planes than would meet anyway: two always meet in a line, three in a point.
-  return rank > 1 && planes.NumberOfPlanes() > rank && this->PassBy(planes, x, 0.02);
+  return rank > 1 && planes.NumberOfPlanes() > rank && this->AllPassNear(planes, x, 0.02);
 }
 
 PlacedVertex VertexPlacement::Place(
@@ -225,7 +226,7 @@ PlacedVertex VertexPlacement::Place(
 {
   const QuadricError& mine = pieces[i];
   const bool areKnown = !this->Grid.Sharp.Segments.empty();
-  const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, 1.0);
+  const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.GetIndex(cell), 1, 1.0);
   const Point3 best = mine.Least(around, this->Parameters.FeatureThreshold);
   // Normals of triangles have no noise: near a known blunt edge, they point to it.
   constexpr double blunt = 0.01;
@@ -264,7 +265,7 @@ PlacedVertex VertexPlacement::Place(
     take(this->IsEmpty(edges) ? this->Features.NearestCorner(edges, x, any) : std::nullopt);
     // An edge of another sheet would draw polygons through this one.
     const auto beside = this->Features.NearestOnEdge(edges, x, SharpFeatureGrid::Part::Whole, any);
-    take(beside && this->PassBy(mine, *beside, 0.05) ? beside : std::nullopt);
+    take(beside && this->AllPassNear(mine, *beside, 0.05) ? beside : std::nullopt);
   }
   return { place.value_or(x), place.has_value() };
 }
@@ -290,7 +291,7 @@ public:
       this->FirstPoint.push_back(static_cast<std::int64_t>(this->Result.Cells.size()));
       this->Result.Cells.insert(this->Result.Cells.end(),
         static_cast<std::size_t>(1 + *std::max_element(pieces.begin(), pieces.end())),
-        this->Cells.IndexOf(this->Cells.Active()[c]));
+        this->Cells.GetIndex(this->Cells.Active()[c]));
     }
     this->Result.Errors.resize(this->Result.Cells.size());
     this->Result.Points.resize(this->Result.Cells.size());
@@ -305,7 +306,7 @@ public:
       {
         for (std::int64_t c = first; c < last; ++c)
         {
-          this->PlacePointsOf(static_cast<std::size_t>(c));
+          this->PlaceCellPoints(static_cast<std::size_t>(c));
         }
       },
       progress);
@@ -326,7 +327,7 @@ public:
   UniformContour Result;
 
 private:
-  const GridCrossing& CrossingOf(std::int64_t node, std::size_t axis) const
+  const GridCrossing& FindCrossing(std::int64_t node, std::size_t axis) const
   {
     const auto before = [](const GridCrossing& a, const GridCrossing& b)
     { return a.Node != b.Node ? a.Node < b.Node : a.Axis < b.Axis; };
@@ -344,9 +345,9 @@ private:
     return first[(last - first) / 2];
   }
 
-  Point3 PositionOf(const GridCrossing& crossing, double offEnds) const
+  Point3 ComputePosition(const GridCrossing& crossing, double offEnds) const
   {
-    const auto index = this->Cells.IndexOf(crossing.Node);
+    const auto index = this->Cells.GetIndex(crossing.Node);
     const double fraction = std::min(1.0 - offEnds, std::max(offEnds, crossing.Fraction));
     Point3 p;
     for (std::size_t a = 0; a < 3; ++a)
@@ -357,7 +358,7 @@ private:
     return p;
   }
 
-  void PlacePointsOf(std::size_t c)
+  void PlaceCellPoints(std::size_t c)
   {
     const std::int64_t cell = this->Cells.Active()[c];
     const auto& pieces = this->Cells.Pieces()[c];
@@ -370,14 +371,14 @@ private:
       {
         const std::size_t piece = static_cast<unsigned char>(pieces[e]);
         const GridCrossing& crossing =
-          this->CrossingOf(this->Cells.NodeOfEdge(cell, DualEdge(e)), e / 4);
-        planes[piece].push_back({ this->PositionOf(crossing, 0.0), crossing.Normal });
+          this->FindCrossing(this->Cells.NodeOfEdge(cell, DualEdge(e)), e / 4);
+        planes[piece].push_back({ this->ComputePosition(crossing, 0.0), crossing.Normal });
         this->Result.Errors[first + piece].Add(planes[piece].back().Place, crossing.Normal);
         count = std::max(count, piece + 1);
       }
     }
     std::array<QuadricError, MostPieces> errors;
-    const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, 1.0);
+    const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.GetIndex(cell), 1, 1.0);
     for (std::size_t i = 0; i < count; ++i)
     {
       // The triangles of a surface are flat, and its edges are known.
@@ -412,7 +413,7 @@ private:
     for (const std::size_t i : late)
     {
       this->Result.Points[i] =
-        this->Places.Inside(this->Cells.NodeOf(this->Result.Cells[i]), this->Result.Errors[i]);
+        this->Places.Inside(this->Cells.GetNode(this->Result.Cells[i]), this->Result.Errors[i]);
       this->Result.IsSharp[i] = 0;
     }
   }
@@ -420,7 +421,7 @@ private:
   /// The edge along `axis` that begins at the lowest node of `cell`.
   void AddEdge(std::int64_t cell, std::size_t axis)
   {
-    const auto index = this->Cells.IndexOf(cell);
+    const auto index = this->Cells.GetIndex(cell);
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     if (!this->Cells.IsCrossed(cell, axis) || index[u] == 0 || index[v] == 0)
     {
@@ -428,15 +429,15 @@ private:
     }
     constexpr std::array<std::array<std::size_t, 2>, 4> around{ { { 1, 1 }, { 0, 1 }, { 0, 0 },
       { 1, 0 } } };
-    const GridCrossing& crossing = this->CrossingOf(cell, axis);
+    const GridCrossing& crossing = this->FindCrossing(cell, axis);
     constexpr double offEnds = 1e-3; // no triangle at a crossing then has area 0
-    UniformContour::Edge edge{ {}, this->PositionOf(crossing, offEnds), crossing.Normal };
+    UniformContour::Edge edge{ {}, this->ComputePosition(crossing, offEnds), crossing.Normal };
     for (std::size_t i = 0; i < 4; ++i)
     {
       auto other = index;
       other[u] -= static_cast<std::int64_t>(around[i][0]);
       other[v] -= static_cast<std::int64_t>(around[i][1]);
-      const std::size_t c = this->Cells.Find(this->Cells.NodeOf(other));
+      const std::size_t c = this->Cells.Find(this->Cells.GetNode(other));
       const std::size_t edgeThere = 4 * axis + around[i][0] + 2 * around[i][1];
       edge.Around[i] = this->FirstPoint[c] + this->Cells.Pieces()[c][edgeThere];
     }

@@ -57,8 +57,8 @@ public:
   /// @pre it is in the list.
   std::size_t Find(std::int64_t cell) const;
 
-  Index IndexOf(std::int64_t node) const;
-  std::int64_t NodeOf(const Index& index) const;
+  Index GetIndex(std::int64_t node) const;
+  std::int64_t GetNode(const Index& index) const;
   /// Lowest node of an edge of a cell.
   std::int64_t NodeOfEdge(std::int64_t cell, DualEdge edge) const;
   bool IsInside(std::int64_t node) const
@@ -79,9 +79,9 @@ private:
   };
 
   void FindActive();
-  Face FaceOf(std::int64_t cell, std::size_t axis, std::size_t side) const;
-  std::array<signed char, CellEdges> PiecesOf(std::int64_t cell) const;
-  bool TurnDoubleFaces();
+  Face GetFace(std::int64_t cell, std::size_t axis, std::size_t side) const;
+  std::array<signed char, CellEdges> GetPieces(std::int64_t cell) const;
+  bool FlipDoubleFaces();
 
   const HermiteGrid& Grid;
   std::array<std::int64_t, 3> Stride;
@@ -125,7 +125,7 @@ public:
 private:
   bool IsEmpty(std::int64_t cell) const;
   /// Whether the planes pass within `spacings` of `x`, as a root mean square.
-  bool PassBy(const QuadricError& planes, const Point3& x, double spacings) const;
+  bool AllPassNear(const QuadricError& planes, const Point3& x, double spacings) const;
   /// Whether there are more planes than define an edge or corner, and all of them pass near `x`.
   bool MeetOnEdge(const QuadricError& planes, const Point3& x) const;
 

@@ -30,7 +30,7 @@ namespace
 {
 
 /// A power of two that brings spacings of 1e-100 or 1e100 to about 1; 1 for usual ones.
-double ScaleOf(vtkImageData* image)
+double ChooseUnitScale(vtkImageData* image)
 {
   const double* h = image->GetSpacing();
   int exponent = 0;
@@ -66,7 +66,7 @@ int vtkDelaunayIsosurface::RequestData(
 {
   auto* image = vtkImageData::GetData(input[0]);
   auto* surface = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
@@ -79,7 +79,7 @@ int vtkDelaunayIsosurface::RequestData(
       vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
       isthmus::RequireSpacing(image);
       isthmus::RequireImageGeometry(image);
-      const double factor = ScaleOf(image);
+      const double factor = ChooseUnitScale(image);
       vtkNew<vtkImageData> scaled;
       scaled->CopyStructure(image);
       const double* own = image->GetSpacing();
@@ -95,13 +95,13 @@ int vtkDelaunayIsosurface::RequestData(
       parameters.Distance *= factor;
       isthmus::SetAutomaticSizes(spacing, parameters);
 
-      const auto progress = isthmus::ProgressOf(this);
+      const auto progress = isthmus::MakeProgress(this);
       const isthmus::ClosedLevelSet level =
         isthmus::CloseLevelSet(scaled, scalars, chosen.Level, parameters.InsideIsHigher);
       isthmus::Report(progress, 0.05);
       if (level.Guide.Triangles.empty())
       {
-        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", chosen.Level,
+        vtkWarningMacro(<< isthmus::JoinText("Nothing is inside Level ", chosen.Level,
                           ": the volume has values from ", level.Range[0], " to ", level.Range[1],
                           "."));
       }

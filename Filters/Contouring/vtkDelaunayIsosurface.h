@@ -48,7 +48,7 @@ public:
   ///@}
 
   ///@{
-  /// Upper bound of the distance from the circumcentre of a triangle to the level set, in the unit
+  /// Upper bound of the distance from the circumcenter of a triangle to the level set, in the unit
   /// of the spacing; 0: a quarter of the smallest spacing.
   ISTHMUS_PARAMETER(Distance, double);
   ///@}

@@ -41,7 +41,7 @@ using isthmus::operator+;
 using isthmus::operator-;
 
 template <typename T>
-isthmus::HermiteGrid HermiteOf(
+isthmus::HermiteGrid MakeHermiteGrid(
   const isthmus::LevelView<T>& level, const isthmus::ProgressCallback& progress)
 {
   isthmus::CheckFinite(level.Grid);
@@ -132,12 +132,12 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
   isthmus::MemoryBudget().Require(
     bytesPerNode * nodes + bytesPerCrossing * ExpectedCrossings(surface, h),
     "A grid with a Spacing of " + isthmus::FormatNumber(h), "choose a larger Spacing");
-  moved.Points = isthmus::PointsFrom(moved.Origin, surface);
+  moved.Points = isthmus::TranslatedPoints(moved.Origin, surface);
   moved.View = { moved.Points, surface.Triangles };
   return moved;
 }
 
-isthmus::HermiteGrid HermiteOf(
+isthmus::HermiteGrid MakeHermiteGrid(
   const MovedSurface& moved, double featureThreshold, const isthmus::ProgressCallback& progress)
 {
   isthmus::HermiteGrid grid;
@@ -151,7 +151,7 @@ isthmus::HermiteGrid HermiteOf(
   return grid;
 }
 
-isthmus::DualContour ContourOf(vtkImageData* image, vtkDataArray* scalars, double value,
+isthmus::DualContour ComputeContour(vtkImageData* image, vtkDataArray* scalars, double value,
   bool insideIsHigher, isthmus::DualContouringParameters parameters,
   const isthmus::ProgressCallback& progress)
 {
@@ -167,13 +167,14 @@ isthmus::DualContour ContourOf(vtkImageData* image, vtkDataArray* scalars, doubl
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
       const isthmus::LevelView<T> level{ grid, value, insideIsHigher };
-      contour = isthmus::DualContouring(HermiteOf(level, isthmus::Between(progress, 0.0, 0.3)),
-        parameters, isthmus::Between(progress, 0.3, 1.0));
+      contour =
+        isthmus::DualContouring(MakeHermiteGrid(level, isthmus::Between(progress, 0.0, 0.3)),
+          parameters, isthmus::Between(progress, 0.3, 1.0));
     });
   return contour;
 }
 
-isthmus::DualContour ContourOf(const isthmus::SurfaceView& surface, double spacing,
+isthmus::DualContour ComputeContour(const isthmus::SurfaceView& surface, double spacing,
   isthmus::DualContouringParameters parameters, const isthmus::ProgressCallback& progress)
 {
   const MovedSurface moved = Move(surface, spacing);
@@ -185,8 +186,8 @@ isthmus::DualContour ContourOf(const isthmus::SurfaceView& surface, double spaci
     }
   };
   return isthmus::DualContouring(
-    HermiteOf(moved, parameters.FeatureThreshold, isthmus::Between(progress, 0.0, 0.3)), parameters,
-    isthmus::Between(progress, 0.3, 1.0));
+    MakeHermiteGrid(moved, parameters.FeatureThreshold, isthmus::Between(progress, 0.0, 0.3)),
+    parameters, isthmus::Between(progress, 0.3, 1.0));
 }
 
 void SetContour(const isthmus::DualContour& contour, bool mirrored, vtkPolyData* output)
@@ -243,7 +244,7 @@ int vtkDualContouring::RequestData(
   auto* image = vtkImageData::GetData(input[0]);
   auto* piece = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, piece);
@@ -256,8 +257,8 @@ int vtkDualContouring::RequestData(
         vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
         const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(
           this->AutomaticLevel, this->Level, image, scalars, this->InsideIsHigher);
-        contour = ContourOf(image, scalars, chosen.Level, this->InsideIsHigher, this->Parameters,
-          isthmus::ProgressOf(this));
+        contour = ComputeContour(image, scalars, chosen.Level, this->InsideIsHigher,
+          this->Parameters, isthmus::MakeProgress(this));
         isMirrored = image->GetDirectionMatrix()->Determinant() < 0.0;
         result->GetFieldData()->PassData(image->GetFieldData());
         isthmus::AddLevel(chosen, result);
@@ -267,15 +268,15 @@ int vtkDualContouring::RequestData(
         const isthmus::PolyDataTriangles triangles(surface);
         if (triangles.View().NumberOfTriangles() > 0)
         {
-          contour =
-            ContourOf(triangles.View(), this->Spacing, this->Parameters, isthmus::ProgressOf(this));
+          contour = ComputeContour(
+            triangles.View(), this->Spacing, this->Parameters, isthmus::MakeProgress(this));
           result->GetFieldData()->PassData(surface->GetFieldData());
         }
       }
       SetContour(contour, isMirrored, result);
       if (contour.Crossing > 0)
       {
-        vtkWarningMacro(<< isthmus::TextOf(contour.Crossing,
+        vtkWarningMacro(<< isthmus::JoinText(contour.Crossing,
                           " triangles still cross each other, where the level leaves the volume."));
       }
     });

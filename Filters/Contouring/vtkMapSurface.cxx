@@ -133,10 +133,11 @@ bool vtkMapSurface::IsInverted(vtkImageData* image, vtkDataArray* scalars)
 {
   isthmus::MapContrast contrast;
   isthmus::UseScalars(image, scalars,
-    [&](const auto& grid) { contrast = isthmus::ContrastOf(grid, isthmus::NoDataMask(image)); });
+    [&](const auto& grid)
+    { contrast = isthmus::MeasureContrast(grid, isthmus::NoDataMask(image)); });
   if (contrast.IsInverted())
   {
-    vtkWarningMacro(<< isthmus::TextOf(
+    vtkWarningMacro(<< isthmus::JoinText(
                       "The contrast of the map seems to be inverted, with density darker than the "
                       "background (skewness ",
                       contrast.Skewness,
@@ -159,7 +160,7 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
   const bool isInverted = chosen.Source == isthmus::LevelSource::Estimated &&
     this->Contour.InsideIsHigher && this->IsInverted(image, scalars);
 
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   const auto extracting = isthmus::Between(progress, 0.0, 0.7);
   isthmus::TriangleMesh mesh = this->Quality == Delaunay
     ? DelaunaySurface(this, image, scalars, level, extracting)
@@ -184,7 +185,7 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
     double range[2];
     scalars->GetFiniteRange(range, 0);
     vtkWarningMacro(
-      << isthmus::TextOf(
+      << isthmus::JoinText(
            (result.Found > 0
                ? "All components of the surface count as dust: lower MinimumComponentArea."
                : "Nothing is inside the level: choose another one."),
@@ -197,7 +198,7 @@ int vtkMapSurface::RequestData(
 {
   auto* image = vtkImageData::GetData(input[0]);
   auto* surface = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       this->OutputArrays.Check();

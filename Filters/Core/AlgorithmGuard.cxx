@@ -15,7 +15,7 @@ namespace
 {
 
 /// The last message and its time, stored with the algorithm, so that it is deleted with it.
-vtkInformationStringKey* LastWords()
+vtkInformationStringKey* LastReport()
 {
   static auto* const key = vtkInformationStringKey::MakeKey("LAST_WORDS", "isthmus");
   return key;
@@ -33,12 +33,12 @@ void ReportError(vtkAlgorithm* self, const std::string& message)
 {
   SetFailure(self, message);
   const std::string words = std::to_string(LastChange(self)) + ' ' + message;
-  const char* last = LastWords()->Get(self->GetInformation());
+  const char* last = LastReport()->Get(self->GetInformation());
   if (last && words == last)
   {
     return;
   }
-  LastWords()->Set(self->GetInformation(), words);
+  LastReport()->Set(self->GetInformation(), words);
   vtkErrorWithObjectMacro(self, << Printable(message));
 }
 

@@ -35,7 +35,7 @@ VTKISTHMUSFILTERSCORE_EXPORT void ReportError(vtkAlgorithm* self, const std::str
 /// Progress of `algorithm` as VTK shows it; aborts the computation when the algorithm, its
 /// container, or an upstream algorithm is aborted. Downstream algorithms then treat its output as
 /// aborted.
-inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
+inline ProgressCallback MakeProgress(vtkAlgorithm* algorithm)
 {
   return [algorithm](double fraction)
   {
@@ -50,7 +50,7 @@ namespace guard
 
 /// True if `body` completed; otherwise its exception is reported, unless it is Cancelled.
 template <typename Body>
-bool Ends(vtkAlgorithm* self, Body&& body)
+bool RunToEnd(vtkAlgorithm* self, Body&& body)
 {
   SetFailure(self, {});
   try
@@ -96,12 +96,12 @@ inline void ClearOutputs(vtkInformationVector* outputs)
 }
 
 /**
- * Guarded() for filters that need to know whether `body` completed.
+ * RunGuarded() for filters that need to know whether `body` completed.
  */
 template <typename Body>
 bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
 {
-  const bool ends = guard::Ends(self, std::forward<Body>(body));
+  const bool ends = guard::RunToEnd(self, std::forward<Body>(body));
   if (!ends)
   {
     ClearOutputs(outputs);
@@ -112,7 +112,7 @@ bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
 /**
  * To be used in every filter's RequestData:
  *
- *     return isthmus::Guarded(this, outputVector, [&] { ... });
+ *     return isthmus::RunGuarded(this, outputVector, [&] { ... });
  *
  * Inputs of a type other than the filter requires (blocks of composite data can be of any type) and
  * arrays that are too short are refused first (PipelineInputs.h); then `body` runs. An exception is
@@ -123,7 +123,7 @@ bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
  * error, and leave downstream outputs unchanged instead of empty.
  */
 template <typename Body>
-int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
+int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
 {
   Succeeds(self, outputs, std::forward<Body>(body));
   return 1;
@@ -131,9 +131,9 @@ int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
 
 /// The same for a single data object, which readers fill: it is empty unless `body` completes.
 template <typename Body>
-int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
+int RunGuarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
-  if (!guard::Ends(self, std::forward<Body>(body)))
+  if (!guard::RunToEnd(self, std::forward<Body>(body)))
   {
     guard::Clear(output);
   }

@@ -17,7 +17,7 @@ namespace isthmus
 /// unique, so another object at the same address has another state.
 using ObjectState = std::pair<const void*, vtkMTimeType>;
 
-inline ObjectState StateOf(vtkObject* object)
+inline ObjectState GetState(vtkObject* object)
 {
   return { object, object ? object->GetMTime() : 0 };
 }
@@ -27,7 +27,7 @@ inline ObjectState StateOf(vtkObject* object)
  * `std::tuple<ObjectState, double>`; keys that are not equal replace each other.
  *
  *     const Analysis& analysis = this->Internals->Analysis.Get(
- *       { isthmus::StateOf(surface), this->Spacing }, [&] { return Analyse(surface); });
+ *       { isthmus::GetState(surface), this->Spacing }, [&] { return Analyse(surface); });
  */
 template <typename Key, typename Value>
 class Cached

@@ -52,7 +52,7 @@ public:
 
   ~Child()
   {
-    if (!this->Ended())
+    if (!this->HasEnded())
     {
       kill(this->Pid, SIGKILL);
       while (waitpid(this->Pid, &this->State, 0) < 0 && errno == EINTR)
@@ -64,7 +64,7 @@ public:
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  bool Ended()
+  bool HasEnded()
   {
     // An error other than EINTR (another caller has waited) also means that there is nothing to
     // wait for.
@@ -152,7 +152,7 @@ private:
 };
 
 /// posix_spawn sets no limits, so a shell sets them and then executes the program.
-std::vector<std::string> UnderLimits(
+std::vector<std::string> AddLimits(
   const std::vector<std::string>& command, const ChildLimits& limits)
 {
   // The limit of processor time is a safeguard: it holds even if this process dies meanwhile.
@@ -168,7 +168,7 @@ std::vector<std::string> UnderLimits(
   return full;
 }
 
-std::string LastCharacters(const std::filesystem::path& log)
+std::string ReadTail(const std::filesystem::path& log)
 {
   constexpr std::streamoff most = 4000;
   std::ifstream file(log, std::ios::binary | std::ios::ate);
@@ -212,15 +212,15 @@ ChildResult RunChild(const std::vector<std::string>& command, const ChildLimits&
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  Child child(UnderLimits(command, limits), log);
+  Child child(AddLimits(command, limits), log);
   const Watchdog watchdog(child.Id(), log.parent_path());
   auto pause = std::chrono::milliseconds(1); // poll short programs often, long ones rarely
-  while (!child.Ended())
+  while (!child.HasEnded())
   {
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (seconds > limits.TimeLimit)
     {
-      return { ChildEnd::TimedOut, 0, LastCharacters(log) };
+      return { ChildEnd::TimedOut, 0, ReadTail(log) };
     }
     Report(progress, seconds / limits.TimeLimit);
     std::this_thread::sleep_for(pause);
@@ -233,14 +233,13 @@ ChildResult RunChild(const std::vector<std::string>& command, const ChildLimits&
     // program.
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const bool outOfTime = WTERMSIG(status) == SIGXCPU && seconds > 0.9 * limits.TimeLimit;
-    return { outOfTime ? ChildEnd::TimedOut : ChildEnd::Crashed, WTERMSIG(status),
-      LastCharacters(log) };
+    return { outOfTime ? ChildEnd::TimedOut : ChildEnd::Crashed, WTERMSIG(status), ReadTail(log) };
   }
   const int code = WEXITSTATUS(status);
   const ChildEnd end = code == 127 ? ChildEnd::NotFound
     : code == 126                  ? ChildEnd::NotRun
                                    : ChildEnd::Exited;
-  return { end, code, LastCharacters(log) };
+  return { end, code, ReadTail(log) };
 }
 
 }

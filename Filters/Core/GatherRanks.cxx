@@ -28,7 +28,7 @@ namespace isthmus
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece)
+vtkSmartPointer<vtkPolyData> RemoveGhosts(vtkPolyData* piece)
 {
   if (!piece->GetCellGhostArray() && !piece->GetPointGhostArray())
   {
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece)
 }
 
 /// For each point the lowest id of those at the same place.
-std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
+std::vector<vtkIdType> FindFirstCoincident(vtkPolyData* surface)
 {
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   std::vector<std::array<double, 3>> places(count);
@@ -80,7 +80,7 @@ std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
   return first;
 }
 
-vtkSmartPointer<vtkCellArray> Renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& id)
+vtkSmartPointer<vtkCellArray> RenumberCells(vtkCellArray* cells, const std::vector<vtkIdType>& id)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
   ReserveCells(result, cells->GetNumberOfCells(), cells->GetNumberOfConnectivityIds());
@@ -98,9 +98,9 @@ vtkSmartPointer<vtkCellArray> Renumbered(vtkCellArray* cells, const std::vector<
 }
 
 /// One point for each position. Ranks cut a surface along edges, whose end points each of them has.
-vtkSmartPointer<vtkPolyData> Sewn(vtkPolyData* surface)
+vtkSmartPointer<vtkPolyData> MergeCoincidentPoints(vtkPolyData* surface)
 {
-  std::vector<vtkIdType> id = FirstAtSamePlace(surface);
+  std::vector<vtkIdType> id = FindFirstCoincident(surface);
   vtkNew<vtkIdList> kept;
   for (std::size_t i = 0; i < id.size(); ++i)
   {
@@ -119,10 +119,10 @@ vtkSmartPointer<vtkPolyData> Sewn(vtkPolyData* surface)
     result->GetPointData()->CopyData(surface->GetPointData(), kept->GetId(i), i);
   }
   result->SetPoints(points);
-  result->SetVerts(Renumbered(surface->GetVerts(), id));
-  result->SetLines(Renumbered(surface->GetLines(), id));
-  result->SetPolys(Renumbered(surface->GetPolys(), id));
-  result->SetStrips(Renumbered(surface->GetStrips(), id));
+  result->SetVerts(RenumberCells(surface->GetVerts(), id));
+  result->SetLines(RenumberCells(surface->GetLines(), id));
+  result->SetPolys(RenumberCells(surface->GetPolys(), id));
+  result->SetStrips(RenumberCells(surface->GetStrips(), id));
   result->GetCellData()->ShallowCopy(surface->GetCellData());
   result->GetFieldData()->ShallowCopy(surface->GetFieldData());
   return result;
@@ -184,7 +184,7 @@ int RanksWithPoints(vtkDataObject* data)
   return ranks;
 }
 
-void RefuseSeveralRanks(int ranks, const std::string& what)
+void RejectSeveralRanks(int ranks, const std::string& what)
 {
   if (ranks > 1)
   {
@@ -197,7 +197,7 @@ void RefuseSeveralRanks(int ranks, const std::string& what)
 void RequireOneRank(vtkAlgorithm* filter, vtkDataObject* piece, const std::string& what)
 {
   RequireNoBlocks(filter);
-  RefuseSeveralRanks(RanksWithPoints(piece), what);
+  RejectSeveralRanks(RanksWithPoints(piece), what);
 }
 
 vtkSmartPointer<vtkPolyData> GatherSurface(vtkAlgorithm* filter, vtkPolyData* piece, GatherOn where)
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkPolyData> GatherSurface(vtkAlgorithm* filter, vtkPolyData* pi
   {
     return piece;
   }
-  vtkSmartPointer<vtkPolyData> own = WithoutGhosts(piece);
+  vtkSmartPointer<vtkPolyData> own = RemoveGhosts(piece);
   if (NumberOfRanks() == 1)
   {
     return own;
@@ -230,7 +230,7 @@ vtkSmartPointer<vtkPolyData> GatherSurface(vtkAlgorithm* filter, vtkPolyData* pi
     if (append->GetNumberOfInputConnections(0) > 0)
     {
       UpdateInner(append);
-      whole = Sewn(append->GetOutput());
+      whole = MergeCoincidentPoints(append->GetOutput());
     }
   }
   if (where == GatherOn::EachRank)

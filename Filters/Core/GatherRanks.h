@@ -37,7 +37,7 @@ VTKISTHMUSFILTERSCORE_EXPORT bool OnFirstRank();
 int RanksWithPoints(vtkDataObject* data);
 
 /// @throws std::runtime_error if `ranks` is more than 1; `what` names the data in the plural.
-void RefuseSeveralRanks(int ranks, const std::string& what);
+void RejectSeveralRanks(int ranks, const std::string& what);
 
 /// @throws std::runtime_error on several ranks if an input of `filter` is composite: blocks are
 /// processed one by one, and the others would wait forever for a rank that lacks a block. Detected
@@ -50,7 +50,7 @@ VTKISTHMUSFILTERSCORE_EXPORT void RequireNoBlocks(vtkAlgorithm* filter);
  * ranks merged. On one rank, this is `piece` itself unless it has ghost cells.
  *
  * With several ranks all of them must call it. Null for a null piece (one of another type, which
- * Guarded refuses). Memory: the whole surface where it is needed.
+ * RunGuarded refuses). Memory: the whole surface where it is needed.
  * @throws std::runtime_error as RequireNoBlocks
  */
 VTKISTHMUSFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> GatherSurface(

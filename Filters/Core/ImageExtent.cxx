@@ -23,14 +23,14 @@ namespace
 {
 
 /// `index` as an integer within [low, high]; NaN gives `low`.
-int Clipped(double index, int low, int high)
+int ClampIndex(double index, int low, int high)
 {
   return index > low ? (index < high ? static_cast<int>(index) : high) : low;
 }
 
 }
 
-Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key)
+Extent ReadExtent(vtkInformation* info, vtkInformationIntegerVectorKey* key)
 {
   Extent extent{ 0, -1, 0, -1, 0, -1 };
   if (info->Has(key))
@@ -40,7 +40,7 @@ Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key)
   return extent;
 }
 
-Extent PieceOf(vtkInformation* request, const Extent& all)
+Extent GetPieceExtent(vtkInformation* request, const Extent& all)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const int pieces = Pipeline::GetUpdateNumberOfPieces(request);
@@ -117,7 +117,7 @@ void RequireWholeExtent(vtkInformation* info)
   }
   Extent delivered{};
   image->GetExtent(delivered.data());
-  if (!Contains(delivered, ExtentOf(info, Pipeline::WHOLE_EXTENT())))
+  if (!Contains(delivered, ReadExtent(info, Pipeline::WHOLE_EXTENT())))
   {
     throw std::runtime_error("Only a part of the image is on this rank, and all of it is needed: "
                              "run on one rank, or read the image with a reader that provides the "
@@ -135,7 +135,7 @@ bool IsEmpty(const Extent& extent)
   return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
 }
 
-Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole)
+Extent GrowExtent(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole)
 {
   if (IsEmpty(extent))
   {
@@ -147,9 +147,9 @@ Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent
     // Doubles, since a reach may be as large as an int.
     const int low = whole[2 * axis];
     const int high = whole[2 * axis + 1];
-    grown[2 * axis] = Clipped(static_cast<double>(extent[2 * axis]) - reach[axis], low, high);
+    grown[2 * axis] = ClampIndex(static_cast<double>(extent[2 * axis]) - reach[axis], low, high);
     grown[2 * axis + 1] =
-      Clipped(static_cast<double>(extent[2 * axis + 1]) + reach[axis], low, high);
+      ClampIndex(static_cast<double>(extent[2 * axis + 1]) + reach[axis], low, high);
   }
   return grown;
 }
@@ -198,7 +198,7 @@ int LayersBetween(const Extent& inner, const Extent& outer)
   return layers;
 }
 
-Extent Covering(
+Extent CoverBounds(
   vtkImageData* image, const double bounds[6], const std::array<int, 3>& reach, const Extent& whole)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -219,10 +219,10 @@ Extent Covering(
   Extent cells{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    cells[2 * axis] = Clipped(std::floor(low[axis]), whole[2 * axis], whole[2 * axis + 1]);
-    cells[2 * axis + 1] = Clipped(std::ceil(high[axis]), whole[2 * axis], whole[2 * axis + 1]);
+    cells[2 * axis] = ClampIndex(std::floor(low[axis]), whole[2 * axis], whole[2 * axis + 1]);
+    cells[2 * axis + 1] = ClampIndex(std::ceil(high[axis]), whole[2 * axis], whole[2 * axis + 1]);
   }
-  return Grown(cells, reach, whole);
+  return GrowExtent(cells, reach, whole);
 }
 
 namespace

@@ -23,12 +23,12 @@ namespace isthmus
 using Extent = std::array<int, 6>;
 
 /// The extent that `info` has for `key`, empty if there is none.
-VTKISTHMUSFILTERSCORE_EXPORT Extent ExtentOf(
+VTKISTHMUSFILTERSCORE_EXPORT Extent ReadExtent(
   vtkInformation* info, vtkInformationIntegerVectorKey* key);
 
 /// The extent that a source which splits `all` produces for the piece in `request`, including ghost
 /// layers.
-VTKISTHMUSFILTERSCORE_EXPORT Extent PieceOf(vtkInformation* request, const Extent& all);
+VTKISTHMUSFILTERSCORE_EXPORT Extent GetPieceExtent(vtkInformation* request, const Extent& all);
 
 /// Changes a request for an image to a request for the whole image, on each rank.
 VTKISTHMUSFILTERSCORE_EXPORT void RequestAll(vtkInformation* request);
@@ -62,7 +62,7 @@ VTKISTHMUSFILTERSCORE_EXPORT bool IsEmpty(const Extent& extent);
 
 /// `extent` with `reach` more nodes to each side, kept within `whole`. An empty extent is not
 /// changed.
-VTKISTHMUSFILTERSCORE_EXPORT Extent Grown(
+VTKISTHMUSFILTERSCORE_EXPORT Extent GrowExtent(
   const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
 
 /// Number of nodes of an extent, 0 if it is empty.
@@ -80,7 +80,7 @@ VTKISTHMUSFILTERSCORE_EXPORT int LayersBetween(const Extent& inner, const Extent
 /// The nodes of the cells that intersect `bounds` (world coordinates in VTK's order), with `reach`
 /// more nodes on each side, kept within `whole`. The bounds are transformed by the image's
 /// physical-to-index transform.
-VTKISTHMUSFILTERSCORE_EXPORT Extent Covering(vtkImageData* image, const double bounds[6],
+VTKISTHMUSFILTERSCORE_EXPORT Extent CoverBounds(vtkImageData* image, const double bounds[6],
   const std::array<int, 3>& reach, const Extent& whole);
 
 /**

@@ -22,7 +22,7 @@ namespace isthmus
 namespace
 {
 
-std::string NamesOf(vtkPointData* data)
+std::string JoinArrayNames(vtkPointData* data)
 {
   std::string names;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -33,11 +33,11 @@ std::string NamesOf(vtkPointData* data)
   return names.empty() ? "none" : names;
 }
 
-[[noreturn]] void RefuseMissing(const char* name, vtkImageData* image)
+[[noreturn]] void RejectMissing(const char* name, vtkImageData* image)
 {
   throw std::invalid_argument((name ? "The image has no array '" + std::string(name) + "'"
                                     : std::string("The image has no active scalars")) +
-    " to work on; its point arrays are: " + NamesOf(image->GetPointData()) +
+    " to work on; its point arrays are: " + JoinArrayNames(image->GetPointData()) +
     ". Choose one of them as Scalars (in C++ by SetInputArrayToProcess).");
 }
 
@@ -72,7 +72,7 @@ bool IsPiece(vtkAlgorithm* filter, vtkImageData* image)
     ? filter->GetInputInformation(0, 0)
     : nullptr;
   return input && input->Has(whole()) &&
-    image->GetNumberOfPoints() < NodeCount(ExtentOf(input, whole()));
+    image->GetNumberOfPoints() < NodeCount(ReadExtent(input, whole()));
 }
 
 }
@@ -89,7 +89,7 @@ vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
   vtkDataArray* scalars = named ? data->GetArray(name) : data->GetScalars();
   if (!scalars)
   {
-    RefuseMissing(named ? name : nullptr, image);
+    RejectMissing(named ? name : nullptr, image);
   }
   RequireOnePerNode(image, scalars, onCells);
   // The values of a part may be those of the background of a map.

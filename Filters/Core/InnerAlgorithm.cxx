@@ -98,7 +98,7 @@ private:
 
 }
 
-std::string FailureOf(vtkAlgorithm* self)
+std::string GetFailure(vtkAlgorithm* self)
 {
   const char* const message = Failure()->Get(self->GetInformation());
   return message ? message : "";
@@ -133,7 +133,7 @@ void UpdateInner(vtkAlgorithm* inner, const ProgressCallback& progress,
   inner->Update();
   events.Throw();
   // There are no events if VTK's messages are switched off, or if the same one was reported before.
-  const std::string failure = FailureOf(inner);
+  const std::string failure = GetFailure(inner);
   if (!failure.empty())
   {
     throw std::runtime_error(failure);

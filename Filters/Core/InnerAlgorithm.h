@@ -17,9 +17,9 @@ namespace isthmus
 {
 
 /// The message that the last execution of `self` ended with, whether or not it was shown; empty
-/// after one that succeeded or was aborted, and for algorithms that are not Guarded
+/// after one that succeeded or was aborted, and for algorithms that are not RunGuarded
 /// (AlgorithmGuard.h, which sets it).
-std::string FailureOf(vtkAlgorithm* self);
+std::string GetFailure(vtkAlgorithm* self);
 VTKISTHMUSFILTERSCORE_EXPORT void SetFailure(vtkAlgorithm* self, const std::string& message);
 
 /// A message of vtkErrorMacro or vtkWarningMacro without file, line, class and address.
@@ -29,7 +29,7 @@ std::string PlainMessage(const std::string& message);
  * Updates `inner` and observes its errors. Otherwise a failure inside a filter would cause an empty
  * output without an error event of the filter that the user called.
  *
- * Errors of `inner` and of its executive are thrown, so that Guarded (AlgorithmGuard.h) reports
+ * Errors of `inner` and of its executive are thrown, so that RunGuarded (AlgorithmGuard.h) reports
  * them as those of the outer filter; an abort by `progress` ends `inner`. `warn` is called with
  * each warning; without it VTK shows warnings as those of `inner`.
  * @throws std::runtime_error with the message of the first error; Cancelled.

@@ -43,7 +43,7 @@ constexpr std::int64_t Grain = 16384; // points or cells of a piece of parallel 
 constexpr double NanometreInAngstrom = 10.0;
 
 /// Nodes of an image, at most NodesAlongAnAxis along each axis.
-vtkSmartPointer<vtkPoints> NodesOf(vtkImageData* image)
+vtkSmartPointer<vtkPoints> CollectNodes(vtkImageData* image)
 {
   auto nodes = vtkSmartPointer<vtkPoints>::New();
   nodes->SetDataTypeToDouble();
@@ -133,7 +133,7 @@ public:
   {
     if (auto* const image = vtkImageData::SafeDownCast(data))
     {
-      this->Points = NodesOf(image);
+      this->Points = CollectNodes(image);
     }
     else if (auto* const molecule = vtkMolecule::SafeDownCast(data))
     {
@@ -227,7 +227,7 @@ vtkInformationStringKey* LastWarning()
   return key;
 }
 
-OverlapRule RuleOf(vtkAlgorithm* self, int port)
+OverlapRule ReadRule(vtkAlgorithm* self, int port)
 {
   vtkInformation* const info = self->GetInformation();
   const int first = 3 * (port - 1);
@@ -263,7 +263,7 @@ bool InputOverlap::IsOfOtherUnit() const
   return isNear(NanometreInAngstrom) || isNear(1.0 / NanometreInAngstrom);
 }
 
-std::optional<InputOverlap> OverlapOf(vtkDataObject* first, vtkDataObject* second)
+std::optional<InputOverlap> MeasureOverlap(vtkDataObject* first, vtkDataObject* second)
 {
   const Places one(first);
   const Places other(second);
@@ -288,7 +288,7 @@ void SetOverlapRule(vtkAlgorithm* self, int port, const OverlapRule& rule)
   std::vector<double> rules;
   for (int p = 1; p < std::max(self->GetNumberOfInputPorts(), port + 1); ++p)
   {
-    const OverlapRule known = p == port ? rule : RuleOf(self, p);
+    const OverlapRule known = p == port ? rule : ReadRule(self, p);
     rules.insert(rules.end(), { known.Refused, known.Warned, known.Units ? 1.0 : 0.0 });
   }
   Rules()->Set(info, rules.data(), static_cast<int>(rules.size()));
@@ -304,11 +304,11 @@ void CheckOverlap(vtkAlgorithm* self)
   std::string warnings;
   for (int port = 1; port < self->GetNumberOfInputPorts(); ++port)
   {
-    const OverlapRule rule = RuleOf(self, port);
+    const OverlapRule rule = ReadRule(self, port);
     for (int i = 0; i < self->GetNumberOfInputConnections(port); ++i)
     {
       const auto overlap =
-        OverlapOf(self->GetInputDataObject(0, 0), self->GetInputDataObject(port, i));
+        MeasureOverlap(self->GetInputDataObject(0, 0), self->GetInputDataObject(port, i));
       if (!overlap)
       {
         continue;
@@ -324,18 +324,18 @@ void CheckOverlap(vtkAlgorithm* self)
         : "";
       if (overlap->Share <= rule.Refused)
       {
-        throw std::invalid_argument(TextOf("Inputs 0 and ", port, " do not overlap", boxes,
+        throw std::invalid_argument(JoinText("Inputs 0 and ", port, " do not overlap", boxes,
           ": give data of the same molecule in the same place and unit of length.", units));
       }
       if (overlap->Share < rule.Warned)
       {
-        warnings += TextOf("Only ", FormatNumber(100.0 * overlap->Share, 2),
+        warnings += JoinText("Only ", FormatNumber(100.0 * overlap->Share, 2),
           " % of the smaller of the inputs 0 and ", port, " lie within the other", boxes,
           ": are both of the same molecule, in the same place and unit of length?", units);
       }
       else if (unit)
       {
-        warnings += TextOf("Inputs 0 and ", port, " differ in size", boxes, ".", units);
+        warnings += JoinText("Inputs 0 and ", port, " differ in size", boxes, ".", units);
       }
     }
   }

@@ -6,9 +6,9 @@
  * A surface of another molecule, a map whose origin was lost, or atoms in nanometres would give
  * wrong numbers that look plausible. Each further input is compared with the first one: the overlap
  * is the share of points of the smaller one (by the diagonals of their boxes) that lie in the box
- * of the larger one, enlarged by a tenth of its diagonal on all sides. Guarded (AlgorithmGuard.h)
- * checks it for every filter with several inputs. Filters that need other limits set a rule of
- * their own and state it in their header.
+ * of the larger one, enlarged by a tenth of its diagonal on all sides. RunGuarded
+ * (AlgorithmGuard.h) checks it for every filter with several inputs. Filters that need other limits
+ * set a rule of their own and state it in their header.
  *
  * The points are those of the polygons if there are any, otherwise all points; the atoms of a
  * vtkMolecule; 16 nodes along each axis of an image. Positions that are not finite are not counted.
@@ -47,7 +47,7 @@ struct InputOverlap
 };
 
 /// Empty if one of the two has no position. O(points).
-std::optional<InputOverlap> OverlapOf(vtkDataObject* first, vtkDataObject* second);
+std::optional<InputOverlap> MeasureOverlap(vtkDataObject* first, vtkDataObject* second);
 
 /// Sets the rule for the inputs of `port`, which is 1 or higher. Call it in a constructor.
 VTKISTHMUSFILTERSCORE_EXPORT void SetOverlapRule(

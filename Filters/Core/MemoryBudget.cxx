@@ -31,7 +31,7 @@ double NumberIn(const char* file, const std::string& key)
   {
     std::string_view words = line;
     double number = 0.0;
-    if ((key.empty() || TakeWord(words) == key) && TakeNumber(words, number))
+    if ((key.empty() || ExtractWord(words) == key) && ExtractNumber(words, number))
     {
       return number;
     }
@@ -39,7 +39,7 @@ double NumberIn(const char* file, const std::string& key)
   return Unknown;
 }
 
-double LeftByControlGroup()
+double ControlGroupMemory()
 {
   const double most = NumberIn("/sys/fs/cgroup/memory.max", "");
   const double used = NumberIn("/sys/fs/cgroup/memory.current", "");
@@ -48,7 +48,7 @@ double LeftByControlGroup()
   return known < Unknown ? known + (cached < Unknown ? cached : 0.0) : Unknown;
 }
 
-double LeftByProcessLimit()
+double ProcessLimitMemory()
 {
 #if defined(__unix__) || defined(__APPLE__)
   rlimit limit{};
@@ -66,7 +66,7 @@ double LeftByProcessLimit()
 double AvailableMemory()
 {
   const double machine = NumberIn("/proc/meminfo", "MemAvailable:") * 1024.0;
-  return std::max(0.0, std::min({ machine, LeftByControlGroup(), LeftByProcessLimit() }));
+  return std::max(0.0, std::min({ machine, ControlGroupMemory(), ProcessLimitMemory() }));
 }
 
 std::string MemoryText(double bytes)
@@ -90,7 +90,7 @@ MemoryBudget::MemoryBudget(double limit)
     limit >= 0.0, "MemoryLimit", limit, "it must be 0 (the memory of the machine) or more");
 }
 
-MemoryBudget MemoryBudget::OfMachine(double limit)
+MemoryBudget MemoryBudget::ForMachine(double limit)
 {
   MemoryBudget budget(limit);
   if (!budget.HasLimit)
@@ -100,7 +100,7 @@ MemoryBudget MemoryBudget::OfMachine(double limit)
   return budget;
 }
 
-MemoryBudget MemoryBudget::OfBytes(std::uint64_t bytes)
+MemoryBudget MemoryBudget::ForBytes(std::uint64_t bytes)
 {
   MemoryBudget budget(1.0);
   budget.Allowed = bytes > 0 ? static_cast<double>(bytes) : Unknown;
@@ -153,7 +153,7 @@ void MemoryBudget::RequireGrid(const std::array<std::int64_t, 3>& dimensions, do
   const auto& [nx, ny, nz] = dimensions;
   const double nodes = static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
   this->Require(
-    bytesPerNode * nodes, TextOf("A grid of ", nx, " x ", ny, " x ", nz, " nodes"), remedy);
+    bytesPerNode * nodes, JoinText("A grid of ", nx, " x ", ny, " x ", nz, " nodes"), remedy);
 }
 
 }

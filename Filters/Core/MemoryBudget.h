@@ -39,10 +39,10 @@ public:
   /// A limit in MiB as well, but 0 means three quarters of the machine's memory, no matter how much
   /// of it is in use. This is for algorithms whose result depends on the budget and must not depend
   /// on other programs that run.
-  static MemoryBudget OfMachine(double limit);
+  static MemoryBudget ForMachine(double limit);
 
   /// A limit in bytes chosen by the caller, e.g. from WholeBytes(); 0: no limit.
-  static MemoryBudget OfBytes(std::uint64_t bytes);
+  static MemoryBudget ForBytes(std::uint64_t bytes);
 
   /// The memory that may be used. Infinite if there is no limit and the memory is unknown.
   double Bytes() const { return this->Allowed; }

@@ -65,7 +65,7 @@ Array* AddTuple(vtkFieldData* data, const std::string& name, const Values& value
 /// A new array with the values of(row) for rows 0 to `rows` - 1. Numbers are converted to the type
 /// of the array.
 template <typename Array, typename Of>
-void AddColumnOf(vtkFieldData* data, const std::string& name, std::size_t rows, Of&& of)
+void AddComputedColumn(vtkFieldData* data, const std::string& name, std::size_t rows, Of&& of)
 {
   auto* column = AddArray<Array>(data, name, rows);
   for (std::size_t row = 0; row < rows; ++row)
@@ -85,24 +85,24 @@ void AddColumnOf(vtkFieldData* data, const std::string& name, std::size_t rows, 
 /// A new array with of(item) for each item of a container.
 template <typename Array, typename Items, typename Of,
   typename = std::enable_if_t<!std::is_integral_v<Items>>>
-void AddColumnOf(vtkFieldData* data, const std::string& name, const Items& items, Of&& of)
+void AddComputedColumn(vtkFieldData* data, const std::string& name, const Items& items, Of&& of)
 {
   auto item = items.begin();
-  AddColumnOf<Array>(data, name, items.size(), [&](std::size_t) { return of(*item++); });
+  AddComputedColumn<Array>(data, name, items.size(), [&](std::size_t) { return of(*item++); });
 }
 
 /// A new array with these values.
 template <typename Array, typename Values>
 void AddColumn(vtkFieldData* data, const std::string& name, const Values& values)
 {
-  AddColumnOf<Array>(data, name, values, [](const auto& value) { return value; });
+  AddComputedColumn<Array>(data, name, values, [](const auto& value) { return value; });
 }
 
 /// The same for `{ a, b }`, and for one number or text: `{ a }`.
 template <typename Array, typename Value>
 void AddColumn(vtkFieldData* data, const std::string& name, std::initializer_list<Value> values)
 {
-  AddColumnOf<Array>(data, name, values, [](const auto& value) { return value; });
+  AddComputedColumn<Array>(data, name, values, [](const auto& value) { return value; });
 }
 
 }

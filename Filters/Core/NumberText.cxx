@@ -43,7 +43,7 @@ std::string LeftAligned(std::string text, std::size_t width)
   return text;
 }
 
-std::string_view TakeWord(std::string_view& text)
+std::string_view ExtractWord(std::string_view& text)
 {
   constexpr const char* blanks = " \t\n\v\f\r";
   const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());

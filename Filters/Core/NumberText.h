@@ -34,7 +34,7 @@ VTKISTHMUSFILTERSCORE_EXPORT std::string LeftAligned(std::string text, std::size
 
 /// Concatenates the parts: text, integers and numbers (written by FormatNumber).
 template <typename... Parts>
-std::string TextOf(const Parts&... parts)
+std::string JoinText(const Parts&... parts)
 {
   std::string text;
   const auto add = [&text](const auto& part)
@@ -60,7 +60,7 @@ std::string TextOf(const Parts&... parts)
 /// Reads the number at the beginning of `text`, after white space, and removes both from it.
 /// Returns false and changes nothing if there is none. The number may begin with a plus sign.
 template <typename T>
-bool TakeNumber(std::string_view& text, T& value)
+bool ExtractNumber(std::string_view& text, T& value)
 {
   std::size_t begin = 0;
   while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin])))
@@ -82,7 +82,7 @@ bool TakeNumber(std::string_view& text, T& value)
 }
 
 /// Returns the next word of `text`, after white space, and removes both from it. Empty at the end.
-VTKISTHMUSFILTERSCORE_EXPORT std::string_view TakeWord(std::string_view& text);
+VTKISTHMUSFILTERSCORE_EXPORT std::string_view ExtractWord(std::string_view& text);
 
 }
 

@@ -79,7 +79,7 @@ void OutputArraySelection::Check() const
     if (!isKnown)
     {
       throw std::invalid_argument(
-        TextOf("OutputArraySelection has ", name, ", but it must be of: ", known, "."));
+        JoinText("OutputArraySelection has ", name, ", but it must be of: ", known, "."));
     }
   }
 }

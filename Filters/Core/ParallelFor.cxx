@@ -83,7 +83,7 @@ class FirstException
 public:
   bool Caught() const { return this->Seen.load(std::memory_order_relaxed); }
 
-  void Keep(const std::exception_ptr& exception)
+  void Store(const std::exception_ptr& exception)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (!this->Seen.exchange(true))
@@ -124,7 +124,7 @@ void RunRound(std::int64_t begin, std::int64_t end, std::int64_t grain, const Ra
       }
       catch (...)
       {
-        failure.Keep(std::current_exception());
+        failure.Store(std::current_exception());
       }
     }
     done.fetch_add(1, std::memory_order_release);

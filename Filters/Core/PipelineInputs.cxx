@@ -57,7 +57,7 @@ bool Fits(vtkAlgorithm* self, int port, vtkDataObject* data, std::string& wanted
 }
 
 /// No array of `data` ends before the last element of its kind.
-void DemandWholeArrays(vtkDataObject* data)
+void RequireWholeArrays(vtkDataObject* data)
 {
   for (const auto& [kind, elements] :
     { std::pair<int, const char*>{ vtkDataObject::POINT, "points" },
@@ -81,7 +81,7 @@ void DemandWholeArrays(vtkDataObject* data)
 }
 
 /// Filters compute with all points and cells, including those hidden from view.
-void RefuseHidden(vtkDataObject* data, int port)
+void RejectHidden(vtkDataObject* data, int port)
 {
   for (const auto& [kind, bit, elements] :
     { std::tuple<int, unsigned char, const char*>{
@@ -175,7 +175,7 @@ void RequirePlaces(vtkPointSet* data, const std::string& name)
       double p[3];
       data->GetPoint(point, p);
       throw std::invalid_argument(
-        TextOf("Point ", point, " of ", name, " is at (", p[0], ", ", p[1], ", ", p[2],
+        JoinText("Point ", point, " of ", name, " is at (", p[0], ", ", p[1], ", ", p[2],
           "), which is not finite: correct its position, or remove the point and its cells."));
     }
   }
@@ -201,8 +201,8 @@ void CheckInputs(vtkAlgorithm* self)
       }
       if (data)
       {
-        DemandWholeArrays(data);
-        RefuseHidden(data, port);
+        RequireWholeArrays(data);
+        RejectHidden(data, port);
         RequireUsualCoordinates(data, "input " + std::to_string(port));
       }
     }
@@ -235,7 +235,7 @@ void InputInAdvance::Update(int port)
 void InputInAdvance::RequireOneRank(int port, const std::string& what) const
 {
   const auto found = this->RanksOf.find(port);
-  RefuseSeveralRanks(found == this->RanksOf.end() ? 0 : found->second, what);
+  RejectSeveralRanks(found == this->RanksOf.end() ? 0 : found->second, what);
 }
 
 }

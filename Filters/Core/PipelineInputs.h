@@ -24,7 +24,7 @@ namespace isthmus
 /// requires; naming the array, if one has fewer values than there are points (cells, rows ...) and
 /// would be read beyond its end; for points or cells that are hidden (vtkGhostType), which no
 /// filter can leave out; for coordinates out of range (RangeChecks.h); and for inputs that do not
-/// overlap (InputOverlap.h). Guarded (AlgorithmGuard.h) calls it first. O(arrays + ghost types +
+/// overlap (InputOverlap.h). RunGuarded (AlgorithmGuard.h) calls it first. O(arrays + ghost types +
 /// points).
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 

@@ -91,7 +91,7 @@ PolyDataTriangles::PolyDataTriangles(vtkPolyData* surface, Damage damage)
 }
 
 template <typename Wrong>
-vtkIdType PolyDataTriangles::FirstTriangleWith(const Wrong& isWrong) const
+vtkIdType PolyDataTriangles::FindFirstTriangle(const Wrong& isWrong) const
 {
   const auto count = static_cast<std::int64_t>(this->Mesh.Triangles.size());
   return ParallelReduce(count, grain, Least{ count },
@@ -130,7 +130,7 @@ void PolyDataTriangles::CopyTriangles(vtkPolyData* surface)
   if (this->OnDamage == Damage::Refused)
   {
     const auto points = static_cast<vtkIdType>(this->Mesh.Points.size());
-    const vtkIdType wrong = this->FirstTriangleWith(
+    const vtkIdType wrong = this->FindFirstTriangle(
       [points](vtkIdType corner) { return corner < 0 || corner >= points; });
     if (wrong < count)
     {
@@ -217,18 +217,18 @@ void PolyDataTriangles::CheckPoints() const
     const Point3& x = this->Mesh.Points[At(point)];
     return !std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]);
   };
-  const vtkIdType wrong = this->FirstTriangleWith(isWrong);
+  const vtkIdType wrong = this->FindFirstTriangle(isWrong);
   if (wrong < static_cast<vtkIdType>(this->Mesh.Triangles.size()))
   {
     const Triangle& corners = this->Mesh.Triangles[At(wrong)];
     throw std::invalid_argument("Point " +
       std::to_string(*std::find_if(corners.begin(), corners.end(), isWrong)) +
-      " of the surface, a corner of cell " + std::to_string(this->CellOf(wrong)) +
+      " of the surface, a corner of cell " + std::to_string(this->GetCellId(wrong)) +
       ", has a coordinate that is not a finite number. Remove the cell or repair the file.");
   }
 }
 
-TriangleMesh MeshOf(vtkPolyData* surface)
+TriangleMesh ToTriangleMesh(vtkPolyData* surface)
 {
   return PolyDataTriangles(surface, PolyDataTriangles::Damage::Kept).TakeMesh();
 }

@@ -49,7 +49,7 @@ public:
   TriangleMesh TakeMesh() { return std::move(this->Mesh); }
 
   /// Cell of the vtkPolyData that `triangle` is part of.
-  vtkIdType CellOf(vtkIdType triangle) const
+  vtkIdType GetCellId(vtkIdType triangle) const
   {
     return this->Cells.empty() ? this->FirstCell + triangle : this->Cells[At(triangle)];
   }
@@ -63,7 +63,7 @@ private:
   void CheckPoints() const;
   /// The first triangle with a corner for which isWrong(point) holds, or their number.
   template <typename Wrong>
-  vtkIdType FirstTriangleWith(const Wrong& isWrong) const;
+  vtkIdType FindFirstTriangle(const Wrong& isWrong) const;
 
   TriangleMesh Mesh;
   vtkIdType FirstCell = 0;      ///< that has an area
@@ -75,7 +75,7 @@ private:
 /// that finds (SurfaceDefects.h) or repairs them.
 /// @throws std::invalid_argument, naming the cell, for an invalid point id, if some cells are not
 /// triangles.
-VTKISTHMUSFILTERSCORE_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);
+VTKISTHMUSFILTERSCORE_EXPORT TriangleMesh ToTriangleMesh(vtkPolyData* surface);
 
 /// Sets `surface` to the points (double) and triangles of `mesh`.
 VTKISTHMUSFILTERSCORE_EXPORT void SetMesh(const SurfaceView& mesh, vtkPolyData* surface);

@@ -26,7 +26,7 @@ constexpr std::size_t Digits = std::size_t{ 1 } << RadixBits;
 
 /// Converts the counts of each piece and digit to the positions at which they begin; false if all
 /// entries have the same digit.
-inline bool CountsToPlaces(std::vector<std::array<std::uint64_t, Digits>>& next, std::uint64_t all)
+inline bool CountsToOffsets(std::vector<std::array<std::uint64_t, Digits>>& next, std::uint64_t all)
 {
   std::uint64_t before = 0;
   bool several = false;
@@ -74,7 +74,7 @@ bool Pass(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int b
         ++next[p][digit(from[i])];
       }
     });
-  if (!CountsToPlaces(next, from.size()))
+  if (!CountsToOffsets(next, from.size()))
   {
     return false;
   }

@@ -24,7 +24,7 @@ namespace isthmus
 namespace
 {
 
-[[noreturn]] void Refuse(
+[[noreturn]] void Reject(
   const char* property, double value, const std::string& range, const char* meaning)
 {
   throw std::invalid_argument(std::string(property) + " is " + FormatNumber(value) +
@@ -43,7 +43,7 @@ struct Largest
 
 /// `at(i)`: value i of `count`.
 template <typename T, typename Access>
-double LargestOf(vtkIdType count, const Access& at)
+double FindLargest(vtkIdType count, const Access& at)
 {
   return ParallelReduce(count, 65536, Largest(),
     [&](Largest& part, std::int64_t begin, std::int64_t end)
@@ -59,7 +59,7 @@ double LargestOf(vtkIdType count, const Access& at)
     .Value;
 }
 
-std::string NameOf(vtkDataArray* values)
+std::string QuotedName(vtkDataArray* values)
 {
   return values->GetName() ? "Array '" + std::string(values->GetName()) + "'" : "The array";
 }
@@ -92,15 +92,15 @@ double LargestMagnitude(vtkDataArray* values)
   if (auto* const floats = vtkArrayDownCast<vtkFloatArray>(values))
   {
     const float* const first = floats->GetPointer(0);
-    return LargestOf<float>(count, [first](std::int64_t i) { return first[i]; });
+    return FindLargest<float>(count, [first](std::int64_t i) { return first[i]; });
   }
   if (auto* const doubles = vtkArrayDownCast<vtkDoubleArray>(values))
   {
     const double* const first = doubles->GetPointer(0);
-    return LargestOf<double>(count, [first](std::int64_t i) { return first[i]; });
+    return FindLargest<double>(count, [first](std::int64_t i) { return first[i]; });
   }
   const int components = values->GetNumberOfComponents();
-  return LargestOf<double>(count,
+  return FindLargest<double>(count,
     [values, components](std::int64_t i)
     { return values->GetComponent(i / components, static_cast<int>(i % components)); });
 }
@@ -115,7 +115,7 @@ void RequireUsualValues(vtkDataArray* values)
   const double largest = LargestMagnitude(values);
   if (largest != 0.0 && !(largest >= SmallestPeak && largest <= LargestPeak))
   {
-    throw std::invalid_argument(NameOf(values) + " has the largest absolute value " +
+    throw std::invalid_argument(QuotedName(values) + " has the largest absolute value " +
       FormatNumber(largest) + ", but it must be from " + FormatNumber(SmallestPeak) + " to " +
       FormatNumber(LargestPeak) + ", since products of values are computed. Divide the map by a " +
       "number (Calculator), or replace values that stand for missing ones.");
@@ -167,7 +167,7 @@ void RequireRange(const char* property, double value, double low, double high, c
     const std::string range = high < Unlimited
       ? "from " + FormatNumber(low) + " to " + FormatNumber(high)
       : "a finite number of at least " + FormatNumber(low);
-    Refuse(property, value, range, meaning);
+    Reject(property, value, range, meaning);
   }
 }
 
@@ -178,7 +178,7 @@ void RequireAbove(const char* property, double value, double low, double high, c
     const std::string range = high < Unlimited
       ? "above " + FormatNumber(low) + " and at most " + FormatNumber(high)
       : "a finite number above " + FormatNumber(low);
-    Refuse(property, value, range, meaning);
+    Reject(property, value, range, meaning);
   }
 }
 

@@ -65,7 +65,7 @@ struct SurfaceView
 };
 
 /// A copy, for code that changes a surface given as a view.
-inline TriangleMesh CopyOf(const SurfaceView& surface)
+inline TriangleMesh CopyMesh(const SurfaceView& surface)
 {
   return { { surface.Points.begin(), surface.Points.end() },
     { surface.Triangles.begin(), surface.Triangles.end() } };
@@ -73,7 +73,7 @@ inline TriangleMesh CopyOf(const SurfaceView& surface)
 
 /// The points of `surface` relative to `origin`, for algorithms on a grid that begins there.
 /// Together with the triangles of `surface` they form a view again.
-inline std::vector<Point3> PointsFrom(const Point3& origin, const SurfaceView& surface)
+inline std::vector<Point3> TranslatedPoints(const Point3& origin, const SurfaceView& surface)
 {
   std::vector<Point3> points(surface.Points.size());
   std::transform(surface.Points.begin(), surface.Points.end(), points.begin(),

@@ -82,7 +82,7 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
 }
 
 template <typename T>
-GridView<const T> ViewOf(vtkImageData* image, const T* values)
+GridView<const T> MakeGridView(vtkImageData* image, const T* values)
 {
   GridView<const T> grid;
   grid.Data = values;
@@ -95,7 +95,7 @@ GridView<const T> ViewOf(vtkImageData* image, const T* values)
 }
 
 /// The image's direction matrix, with the axis of a negative spacing reversed.
-std::array<double, 9> AxesOf(vtkImageData* image)
+std::array<double, 9> GetAxes(vtkImageData* image)
 {
   std::array<double, 9> axes{};
   for (int row = 0; row < 3; ++row)
@@ -111,7 +111,7 @@ std::array<double, 9> AxesOf(vtkImageData* image)
 
 /// Node positions of points stored as `xyz`, in node units from the first node of the image.
 template <typename P>
-PointSource SourceOf(vtkImageData* image, const P* xyz)
+PointSource MakePointSource(vtkImageData* image, const P* xyz)
 {
   std::array<double, 16> m{};
   vtkMatrix4x4::DeepCopy(m.data(), image->GetPhysicalToIndexMatrix());
@@ -146,7 +146,7 @@ vtkSmartPointer<vtkDataArray> Coordinates(vtkPoints* points)
   return copy;
 }
 
-NodeBox BoxOf(vtkImageData* image, const Extent& extent)
+NodeBox GetNodeBox(vtkImageData* image, const Extent& extent)
 {
   NodeBox nodes;
   for (int axis = 0; axis < 3; ++axis)
@@ -159,17 +159,17 @@ NodeBox BoxOf(vtkImageData* image, const Extent& extent)
 
 /// Values of an array in the point data, where there are any.
 template <typename T>
-T* ValuesOf(vtkDataSet* output, const char* name)
+T* FindValues(vtkDataSet* output, const char* name)
 {
   vtkDataArray* array = output->GetPointData()->GetArray(name);
   return array ? static_cast<T*>(array->GetVoidPointer(0)) : nullptr;
 }
 
-PointSource SourceOf(vtkImageData* image, vtkDataArray* coordinates)
+PointSource MakePointSource(vtkImageData* image, vtkDataArray* coordinates)
 {
   return coordinates->GetDataType() == VTK_FLOAT
-    ? SourceOf(image, static_cast<const float*>(coordinates->GetVoidPointer(0)))
-    : SourceOf(image, static_cast<const double*>(coordinates->GetVoidPointer(0)));
+    ? MakePointSource(image, static_cast<const float*>(coordinates->GetVoidPointer(0)))
+    : MakePointSource(image, static_cast<const double*>(coordinates->GetVoidPointer(0)));
 }
 
 constexpr int referenceAccuracy = 4;
@@ -186,15 +186,16 @@ void WriteMean(vtkImageData* image, vtkDataArray* scalars, const Extent& box, vt
   arrays.Mean = out;
   arrays.Valid = valid.data();
   const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
-  const auto grid = ViewOf(image, static_cast<const T*>(values->GetVoidPointer(0)));
+  const auto grid = MakeGridView(image, static_cast<const T*>(values->GetVoidPointer(0)));
   if (points)
   {
     const vtkSmartPointer<vtkDataArray> coordinates = Coordinates(points);
-    HessianCurvatureAtPoints(grid, count, SourceOf(image, coordinates), options, arrays, progress);
+    HessianCurvatureAtPoints(
+      grid, count, MakePointSource(image, coordinates), options, arrays, progress);
   }
   else
   {
-    HessianCurvatureAtNodes(grid, BoxOf(image, box), options, arrays, progress);
+    HessianCurvatureAtNodes(grid, GetNodeBox(image, box), options, arrays, progress);
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -209,10 +210,10 @@ void WriteErrors(vtkImageData* image, vtkDataArray* scalars, const Extent& box, 
 {
   using Result = ResultType<T>;
   const vtkIdType count = output->GetNumberOfPoints();
-  const auto* mean = ValuesOf<Result>(output, "MeanCurvature");
-  const auto* valid = ValuesOf<unsigned char>(output, "CurvatureValid");
-  auto* scales = ValuesOf<Result>(output, "CurvatureScale");
-  auto* errors = ValuesOf<Result>(output, "CurvatureError");
+  const auto* mean = FindValues<Result>(output, "MeanCurvature");
+  const auto* valid = FindValues<unsigned char>(output, "CurvatureValid");
+  auto* scales = FindValues<Result>(output, "CurvatureScale");
+  auto* errors = FindValues<Result>(output, "CurvatureError");
   std::vector<Result> next(static_cast<std::size_t>(count));
   WriteMean<T>(image, scalars, box, points, options, mean, count, next.data(), progress);
   constexpr std::int64_t grain = 16384;
@@ -236,15 +237,15 @@ void AddCurvatureAtNodes(vtkImageData* image, vtkDataArray* scalars, const Exten
   HessianCurvatureOptions options, const CurvatureSelection& selection, vtkDataSet* output,
   const ProgressCallback& progress)
 {
-  options.Axes = AxesOf(image);
-  const NodeBox nodes = BoxOf(image, box);
+  options.Axes = GetAxes(image);
+  const NodeBox nodes = GetNodeBox(image, box);
   const vtkIdType count = nodes.Size[0] * nodes.Size[1] * nodes.Size[2];
   const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
   switch (values->GetDataType())
   {
-    vtkTemplateMacro(
-      HessianCurvatureAtNodes(ViewOf(image, static_cast<const VTK_TT*>(values->GetVoidPointer(0))),
-        nodes, options, NewArrays<ResultType<VTK_TT>>(selection, count, output), progress));
+    vtkTemplateMacro(HessianCurvatureAtNodes(
+      MakeGridView(image, static_cast<const VTK_TT*>(values->GetVoidPointer(0))), nodes, options,
+      NewArrays<ResultType<VTK_TT>>(selection, count, output), progress));
   }
 }
 
@@ -252,20 +253,20 @@ void AddCurvatureAtPoints(vtkImageData* image, vtkDataArray* scalars, vtkPoints*
   HessianCurvatureOptions options, const CurvatureSelection& selection, vtkDataSet* output,
   const ProgressCallback& progress)
 {
-  options.Axes = AxesOf(image);
+  options.Axes = GetAxes(image);
   const vtkSmartPointer<vtkDataArray> coordinates = Coordinates(points);
-  const PointSource source = SourceOf(image, coordinates);
+  const PointSource source = MakePointSource(image, coordinates);
   const vtkIdType count = points->GetNumberOfPoints();
   const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
   switch (values->GetDataType())
   {
-    vtkTemplateMacro(
-      HessianCurvatureAtPoints(ViewOf(image, static_cast<const VTK_TT*>(values->GetVoidPointer(0))),
-        count, source, options, NewArrays<ResultType<VTK_TT>>(selection, count, output), progress));
+    vtkTemplateMacro(HessianCurvatureAtPoints(
+      MakeGridView(image, static_cast<const VTK_TT*>(values->GetVoidPointer(0))), count, source,
+      options, NewArrays<ResultType<VTK_TT>>(selection, count, output), progress));
   }
 }
 
-CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
+CurvatureScale ChooseImageScale(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
   const double spacing[3], int accuracy, const MaximumOverRanks& combine,
   const ProgressCallback& progress)
 {
@@ -288,7 +289,7 @@ CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, co
   if (values->GetDataType() == VTK_DOUBLE)
   {
     return choose(
-      GridPart<double>{ ViewOf(image, static_cast<double*>(values->GetVoidPointer(0))) });
+      GridPart<double>{ MakeGridView(image, static_cast<double*>(values->GetVoidPointer(0))) });
   }
   vtkSmartPointer<vtkDataArray> floats = values;
   if (values->GetDataType() != VTK_FLOAT)
@@ -296,7 +297,8 @@ CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, co
     floats = vtkSmartPointer<vtkFloatArray>::New();
     floats->DeepCopy(values);
   }
-  return choose(GridPart<float>{ ViewOf(image, static_cast<float*>(floats->GetVoidPointer(0))) });
+  return choose(
+    GridPart<float>{ MakeGridView(image, static_cast<float*>(floats->GetVoidPointer(0))) });
 }
 
 void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Extent& box,
@@ -308,8 +310,8 @@ void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Ext
   {
     vtkTemplateMacro({
       using Result = ResultType<VTK_TT>;
-      const auto* mean = ValuesOf<Result>(output, "MeanCurvature");
-      auto* reference = ValuesOf<Result>(output, "CurvatureScale"); // until the scale is written
+      const auto* mean = FindValues<Result>(output, "MeanCurvature");
+      auto* reference = FindValues<Result>(output, "CurvatureScale"); // until the scale is written
       if (options.Accuracy == referenceAccuracy)
       {
         std::copy_n(mean, output->GetNumberOfPoints(), reference);

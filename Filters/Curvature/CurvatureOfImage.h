@@ -52,7 +52,7 @@ void AddCurvatureAtPoints(vtkImageData* image, vtkDataArray* scalars, vtkPoints*
 /// The scale for `scalars` of `image`, which is this rank's part of an image of extent `whole` and
 /// spacing `spacing`. A rank without scalars must also call this, with null. See
 /// ChooseCurvatureScale().
-CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
+CurvatureScale ChooseImageScale(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
   const double spacing[3], int accuracy, const MaximumOverRanks& combine,
   const ProgressCallback& progress);
 

@@ -27,7 +27,7 @@ constexpr double significance = 1.5;        // of a mean square over that of noi
 constexpr double LeastGradientShare = 0.05; // of the edges' squared gradient
 constexpr double missing = -std::numeric_limits<double>::infinity();
 
-double UnitOf(const std::array<double, 3>& spacing)
+double MeanSpacing(const std::array<double, 3>& spacing)
 {
   return std::cbrt(spacing[0]) * std::cbrt(spacing[1]) * std::cbrt(spacing[2]);
 }
@@ -35,7 +35,7 @@ double UnitOf(const std::array<double, 3>& spacing)
 /// The scales, in the unit of the spacing; the last one serves as next one only.
 std::vector<double> CandidateScales(const std::array<double, 3>& spacing, const Node& whole)
 {
-  const double unit = UnitOf(spacing);
+  const double unit = MeanSpacing(spacing);
   double most = largestScale;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -54,7 +54,7 @@ std::vector<double> CandidateScales(const std::array<double, 3>& spacing, const 
 
 /// Samples of scale number k: fewer at large scales, whose cost grows as their cube and of which
 /// fewer are independent.
-std::size_t SamplesAt(double scale)
+std::size_t CountSamples(double scale)
 {
   const double share = std::min(1.0, edgeScale / std::max(scale, 1.0));
   return static_cast<std::size_t>(static_cast<double>(mostSamples) * share * share);
@@ -73,7 +73,7 @@ void Shuffle(std::vector<Node>& nodes)
 /// `count` numbers for each node, by `work(node, numbers)` on a rank that has the required values,
 /// otherwise `missing`.
 template <typename Work>
-std::vector<double> NumbersAt(const std::vector<Node>& nodes, std::size_t count, Work&& work,
+std::vector<double> EvaluateAtNodes(const std::vector<Node>& nodes, std::size_t count, Work&& work,
   const MaximumOverRanks& combine, const ProgressCallback& progress)
 {
   std::vector<double> numbers(nodes.size() * count, missing);
@@ -104,7 +104,7 @@ double Square(double x)
   return x * x;
 }
 
-double SquareOf(const std::array<double, 3>& v)
+double SquaredNorm(const std::array<double, 3>& v)
 {
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
@@ -121,17 +121,17 @@ template <typename T>
 std::vector<double> SquaredGradients(const GridPart<T>& part, const std::vector<Node>& nodes,
   const MaximumOverRanks& combine, const ProgressCallback& progress)
 {
-  return NumbersAt(
+  return EvaluateAtNodes(
     nodes, 1,
     [&](const Node& node, double* out)
     {
       NodeDerivatives at;
-      if (!GradientSmoothed(part, node, edgeScale, at))
+      if (!SmoothedGradient(part, node, edgeScale, at))
       {
         return false;
       }
       constexpr double rounding = 1e-12; // of sums of doubles
-      const double square = SquareOf(at.Gradient);
+      const double square = SquaredNorm(at.Gradient);
       *out = std::sqrt(square) > rounding * std::abs(at.Value) ? square : missing;
       return true;
     },
@@ -309,8 +309,8 @@ Responses ResponsesAt(const GridPart<T>& part, std::vector<Node> nodes, double s
     std::copy_n(from + 4, 6, to.Hessian.begin());
     return to;
   };
-  nodes.resize(std::min(nodes.size(), SamplesAt(scale)));
-  const std::vector<double> numbers = NumbersAt(
+  nodes.resize(std::min(nodes.size(), CountSamples(scale)));
+  const std::vector<double> numbers = EvaluateAtNodes(
     nodes, both,
     [&](const Node& node, double* out)
     {
@@ -343,7 +343,7 @@ double MeanCurvature(const NodeDerivatives& at, const NodeDerivatives& normal, d
   const auto& h = at.Hessian;
   const double across = n[0] * n[0] * h[0] + n[1] * n[1] * h[1] + n[2] * n[2] * h[2] +
     2.0 * (n[0] * n[1] * h[3] + n[0] * n[2] * h[4] + n[1] * n[2] * h[5]);
-  const double square = SquareOf(n);
+  const double square = SquaredNorm(n);
   return -0.5 * (h[0] + h[1] + h[2] - (square > 0.0 ? across / square : 0.0)) / gradient;
 }
 
@@ -472,7 +472,7 @@ double Search::Curvature(
   std::size_t k, const NodeDerivatives& at, const NodeDerivatives& normal) const
 {
   return MeanCurvature(
-    at, normal, std::sqrt(std::max(this->LeastSquaredGradient[k], SquareOf(at.Gradient))));
+    at, normal, std::sqrt(std::max(this->LeastSquaredGradient[k], SquaredNorm(at.Gradient))));
 }
 
 /// Deviation and correlation whose variances are proportional to the measured ones. The variances
@@ -526,7 +526,7 @@ void Search::FitBackground(const std::vector<double>& measured)
 void Search::AdaptNoiseToEdges()
 {
   const double perGradient = this->MeanOverEdges(edgeIndex,
-    [&](std::size_t i) { return 1.0 / SquareOf(this->Edges[edgeIndex].Filter[i].Gradient); });
+    [&](std::size_t i) { return 1.0 / SquaredNorm(this->Edges[edgeIndex].Filter[i].Gradient); });
   std::array<double, edgeIndex> changes;
   for (std::size_t k = 0; k < edgeIndex; ++k)
   {
@@ -535,7 +535,7 @@ void Search::AdaptNoiseToEdges()
         [&](std::size_t i)
         {
           const NodeDerivatives& normal = this->Edges[edgeIndex].Filter[i];
-          const double gradient = std::sqrt(SquareOf(normal.Gradient));
+          const double gradient = std::sqrt(SquaredNorm(normal.Gradient));
           return Square(MeanCurvature(this->Edges[k + 1].Filter[i], normal, gradient) -
             MeanCurvature(this->Edges[k].Filter[i], normal, gradient));
         });
@@ -606,8 +606,8 @@ double Search::BiasSinceFinerScales(std::size_t k) const
       {
         return 1.0 /
           std::max(least,
-            std::min(SquareOf(this->Edges[k].Filter[i].Gradient),
-              SquareOf(this->Edges[j].Filter[i].Gradient)));
+            std::min(SquaredNorm(this->Edges[k].Filter[i].Gradient),
+              SquaredNorm(this->Edges[j].Filter[i].Gradient)));
       });
     const double noise = perGradient / 4.0 *
       LaplacianVariance(
@@ -633,7 +633,7 @@ void Search::Measure(std::size_t k)
   const double least = LeastGradientShare * Square(this->EdgeGradient);
   const double perGradient = this->MeanOverEdges(k + 1,
     [&](std::size_t i)
-    { return 1.0 / std::max(SquareOf(one.Filter[i].Gradient) - 3.0 * gradient, least); });
+    { return 1.0 / std::max(SquaredNorm(one.Filter[i].Gradient) - 3.0 * gradient, least); });
   const double largestSquare = 0.01; // of a curvature, where noise dominates
   const double meanSquare = this->MeanOverEdges(k + 1,
     [&](std::size_t i)
@@ -721,7 +721,7 @@ double CurvatureScale::Error(double mean, double difference, double gradient) co
   return std::sqrt(variance * perGradient + bias) / this->Unit;
 }
 
-double LargestScaleOfChoice(
+double LargestCandidateScale(
   const std::array<double, 3>& spacing, const std::array<std::int64_t, 3>& whole)
 {
   return CandidateScales(spacing, whole).back();
@@ -732,7 +732,7 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
   const MaximumOverRanks& combine, const ProgressCallback& progress)
 {
   // In the unit u: powers of tiny and huge spacings would overflow.
-  const double unit = UnitOf(given.Values.Spacing);
+  const double unit = MeanSpacing(given.Values.Spacing);
   GridPart<T> part = given;
   for (double& length : part.Values.Spacing)
   {
@@ -786,7 +786,7 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
   {
     search.LeastSquaredGradient.push_back(LeastGradientShare *
       search.MeanOverEdges(
-        k, [&](std::size_t i) { return SquareOf(search.Edges[k].Filter[i].Gradient); }));
+        k, [&](std::size_t i) { return SquaredNorm(search.Edges[k].Filter[i].Gradient); }));
   }
   for (std::size_t k = 0; k + 1 < scales; ++k)
   {

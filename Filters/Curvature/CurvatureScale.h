@@ -68,7 +68,7 @@ using MaximumOverRanks = std::function<void(double* values, std::int64_t count)>
 
 /// The largest smoothing scale considered for a grid of `whole` nodes, in the unit of the spacing.
 /// Around each node, nodes within GaussianReach() of this scale plus DifferenceReach are read.
-double LargestScaleOfChoice(
+double LargestCandidateScale(
   const std::array<double, 3>& spacing, const std::array<std::int64_t, 3>& whole);
 
 /**

@@ -18,14 +18,14 @@ namespace
 {
 
 /// S v.
-Point3 Bent(const LocalShape& shape, const Point3& v)
+Point3 ApplyShapeOperator(const LocalShape& shape, const Point3& v)
 {
   return shape.Maximum * Dot(shape.Direction1, v) * shape.Direction1 +
     shape.Minimum * Dot(shape.Direction2, v) * shape.Direction2;
 }
 
 /// Directions of a mesh are estimated separately from its normal, and not exactly perpendicular.
-void TurnIntoTangentPlane(LocalShape& shape)
+void RotateToTangentPlane(LocalShape& shape)
 {
   const Point3 tangent = shape.Direction1 - Dot(shape.Direction1, shape.Normal) * shape.Normal;
   const double length = Length(tangent);
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkDataArray> NewLike(
 
 }
 
-DifferentialForms FormsOf(const LocalShape& shape)
+DifferentialForms ComputeForms(const LocalShape& shape)
 {
   DifferentialForms forms;
   const Point3& n = shape.Normal;
@@ -77,7 +77,8 @@ DifferentialForms FormsOf(const LocalShape& shape)
   v[y] = 1.0;
   v[z] = -n[y] / n[z];
   forms.First = { Dot(u, u), Dot(u, v), Dot(v, v) };
-  forms.Second = { Dot(u, Bent(shape, u)), Dot(u, Bent(shape, v)), Dot(v, Bent(shape, v)) };
+  forms.Second = { Dot(u, ApplyShapeOperator(shape, u)), Dot(u, ApplyShapeOperator(shape, v)),
+    Dot(v, ApplyShapeOperator(shape, v)) };
   forms.AreaElement = 1.0 / std::abs(n[z]);
   return forms;
 }
@@ -86,8 +87,9 @@ double NormalCurvature(const LocalShape& shape, const Point3& direction)
 {
   const Point3 tangent = direction - Dot(direction, shape.Normal) * shape.Normal;
   const double square = Dot(tangent, tangent);
-  return square > 1e-12 * Dot(direction, direction) ? Dot(tangent, Bent(shape, tangent)) / square
-                                                    : 0.0;
+  return square > 1e-12 * Dot(direction, direction)
+    ? Dot(tangent, ApplyShapeOperator(shape, tangent)) / square
+    : 0.0;
 }
 
 DifferentialFormsSelection::DifferentialFormsSelection(
@@ -146,10 +148,10 @@ void AddDifferentialForms(const DifferentialFormsSelection& selection, vtkDataSe
     second->GetTuple(i, shape.Direction2.data());
     shape.Maximum = maximum->GetTuple1(i);
     shape.Minimum = minimum->GetTuple1(i);
-    TurnIntoTangentPlane(shape);
+    RotateToTangentPlane(shape);
     if (selection.AnyForm())
     {
-      const DifferentialForms forms = FormsOf(shape);
+      const DifferentialForms forms = ComputeForms(shape);
       put(shapeOperator, i, forms.ShapeOperator.data());
       put(firstForm, i, forms.First.data());
       put(secondForm, i, forms.Second.data());

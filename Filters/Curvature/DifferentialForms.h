@@ -55,7 +55,7 @@ struct DifferentialForms
 };
 
 /// @pre The normal is a unit vector, or zero, in which case all results are zero.
-DifferentialForms FormsOf(const LocalShape& shape);
+DifferentialForms ComputeForms(const LocalShape& shape);
 
 /// The normal curvature in the direction of the tangential component of `direction`; 0 if that is
 /// zero.

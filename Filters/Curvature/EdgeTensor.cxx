@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
-Vector3d NormalOf(const SurfaceView& mesh, MeshTriangle triangle)
+Vector3d ComputeNormal(const SurfaceView& mesh, MeshTriangle triangle)
 {
   const Triangle& corner = mesh.Corners(triangle.Value);
   const PointMap a(mesh.Point(corner[0]).data());
@@ -124,7 +124,7 @@ DihedralAngles::DihedralAngles(const SurfaceView& mesh, const TriangleStars& sta
       for (const MeshTriangle triangle : HandleRange<MeshTriangle>(first, last))
       {
         const Triangle& corner = mesh.Corners(triangle.Value);
-        const Vector3d normal = NormalOf(mesh, triangle);
+        const Vector3d normal = ComputeNormal(mesh, triangle);
         this->Areas[triangle] = 0.5 * normal.norm();
         for (std::size_t edge = 0; edge < 3; ++edge)
         {
@@ -134,7 +134,7 @@ DihedralAngles::DihedralAngles(const SurfaceView& mesh, const TriangleStars& sta
           this->Neighbours[triangle][edge] = other;
           if (other.Exists())
           {
-            const Vector3d otherNormal = NormalOf(mesh, other);
+            const Vector3d otherNormal = ComputeNormal(mesh, other);
             const Vector3d along =
               (PointMap(mesh.Point(to).data()) - PointMap(mesh.Point(from).data())).normalized();
             this->Angles[triangle][edge] =
@@ -161,7 +161,7 @@ void DihedralAngles::AddEdge(
   }
 }
 
-PrincipalFrame PrincipalFrameOf(const Eigen::Matrix3d& tensor, const Vector3d& normal)
+PrincipalFrame ComputePrincipalFrame(const Eigen::Matrix3d& tensor, const Vector3d& normal)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
   const Eigen::Matrix3d& vectors = solver.eigenvectors(); // eigenvalues ascend
@@ -196,11 +196,11 @@ bool EdgeTensorIntegrator::Visit(MeshTriangle triangle)
   return isNew;
 }
 
-TensorSums EdgeTensorIntegrator::OverBall(vtkIdType point)
+TensorSums EdgeTensorIntegrator::IntegrateOverBall(vtkIdType point)
 {
   ++this->Stamp;
   TensorSums sums;
-  const PointMap centre(this->Mesh.Point(point).data());
+  const PointMap center(this->Mesh.Point(point).data());
   const MeshTriangle* const star = this->Stars.Triangles(point);
   this->Pending.assign(star, star + this->Stars.Size(point));
   std::for_each(
@@ -211,9 +211,9 @@ TensorSums EdgeTensorIntegrator::OverBall(vtkIdType point)
     const MeshTriangle triangle = this->Pending.back();
     this->Pending.pop_back();
     const Triangle& id = this->Mesh.Corners(triangle.Value);
-    const Vector3d corner[3] = { PointMap(this->Mesh.Point(id[0]).data()) - centre,
-      PointMap(this->Mesh.Point(id[1]).data()) - centre,
-      PointMap(this->Mesh.Point(id[2]).data()) - centre };
+    const Vector3d corner[3] = { PointMap(this->Mesh.Point(id[0]).data()) - center,
+      PointMap(this->Mesh.Point(id[1]).data()) - center,
+      PointMap(this->Mesh.Point(id[2]).data()) - center };
     sums.Area += AreaInBall(corner[0], corner[1], corner[2], this->Radius);
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
@@ -303,7 +303,7 @@ void EdgeTensorIntegrator::SpreadDistances(vtkIdType point)
   }
 }
 
-TensorSums EdgeTensorIntegrator::OverDisc(vtkIdType point)
+TensorSums EdgeTensorIntegrator::IntegrateOverDisc(vtkIdType point)
 {
   ++this->Stamp;
   this->Pending.clear();

@@ -62,7 +62,7 @@ private:
 };
 
 /// Principal curvatures from an edge tensor, already divided by the area, at a point with `normal`.
-PrincipalFrame PrincipalFrameOf(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal);
+PrincipalFrame ComputePrincipalFrame(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal);
 
 /// Sums over balls and geodesic discs about points of one surface. It keeps scratch memory (4 bytes
 /// per triangle, and 16 per point for discs), so use one object for many points, and one per
@@ -75,11 +75,11 @@ public:
 
   /// The part of the surface within the ball that is connected with `point`; edges and triangles
   /// are cut exactly.
-  TensorSums OverBall(vtkIdType point);
+  TensorSums IntegrateOverBall(vtkIdType point);
 
   /// The part within the geodesic disc. Distances are computed by unfolding triangles from the
   /// nearest points outwards and are linear within triangles.
-  TensorSums OverDisc(vtkIdType point);
+  TensorSums IntegrateOverDisc(vtkIdType point);
 
 private:
   void SpreadDistances(vtkIdType point);
@@ -94,7 +94,7 @@ private:
   const DihedralAngles& Dihedrals;
   double Radius;
 
-  // A triangle was visited, or a point reached, for this centre if its stamp is the current one.
+  // A triangle was visited, or a point reached, for this center if its stamp is the current one.
   unsigned int Stamp = 0;
   HandleVector<MeshTriangle, unsigned int> TriangleStamps;
   std::vector<unsigned int> PointStamps;

@@ -53,13 +53,13 @@ inline double First(const Weights<R>& weights, const T* at, std::int64_t stride)
 template <int R, typename T>
 inline double Second(const Weights<R>& weights, const T* at, std::int64_t stride)
 {
-  const double centre = static_cast<double>(*at);
+  const double center = static_cast<double>(*at);
   double sum = 0.0;
   for (int m = 1; m <= R; ++m)
   {
     sum += weights.Second[m - 1] *
-      ((static_cast<double>(at[m * stride]) - centre) +
-        (static_cast<double>(at[-m * stride]) - centre));
+      ((static_cast<double>(at[m * stride]) - center) +
+        (static_cast<double>(at[-m * stride]) - center));
   }
   return sum;
 }

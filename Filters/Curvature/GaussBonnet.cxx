@@ -17,7 +17,7 @@
 namespace isthmus
 {
 
-double IntegralOfGaussian(vtkPolyData* surface)
+double IntegrateGaussianCurvature(vtkPolyData* surface)
 {
   vtkDataArray* gaussian = surface->GetPointData()->GetArray("GaussianCurvature");
   vtkDataArray* valid = surface->GetPointData()->GetArray("CurvatureValid");

@@ -26,7 +26,7 @@ namespace isthmus
  * the curvature counts as 0. O(triangles).
  * @throws the exceptions of PolyDataTriangles.h.
  */
-double IntegralOfGaussian(vtkPolyData* surface);
+double IntegrateGaussianCurvature(vtkPolyData* surface);
 
 /// Adds the field data `GaussianCurvatureIntegral` (no unit) and `GaussBonnetEulerNumber`, which is
 /// the integral divided by 2 pi.

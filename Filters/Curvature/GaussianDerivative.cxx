@@ -34,7 +34,7 @@ Stencil CentralDifference(int derivative, int accuracy, double spacing)
   return weights;
 }
 
-/// One side of a Gaussian of a standard deviation in nodes, from its centre.
+/// One side of a Gaussian of a standard deviation in nodes, from its center.
 std::vector<double> HalfGaussian(double deviation)
 {
   const auto reach = static_cast<std::size_t>(GaussianCutOff * deviation);
@@ -54,7 +54,7 @@ struct AxisWeights
   std::int64_t Count = 0;
   std::vector<double> Weights; ///< Count for each stencil
 
-  const double* Of(int stencil) const
+  const double* GetWeights(int stencil) const
   {
     return this->Weights.data() + static_cast<std::int64_t>(stencil) * this->Count;
   }
@@ -70,13 +70,13 @@ AxisWeights SmoothedStencils(const std::vector<double>& gaussian,
   axis.Weights.assign(stencils.size() * static_cast<std::size_t>(axis.Count), 0.0);
   for (std::int64_t m = 0; m < stencilWidth; ++m)
   {
-    const std::int64_t centre = node + m - DifferenceReach;
-    const std::int64_t begin = std::max<std::int64_t>(0, centre - reach);
-    const std::int64_t end = std::min(size, centre + reach + 1);
+    const std::int64_t center = node + m - DifferenceReach;
+    const std::int64_t begin = std::max<std::int64_t>(0, center - reach);
+    const std::int64_t end = std::min(size, center + reach + 1);
     double sum = 0.0;
     for (std::int64_t i = begin; i < end; ++i)
     {
-      sum += gaussian[static_cast<std::size_t>(std::abs(i - centre))];
+      sum += gaussian[static_cast<std::size_t>(std::abs(i - center))];
     }
     for (std::size_t s = 0; s < stencils.size(); ++s)
     {
@@ -84,7 +84,7 @@ AxisWeights SmoothedStencils(const std::vector<double>& gaussian,
       double* out = axis.Weights.data() + static_cast<std::int64_t>(s) * axis.Count - axis.First;
       for (std::int64_t i = begin; i < end && weight != 0.0; ++i)
       {
-        out[i] += weight * gaussian[static_cast<std::size_t>(std::abs(i - centre))];
+        out[i] += weight * gaussian[static_cast<std::size_t>(std::abs(i - center))];
       }
     }
   }
@@ -99,7 +99,7 @@ void AddPlane(const std::vector<double>& rows, const std::array<AxisWeights, 3>&
   const std::int64_t count = axes[0].Count;
   const auto dot = [&](int x, int y)
   {
-    const double* weights = axes[0].Of(x);
+    const double* weights = axes[0].GetWeights(x);
     const double* row = rows.data() + static_cast<std::int64_t>(y) * count;
     double sum = 0.0;
     for (std::int64_t i = 0; i < count; ++i)
@@ -108,8 +108,8 @@ void AddPlane(const std::vector<double>& rows, const std::array<AxisWeights, 3>&
     }
     return sum;
   };
-  const double z = axes[2].Of(0)[plane];
-  const double zFirst = axes[2].Of(first)[plane];
+  const double z = axes[2].GetWeights(0)[plane];
+  const double zFirst = axes[2].GetWeights(first)[plane];
   const double value = dot(0, 0), x = dot(first, 0), y = dot(0, first);
   sums.Value += z * value;
   sums.Gradient[0] += z * x;
@@ -119,7 +119,7 @@ void AddPlane(const std::vector<double>& rows, const std::array<AxisWeights, 3>&
   {
     sums.Hessian[0] += z * dot(second, 0);
     sums.Hessian[1] += z * dot(0, second);
-    sums.Hessian[2] += axes[2].Of(second)[plane] * value;
+    sums.Hessian[2] += axes[2].GetWeights(second)[plane] * value;
     sums.Hessian[3] += z * dot(first, first);
     sums.Hessian[4] += zFirst * x;
     sums.Hessian[5] += zFirst * y;
@@ -138,7 +138,7 @@ ISTHMUS_VECTOR_CLONES void SumOverRows(const T* values, std::int64_t stride, con
     std::array<double, Count> weights;
     for (int s = 0; s < Count; ++s)
     {
-      weights[static_cast<std::size_t>(s)] = y.Of(s)[j];
+      weights[static_cast<std::size_t>(s)] = y.GetWeights(s)[j];
     }
     for (std::int64_t i = 0; i < length; ++i)
     {
@@ -170,7 +170,7 @@ bool WeightsAtNode(const GridPart<T>& part, const std::array<std::int64_t, 3>& n
 }
 
 template <int Count, typename T, typename Plane>
-void ForPlanes(const GridPart<T>& part, const std::array<AxisWeights, 3>& axes, Plane&& plane)
+void ForEachPlane(const GridPart<T>& part, const std::array<AxisWeights, 3>& axes, Plane&& plane)
 {
   std::vector<double> rows(static_cast<std::size_t>(Count * axes[0].Count));
   for (std::int64_t k = 0; k < axes[2].Count; ++k)
@@ -181,7 +181,7 @@ void ForPlanes(const GridPart<T>& part, const std::array<AxisWeights, 3>& axes, 
   }
 }
 
-/// sum over i, j of a[i] rho(i - j) b[j], the arrays aligned at their centres.
+/// sum over i, j of a[i] rho(i - j) b[j], the arrays aligned at their centers.
 double Covariance(
   const std::vector<double>& a, const std::vector<double>& b, double correlation, double spacing)
 {
@@ -249,7 +249,7 @@ bool DifferentiateSmoothed(const GridPart<T>& part, const std::array<std::int64_
     return false;
   }
   filter = reference = {};
-  ForPlanes<5>(part, axes,
+  ForEachPlane<5>(part, axes,
     [&](const std::vector<double>& rows, std::int64_t plane)
     {
       AddPlane(rows, axes, plane, 1, 2, filter);
@@ -259,7 +259,7 @@ bool DifferentiateSmoothed(const GridPart<T>& part, const std::array<std::int64_
 }
 
 template <typename T>
-bool GradientSmoothed(const GridPart<T>& part, const std::array<std::int64_t, 3>& node,
+bool SmoothedGradient(const GridPart<T>& part, const std::array<std::int64_t, 3>& node,
   double scale, NodeDerivatives& gradient)
 {
   std::array<std::vector<Stencil>, 3> stencils;
@@ -274,7 +274,7 @@ bool GradientSmoothed(const GridPart<T>& part, const std::array<std::int64_t, 3>
     return false;
   }
   gradient = {};
-  ForPlanes<2>(part, axes,
+  ForEachPlane<2>(part, axes,
     [&](const std::vector<double>& rows, std::int64_t plane)
     { AddPlane(rows, axes, plane, 1, 0, gradient); });
   return true;
@@ -315,7 +315,7 @@ NoiseCovariance CovarianceOfDerivatives(const CorrelatedNoise& noise, const Deri
 #define ISTHMUS_INSTANTIATE(T)                                                                     \
   template bool DifferentiateSmoothed(const GridPart<T>&, const std::array<std::int64_t, 3>&,      \
     double, int, NodeDerivatives&, NodeDerivatives&);                                              \
-  template bool GradientSmoothed(                                                                  \
+  template bool SmoothedGradient(                                                                  \
     const GridPart<T>&, const std::array<std::int64_t, 3>&, double, NodeDerivatives&)
 ISTHMUS_INSTANTIATE(float);
 ISTHMUS_INSTANTIATE(double);

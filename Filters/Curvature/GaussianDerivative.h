@@ -63,7 +63,7 @@ bool DifferentiateSmoothed(const GridPart<T>& part, const std::array<std::int64_
 
 /// Value and gradient only, by second-order differences; takes a third of the time.
 template <typename T>
-bool GradientSmoothed(const GridPart<T>& part, const std::array<std::int64_t, 3>& node,
+bool SmoothedGradient(const GridPart<T>& part, const std::array<std::int64_t, 3>& node,
   double scale, NodeDerivatives& gradient);
 
 /// A smoothing scale and an order of differences, which together turn values into derivatives.

@@ -58,7 +58,7 @@ ShapeRule RuleFor(const GridView<const T>& grid, const HessianCurvatureOptions& 
 
 /// One row of the box: places with a complete stencil in pieces, zeros at the others.
 template <typename T>
-void CurvatureOfRow(const GridView<const T>& grid, const NodeBox& box, std::int64_t j,
+void ComputeCurvatureRow(const GridView<const T>& grid, const NodeBox& box, std::int64_t j,
   std::int64_t k, const HessianCurvatureOptions& options, const ShapeRule& rule,
   const CurvatureArrays<ResultType<T>>& arrays)
 {
@@ -114,7 +114,7 @@ void HessianCurvatureAtNodes(const GridView<const T>& grid, const NodeBox& box,
     {
       for (std::int64_t row = first; row < last; ++row)
       {
-        CurvatureOfRow(grid, box, row % box.Size[1], row / box.Size[1], options, rule, arrays);
+        ComputeCurvatureRow(grid, box, row % box.Size[1], row / box.Size[1], options, rule, arrays);
       }
     },
     progress);

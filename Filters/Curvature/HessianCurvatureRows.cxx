@@ -75,7 +75,7 @@ struct ShapeRow
   alignas(64) DerivativeRows::Row Valid; // 1 or 0; a double, so that the loop has one vector width
 };
 
-double SignOf(const ShapeRule& rule)
+double ConventionSign(const ShapeRule& rule)
 {
   return rule.InsideIsHigher ? -1.0 : 1.0;
 }
@@ -84,7 +84,7 @@ ISTHMUS_VECTOR_CLONES void ComputeShape(
   const DerivativeRows& d, std::int64_t count, const ShapeRule& rule, ShapeRow& __restrict shape)
 {
   constexpr double critical = 1e-6;
-  const double sign = SignOf(rule);
+  const double sign = ConventionSign(rule);
   const double hessianFactor = critical * critical * rule.Spacing * rule.Spacing;
   const double valueFactor =
     rule.ValueRounding * rule.ValueRounding / (rule.Spacing * rule.Spacing);
@@ -222,11 +222,11 @@ ISTHMUS_VECTOR_CLONES void WriteCurvature(const DerivativeRows& derivatives, std
     });
   if (arrays.Normal)
   {
-    WriteNormals(derivatives, count, s, SignOf(rule), options.Axes, arrays.Normal + 3 * at);
+    WriteNormals(derivatives, count, s, ConventionSign(rule), options.Axes, arrays.Normal + 3 * at);
   }
   if (arrays.Direction1 || arrays.Direction2)
   {
-    WriteDirections(derivatives, count, s, SignOf(rule), options.Axes,
+    WriteDirections(derivatives, count, s, ConventionSign(rule), options.Axes,
       arrays.Direction1 ? arrays.Direction1 + 3 * at : nullptr,
       arrays.Direction2 ? arrays.Direction2 + 3 * at : nullptr);
   }

@@ -55,7 +55,7 @@ void Cut(const Polygon& polygon, int scalar, double threshold, Polygon& below, P
 }
 
 /// Area as a fraction of the triangle's.
-double FractionOf(const Polygon& polygon)
+double TriangleFraction(const Polygon& polygon)
 {
   double twice = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -101,7 +101,7 @@ public:
         { this->Scalars[0]->Values[point], this->Scalars[1]->Values[point] } });
       for (std::size_t s = 0; s < 2; ++s)
       {
-        const std::size_t region = this->Scalars[s]->RegionOf(this->Whole.back().Value[s]);
+        const std::size_t region = this->Scalars[s]->GetRegion(this->Whole.back().Value[s]);
         range[s] = corner == 0
           ? std::make_pair(region, region)
           : std::make_pair(std::min(range[s].first, region), std::max(range[s].second, region));
@@ -113,7 +113,7 @@ public:
       {
         Peel(strip, 1, range[1],
           [&](const Polygon& piece, std::size_t column)
-          { table.Areas[row * columns + column] += area * FractionOf(piece); });
+          { table.Areas[row * columns + column] += area * TriangleFraction(piece); });
       });
   }
 
@@ -171,7 +171,7 @@ void CheckValues(const SurfaceView& mesh, const ThresholdedScalar& scalar)
   }
 }
 
-double AreaOf(const SurfaceView& mesh, const Triangle& id)
+double ComputeArea(const SurfaceView& mesh, const Triangle& id)
 {
   using Position = Eigen::Map<const Eigen::Vector3d>;
   const Position a(mesh.Point(id[0]).data());
@@ -181,7 +181,7 @@ double AreaOf(const SurfaceView& mesh, const Triangle& id)
 
 }
 
-std::size_t ThresholdedScalar::RegionOf(double value) const
+std::size_t ThresholdedScalar::GetRegion(double value) const
 {
   const auto above = std::upper_bound(this->Thresholds.begin(), this->Thresholds.end(), value);
   return static_cast<std::size_t>(above - this->Thresholds.begin());
@@ -204,7 +204,7 @@ std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar
   const auto regionOf = [](const ThresholdedScalar& scalar, const Triangle& id)
   {
     const auto at = [&](int corner)
-    { return scalar.RegionOf(scalar.Values[static_cast<std::size_t>(id[corner])]); };
+    { return scalar.GetRegion(scalar.Values[static_cast<std::size_t>(id[corner])]); };
     return MiddleRegion(at(0), at(1), at(2));
   };
   const Table zero{ std::vector<double>(first.Regions() * second.Regions(), 0.0) };
@@ -214,7 +214,7 @@ std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar
     for (vtkIdType t = from; t < to; ++t)
     {
       const Triangle& id = mesh.Corners(t);
-      const double area = AreaOf(mesh, id);
+      const double area = ComputeArea(mesh, id);
       if (rule == AreaRule::Fractional)
       {
         cutter.Add(id, area, table);

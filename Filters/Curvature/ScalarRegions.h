@@ -35,7 +35,7 @@ struct ThresholdedScalar
   std::size_t Regions() const { return this->Thresholds.size() + 1; }
 
   /// Region of a value, in [0, Regions()).
-  std::size_t RegionOf(double value) const;
+  std::size_t GetRegion(double value) const;
 };
 
 enum class AreaRule

@@ -5,7 +5,7 @@
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/EdgeTensor.h"
-#include "Surfaces/SurfaceMending.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/TriangleStars.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Corner
 };
 
 /// Part of the triangle's area that belongs to v.
-double PartOf(const Corner& corner, DualArea rule)
+double DualAreaPart(const Corner& corner, DualArea rule)
 {
   const double area = 0.5 * corner.TwiceArea;
   if (rule == DualArea::Barycentric)
@@ -87,7 +87,7 @@ StarSums SumStar(
     corner.CotB = corner.ToB.dot(opposite) / corner.TwiceArea;
     // atan2 and not acos, which loses half of the digits at small angles.
     sums.Angle += std::atan2(corner.TwiceArea, cosine);
-    sums.Area += PartOf(corner, rule);
+    sums.Area += DualAreaPart(corner, rule);
     sums.Normal += normal;
     sums.Cotangent -= corner.CotA * corner.ToB + corner.CotB * corner.ToA;
   }
@@ -97,7 +97,7 @@ StarSums SumStar(
 constexpr double TwoPi = 6.28318530717958647692;
 
 /// +1 where triangles are counter-clockwise seen from outside, -1 where clockwise.
-double OrientationOf(
+double ComputeOrientation(
   const SurfaceView& mesh, const std::vector<StarKind>& kinds, SurfaceOrientation orientation)
 {
   const auto open = [](StarKind kind)
@@ -158,7 +158,7 @@ double MeanEdgeLength(const SurfaceView& mesh)
 }
 
 /// Why a point has no curvature.
-enum class Verdict : unsigned char
+enum class PointStatus : unsigned char
 {
   Valid,
   Isolated,
@@ -176,8 +176,8 @@ public:
     , Options(options)
     , Stars(mesh)
     , Kinds(StarKinds(mesh, this->Stars))
-    , Side(OrientationOf(mesh, this->Kinds, options.Orientation))
-    , Verdicts(mesh.Points.size(), Verdict::Isolated)
+    , Side(ComputeOrientation(mesh, this->Kinds, options.Orientation))
+    , Verdicts(mesh.Points.size(), PointStatus::Isolated)
   {
   }
 
@@ -185,10 +185,10 @@ public:
 
 private:
   void Allocate();
-  void WithDefect(vtkIdType first, vtkIdType last);
-  void WithTensor(vtkIdType first, vtkIdType last);
-  TensorSums NeighbourhoodOf(vtkIdType point, EdgeTensorIntegrator& patch) const;
-  Verdict Judge(std::size_t point, const StarSums& sums) const;
+  void EstimateByDefect(vtkIdType first, vtkIdType last);
+  void EstimateByTensor(vtkIdType first, vtkIdType last);
+  TensorSums IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const;
+  PointStatus ClassifyPoint(std::size_t point, const StarSums& sums) const;
   void Count();
 
   static Eigen::Map<Vector3d> VectorAt(std::vector<double>& vectors, std::size_t point)
@@ -211,7 +211,7 @@ private:
   const double Side;
   std::unique_ptr<DihedralAngles> Dihedrals;
   double Radius = 0.0;
-  std::vector<Verdict> Verdicts;
+  std::vector<PointStatus> Verdicts;
   SurfaceCurvatureResult Result;
 };
 
@@ -253,26 +253,26 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
   ParallelFor(
     0, this->Mesh.NumberOfPoints(), grain,
     [&](std::int64_t first, std::int64_t last)
-    { tensor ? this->WithTensor(first, last) : this->WithDefect(first, last); },
+    { tensor ? this->EstimateByTensor(first, last) : this->EstimateByDefect(first, last); },
     progress);
   this->Count();
   return std::move(this->Result);
 }
 
-Verdict Estimator::Judge(std::size_t point, const StarSums& sums) const
+PointStatus Estimator::ClassifyPoint(std::size_t point, const StarSums& sums) const
 {
   const bool tensor = this->Options.Method == CurvatureEstimate::EdgeTensor;
   const bool wide = tensor && this->Options.Neighbourhood != CurvatureNeighbourhood::OneRing;
   switch (this->Kinds[point])
   {
     case StarKind::Isolated:
-      return Verdict::Isolated;
+      return PointStatus::Isolated;
     case StarKind::Irregular:
-      return Verdict::Irregular;
+      return PointStatus::Irregular;
     case StarKind::Boundary:
       if (!wide)
       {
-        return Verdict::Boundary;
+        return PointStatus::Boundary;
       }
       break;
     case StarKind::Interior:
@@ -280,20 +280,20 @@ Verdict Estimator::Judge(std::size_t point, const StarSums& sums) const
   }
   if (sums.Degenerate)
   {
-    return Verdict::Degenerate;
+    return PointStatus::Degenerate;
   }
-  return tensor || sums.Area > 0.0 ? Verdict::Valid : Verdict::AreaNotPositive;
+  return tensor || sums.Area > 0.0 ? PointStatus::Valid : PointStatus::AreaNotPositive;
 }
 
-void Estimator::WithDefect(vtkIdType first, vtkIdType last)
+void Estimator::EstimateByDefect(vtkIdType first, vtkIdType last)
 {
   for (vtkIdType point = first; point < last; ++point)
   {
     const auto p = static_cast<std::size_t>(point);
     const StarSums sums = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
     this->Result.Area[p] = sums.Area;
-    this->Verdicts[p] = this->Judge(p, sums);
-    if (this->Verdicts[p] == Verdict::Valid)
+    this->Verdicts[p] = this->ClassifyPoint(p, sums);
+    if (this->Verdicts[p] == PointStatus::Valid)
     {
       const double gaussian = (TwoPi - sums.Angle) / sums.Area;
       const double magnitude = sums.Cotangent.norm() / (4.0 * sums.Area);
@@ -308,14 +308,14 @@ void Estimator::WithDefect(vtkIdType first, vtkIdType last)
   }
 }
 
-TensorSums Estimator::NeighbourhoodOf(vtkIdType point, EdgeTensorIntegrator& patch) const
+TensorSums Estimator::IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const
 {
   switch (this->Options.Neighbourhood)
   {
     case CurvatureNeighbourhood::Ball:
-      return patch.OverBall(point);
+      return patch.IntegrateOverBall(point);
     case CurvatureNeighbourhood::GeodesicDisc:
-      return patch.OverDisc(point);
+      return patch.IntegrateOverDisc(point);
     case CurvatureNeighbourhood::OneRing:
       break;
   }
@@ -335,7 +335,7 @@ TensorSums Estimator::NeighbourhoodOf(vtkIdType point, EdgeTensorIntegrator& pat
   return sums;
 }
 
-void Estimator::WithTensor(vtkIdType first, vtkIdType last)
+void Estimator::EstimateByTensor(vtkIdType first, vtkIdType last)
 {
   EdgeTensorIntegrator patch(this->Mesh, this->Stars, *this->Dihedrals, this->Radius);
   for (vtkIdType point = first; point < last; ++point)
@@ -343,14 +343,14 @@ void Estimator::WithTensor(vtkIdType first, vtkIdType last)
     const auto p = static_cast<std::size_t>(point);
     const StarSums star = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
     this->Result.Area[p] = star.Area;
-    this->Verdicts[p] = this->Judge(p, star);
-    if (this->Verdicts[p] != Verdict::Valid)
+    this->Verdicts[p] = this->ClassifyPoint(p, star);
+    if (this->Verdicts[p] != PointStatus::Valid)
     {
       continue;
     }
-    const TensorSums sums = this->NeighbourhoodOf(point, patch);
+    const TensorSums sums = this->IntegrateNeighbourhood(point, patch);
     const PrincipalFrame frame =
-      PrincipalFrameOf(this->Side / sums.Area * sums.Tensor, star.Normal);
+      ComputePrincipalFrame(this->Side / sums.Area * sums.Tensor, star.Normal);
     this->Result.Gaussian[p] = frame.Maximum * frame.Minimum;
     this->Result.Mean[p] = 0.5 * (frame.Maximum + frame.Minimum);
     this->Result.HalfDifference[p] = 0.5 * (frame.Maximum - frame.Minimum);
@@ -365,12 +365,12 @@ void Estimator::Count()
 {
   for (std::size_t point = 0; point < this->Verdicts.size(); ++point)
   {
-    const Verdict verdict = this->Verdicts[point];
-    this->Result.Valid[point] = verdict == Verdict::Valid;
+    const PointStatus verdict = this->Verdicts[point];
+    this->Result.Valid[point] = verdict == PointStatus::Valid;
     this->Result.BoundaryPoints += this->Kinds[point] == StarKind::Boundary;
-    this->Result.IrregularPoints += verdict == Verdict::Irregular;
-    this->Result.DegeneratePoints += verdict == Verdict::Degenerate;
-    this->Result.AreaNotPositive += verdict == Verdict::AreaNotPositive;
+    this->Result.IrregularPoints += verdict == PointStatus::Irregular;
+    this->Result.DegeneratePoints += verdict == PointStatus::Degenerate;
+    this->Result.AreaNotPositive += verdict == PointStatus::AreaNotPositive;
   }
 }
 
@@ -386,7 +386,7 @@ void Check(const SurfaceCurvatureOptions& options)
   Check(static_cast<const CurvatureDescriptorOptions&>(options));
 }
 
-SurfaceCurvatureResult CurvatureOfSurface(
+SurfaceCurvatureResult ComputeSurfaceCurvature(
   const SurfaceView& mesh, const SurfaceCurvatureOptions& options, const ProgressCallback& progress)
 {
   Check(options);
@@ -394,7 +394,7 @@ SurfaceCurvatureResult CurvatureOfSurface(
   {
     return Estimator(mesh, options).Run(progress);
   }
-  const std::vector<Triangle> corners = TurnOutward(mesh);
+  const std::vector<Triangle> corners = OrientOutward(mesh);
   SurfaceCurvatureOptions outward = options;
   outward.Orientation = SurfaceOrientation::AsWound;
   return Estimator({ mesh.Points, corners }, outward).Run(progress);

@@ -75,7 +75,7 @@ enum class CurvatureNeighbourhood
 /// Which side is outside.
 enum class SurfaceOrientation
 {
-  Automatic = 0, ///< closed parts outward, cavities in them inward (TurnOutward); others as wound
+  Automatic = 0, ///< closed parts outward, cavities in them inward (OrientOutward); others as wound
   AsWound = 1,   ///< the side from which triangles are counter-clockwise
   Reversed = 2   ///< the other
 };
@@ -122,8 +122,9 @@ struct SurfaceCurvatureResult
  * triangle for EdgeTensor.
  * @throws std::invalid_argument for a Radius that is negative or not finite, and Cancelled.
  */
-VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceCurvatureResult CurvatureOfSurface(const SurfaceView& mesh,
-  const SurfaceCurvatureOptions& options, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceCurvatureResult ComputeSurfaceCurvature(
+  const SurfaceView& mesh, const SurfaceCurvatureOptions& options,
+  const ProgressCallback& progress = {});
 
 }
 

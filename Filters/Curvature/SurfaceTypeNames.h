@@ -16,7 +16,7 @@ namespace isthmus
 /// Adds the field array `SurfaceTypeNames`: the name of type i is its value i.
 inline void AddSurfaceTypeNames(vtkFieldData* fields)
 {
-  AddColumnOf<vtkStringArray>(fields, "SurfaceTypeNames", NumberOfSurfaceTypes,
+  AddComputedColumn<vtkStringArray>(fields, "SurfaceTypeNames", NumberOfSurfaceTypes,
     [](std::size_t type) { return SurfaceTypeName(static_cast<SurfaceType>(type)); });
 }
 

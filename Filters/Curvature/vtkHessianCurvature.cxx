@@ -50,7 +50,8 @@ constexpr double choiceShare = 0.3; // of the time, for the choice of the scale
 
 /// Nodes needed around a node or a point: those of the differences (twice their radius at a point),
 /// and those of the smoothing before. Parameters are checked later, when there is data.
-std::array<int, 3> ReachOf(vtkHessianCurvature* filter, bool atPoints, vtkInformation* imageInfo)
+std::array<int, 3> ComputeReach(
+  vtkHessianCurvature* filter, bool atPoints, vtkInformation* imageInfo)
 {
   std::array<double, 3> spacing{ 1.0, 1.0, 1.0 };
   if (imageInfo->Has(vtkDataObject::SPACING()))
@@ -62,14 +63,14 @@ std::array<int, 3> ReachOf(vtkHessianCurvature* filter, bool atPoints, vtkInform
   double scale = filter->GetScale();
   if (filter->GetAutomaticScale())
   {
-    const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+    const isthmus::Extent whole = isthmus::ReadExtent(imageInfo, Pipeline::WHOLE_EXTENT());
     std::array<std::int64_t, 3> nodes{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       spacing[axis] = std::abs(spacing[axis]);
       nodes[axis] = std::int64_t(whole[2 * axis + 1]) - whole[2 * axis] + 1;
     }
-    scale = isthmus::LargestScaleOfChoice(spacing, nodes);
+    scale = isthmus::LargestCandidateScale(spacing, nodes);
     // Differences of fourth order serve as reference.
     stencil = atPoints ? 4 : isthmus::DifferenceReach;
   }
@@ -82,7 +83,7 @@ std::array<int, 3> ReachOf(vtkHessianCurvature* filter, bool atPoints, vtkInform
 }
 
 /// Whether the ranks choose the scale together: blocks of composite data choose their own.
-bool ChoosesWithOtherRanks(vtkHessianCurvature* filter)
+bool NeedsOtherRanks(vtkHessianCurvature* filter)
 {
   if (!filter->GetAutomaticScale() || isthmus::NumberOfRanks() == 1)
   {
@@ -99,7 +100,7 @@ bool ChoosesWithOtherRanks(vtkHessianCurvature* filter)
   return true;
 }
 
-void MaximumOfRanks(double* values, std::int64_t count)
+void MaximumAcrossRanks(double* values, std::int64_t count)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const std::vector<double> own(values, values + count);
@@ -118,7 +119,7 @@ void ShareGeometry(isthmus::Extent& whole, std::array<double, 3>& spacing)
     values[3 * axis + 1] = whole[2 * axis + 1];
     values[3 * axis + 2] = spacing[axis];
   }
-  MaximumOfRanks(values.data(), static_cast<std::int64_t>(values.size()));
+  MaximumAcrossRanks(values.data(), static_cast<std::int64_t>(values.size()));
   for (std::size_t axis = 0; axis < 3 && values[0] != none; ++axis)
   {
     whole[2 * axis] = -static_cast<int>(values[3 * axis]);
@@ -132,7 +133,7 @@ void ShareGeometry(isthmus::Extent& whole, std::array<double, 3>& spacing)
 void CropToPiece(vtkImageData* image, vtkInformation* outInfo, bool allHere)
 {
   const isthmus::Extent piece =
-    isthmus::PieceOf(outInfo, isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()));
+    isthmus::GetPieceExtent(outInfo, isthmus::ReadExtent(outInfo, Pipeline::UPDATE_EXTENT()));
   isthmus::Extent extent{};
   image->GetExtent(extent.data());
   const bool split = allHere || Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
@@ -143,12 +144,12 @@ void CropToPiece(vtkImageData* image, vtkInformation* outInfo, bool allHere)
   }
 }
 
-isthmus::DifferentialFormsSelection FormsSelectionOf(vtkHessianCurvature* filter)
+isthmus::DifferentialFormsSelection SelectForms(vtkHessianCurvature* filter)
 {
   return { filter->GetOutputArraySelection(), filter->GetNormalCurvatureDirection() };
 }
 
-isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
+isthmus::CurvatureSelection SelectArrays(vtkHessianCurvature* filter)
 {
   const auto has = [arrays = filter->GetOutputArraySelection()](const char* name)
   { return arrays->ArrayIsEnabled(name) != 0; };
@@ -163,7 +164,7 @@ isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
   selection.Direction2 = has("PrincipalDirection2");
   selection.SurfaceType = has("SurfaceType");
   selection.Error = filter->GetAutomaticScale();
-  if (FormsSelectionOf(filter).Any())
+  if (SelectForms(filter).Any())
   {
     selection.Normal = true;
     selection.Maximum = selection.Minimum = true;
@@ -246,11 +247,11 @@ int vtkHessianCurvature::RequestUpdateExtent(
     isthmus::RequestWholeExtent(imageInfo);
     return 1;
   }
-  const std::array<int, 3> reach = ReachOf(this, atPoints, imageInfo);
-  const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  const std::array<int, 3> reach = ComputeReach(this, atPoints, imageInfo);
+  const isthmus::Extent whole = isthmus::ReadExtent(imageInfo, Pipeline::WHOLE_EXTENT());
   const isthmus::Extent wanted = atPoints
     ? whole
-    : isthmus::Grown(isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()), reach, whole);
+    : isthmus::GrowExtent(isthmus::ReadExtent(outInfo, Pipeline::UPDATE_EXTENT()), reach, whole);
   imageInfo->Set(Pipeline::UPDATE_EXTENT(), wanted.data(), 6);
   // Of several pieces, the extent is that of all; the source splits it and adds the ghost layers.
   if (Pipeline::GetUpdateNumberOfPieces(outInfo) > 1)
@@ -266,11 +267,11 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
   vtkInformation* pointsInfo, vtkInformation* outInfo)
 {
   vtkImageData* image = vtkImageData::GetData(imageInfo);
-  const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  const isthmus::Extent whole = isthmus::ReadExtent(imageInfo, Pipeline::WHOLE_EXTENT());
   // Points have no extent of their own; usually they lie in their rank's part of the image.
-  const isthmus::Extent piece = isthmus::PieceOf(
-    outInfo, pointsInfo ? whole : isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()));
-  const bool together = ChoosesWithOtherRanks(this);
+  const isthmus::Extent piece = isthmus::GetPieceExtent(
+    outInfo, pointsInfo ? whole : isthmus::ReadExtent(outInfo, Pipeline::UPDATE_EXTENT()));
+  const bool together = NeedsOtherRanks(this);
   if (this->MoreLayers > 0 || Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
     (isthmus::IsEmpty(piece) && !together))
   {
@@ -278,13 +279,13 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
     this->MoreLayers = 0;
     return false;
   }
-  const std::array<int, 3> reach = ReachOf(this, pointsInfo != nullptr, imageInfo);
-  isthmus::Extent needed = isthmus::Grown(piece, reach, whole);
+  const std::array<int, 3> reach = ComputeReach(this, pointsInfo != nullptr, imageInfo);
+  isthmus::Extent needed = isthmus::GrowExtent(piece, reach, whole);
   if (pointsInfo)
   {
     vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
     needed = surface->GetNumberOfPoints() > 0
-      ? isthmus::Covering(image, surface->GetBounds(), reach, whole)
+      ? isthmus::CoverBounds(image, surface->GetBounds(), reach, whole)
       : isthmus::Extent{ 0, -1, 0, -1, 0, -1 };
   }
   isthmus::Extent delivered{};
@@ -294,7 +295,7 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
     : std::max(1, isthmus::LayersBetween(piece, needed)); // once is enough
   if (together)
   {
-    MaximumOfRanks(&layers, 1); // all ranks run again if one has to
+    MaximumAcrossRanks(&layers, 1); // all ranks run again if one has to
   }
   if (!(layers > 0.0))
   {
@@ -310,7 +311,7 @@ void vtkHessianCurvature::CheckParameters()
   this->OutputArrays.Check();
   isthmus::Check(this->Parameters);
   isthmus::RequireRange("Scale", this->Scale, 0.0, isthmus::Unlimited);
-  FormsSelectionOf(this).Check();
+  SelectForms(this).Check();
 }
 
 namespace
@@ -344,7 +345,7 @@ void CheckPointsInside(
   {
     return;
   }
-  const std::string what = isthmus::TextOf(outside, " of ", count,
+  const std::string what = isthmus::JoinText(outside, " of ", count,
     " points of the surface lie outside the volume, where there is no curvature. Connect the "
     "volume from which the surface was made, in the same place and unit of length.");
   if (outside == count)
@@ -365,14 +366,14 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
     const int nodes = whole[2 * axis + 1] - whole[2 * axis] + 1;
     if (nodes < least)
     {
-      vtkWarningMacro(<< isthmus::TextOf("Along ", "xyz"[axis], " the image has ", nodes,
+      vtkWarningMacro(<< isthmus::JoinText("Along ", "xyz"[axis], " the image has ", nodes,
                         " of the ", least, " nodes that Accuracy ", this->Parameters.Accuracy,
                         " needs: no value is valid. Use a thicker image."));
     }
   }
 }
 
-isthmus::CurvatureScale vtkHessianCurvature::ChosenScale(
+isthmus::CurvatureScale vtkHessianCurvature::ChooseScale(
   vtkImageData* image, vtkDataArray* scalars, vtkInformation* imageInfo)
 {
   isthmus::CurvatureScale scale;
@@ -381,8 +382,8 @@ isthmus::CurvatureScale vtkHessianCurvature::ChosenScale(
   {
     return scale;
   }
-  const bool together = ChoosesWithOtherRanks(this);
-  isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  const bool together = NeedsOtherRanks(this);
+  isthmus::Extent whole = isthmus::ReadExtent(imageInfo, Pipeline::WHOLE_EXTENT());
   std::array<double, 3> spacing{ 1.0, 1.0, 1.0 };
   image->GetSpacing(spacing.data());
   if (together)
@@ -390,17 +391,16 @@ isthmus::CurvatureScale vtkHessianCurvature::ChosenScale(
     ShareGeometry(whole, spacing);
   }
   // If one rank stopped, the others would wait forever.
-  return isthmus::ChooseScaleOfImage(image, scalars, whole, spacing.data(),
-    this->Parameters.Accuracy,
-    together ? isthmus::MaximumOverRanks(MaximumOfRanks) : isthmus::MaximumOverRanks{},
+  return isthmus::ChooseImageScale(image, scalars, whole, spacing.data(), this->Parameters.Accuracy,
+    together ? isthmus::MaximumOverRanks(MaximumAcrossRanks) : isthmus::MaximumOverRanks{},
     together ? isthmus::ProgressCallback{}
-             : isthmus::Between(isthmus::ProgressOf(this), 0.0, choiceShare));
+             : isthmus::Between(isthmus::MakeProgress(this), 0.0, choiceShare));
 }
 
 void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalars,
   vtkPoints* points, const isthmus::CurvatureScale& scale, vtkDataSet* output)
 {
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
   double done = this->AutomaticScale ? choiceShare : 0.0;
   const auto step = [&](double share)
   {
@@ -416,7 +416,7 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
   const double remaining = 1.0 - done;
   const double smoothing = scale.Scale > 0.0 ? 0.7 : 0.0;
   const double first = this->AutomaticScale ? 0.4 * remaining : remaining;
-  const isthmus::CurvatureSelection selection = SelectionOf(this);
+  const isthmus::CurvatureSelection selection = SelectArrays(this);
   isthmus::Extent box{};
   if (vtkImageData* nodes = vtkImageData::SafeDownCast(output))
   {
@@ -450,7 +450,7 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
       this->OutputArrays.Has("GaussianCurvature") && isthmus::NumberOfRanks() == 1 &&
       surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
   {
-    isthmus::AddGaussBonnet(isthmus::IntegralOfGaussian(surface), surface->GetFieldData());
+    isthmus::AddGaussBonnet(isthmus::IntegrateGaussianCurvature(surface), surface->GetFieldData());
   }
 }
 
@@ -458,7 +458,7 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
 /// computed only for this purpose.
 void vtkHessianCurvature::AddForms(vtkDataSet* output)
 {
-  const isthmus::DifferentialFormsSelection selection = FormsSelectionOf(this);
+  const isthmus::DifferentialFormsSelection selection = SelectForms(this);
   if (selection.Any())
   {
     isthmus::AddDifferentialForms(selection, output);
@@ -479,7 +479,7 @@ int vtkHessianCurvature::RequestData(
     return 1;
   }
   vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       this->CheckParameters();
@@ -507,7 +507,7 @@ int vtkHessianCurvature::RequestData(
                                       "connect the volume from which the surface was made.");
         }
         if (image->GetNumberOfPoints() > 0 &&
-          (output->GetNumberOfPoints() > 0 || ChoosesWithOtherRanks(this)))
+          (output->GetNumberOfPoints() > 0 || NeedsOtherRanks(this)))
         {
           isthmus::RequireImageGeometry(image);
           const int* whole = imageInfo->Get(Pipeline::WHOLE_EXTENT());
@@ -533,9 +533,9 @@ int vtkHessianCurvature::RequestData(
         scalars = nullptr;
       }
       isthmus::CurvatureScale scale;
-      if (scalars || ChoosesWithOtherRanks(this))
+      if (scalars || NeedsOtherRanks(this))
       {
-        scale = this->ChosenScale(image, scalars, imageInfo);
+        scale = this->ChooseScale(image, scalars, imageInfo);
       }
       if (failure)
       {
@@ -543,7 +543,7 @@ int vtkHessianCurvature::RequestData(
       }
       if (output->GetNumberOfPoints() == 0)
       {
-        isthmus::AddNoCurvature(SelectionOf(this), output);
+        isthmus::AddNoCurvature(SelectArrays(this), output);
         this->AddForms(output);
         return;
       }

@@ -149,7 +149,7 @@ private:
   void AddCurvature(vtkImageData* image, vtkDataArray* scalars, vtkPoints* points,
     const isthmus::CurvatureScale& scale, vtkDataSet* output);
   void AddForms(vtkDataSet* output);
-  isthmus::CurvatureScale ChosenScale(
+  isthmus::CurvatureScale ChooseScale(
     vtkImageData* image, vtkDataArray* scalars, vtkInformation* imageInfo);
   bool NeedsLargerExtent(vtkInformation* request, vtkInformation* imageInfo,
     vtkInformation* pointsInfo, vtkInformation* outInfo);

@@ -50,17 +50,17 @@ double UpperEnd(const ThresholdedScalar& scalar, std::size_t region)
   return region + 1 == scalar.Regions() ? Infinity : scalar.Thresholds[region];
 }
 
-std::string NameOf(const ThresholdedScalar& scalar, const std::string& name, std::size_t region)
+std::string FormatName(const ThresholdedScalar& scalar, const std::string& name, std::size_t region)
 {
   if (region == 0)
   {
-    return isthmus::TextOf(name, " below ", UpperEnd(scalar, region));
+    return isthmus::JoinText(name, " below ", UpperEnd(scalar, region));
   }
   if (region + 1 == scalar.Regions())
   {
-    return isthmus::TextOf(name, " from ", LowerEnd(scalar, region));
+    return isthmus::JoinText(name, " from ", LowerEnd(scalar, region));
   }
-  return isthmus::TextOf(name, " ", LowerEnd(scalar, region), " to ", UpperEnd(scalar, region));
+  return isthmus::JoinText(name, " ", LowerEnd(scalar, region), " to ", UpperEnd(scalar, region));
 }
 
 double Share(double area, double total)
@@ -89,19 +89,20 @@ void FillRegionTable(vtkTable* table, const ThresholdedScalar& first,
     return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(columns), 0.0);
   };
   const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  isthmus::AddColumnOf<vtkIntArray>(
+  isthmus::AddComputedColumn<vtkIntArray>(
     table->GetRowData(), "Region", rows, [](std::size_t row) { return static_cast<int>(row); });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "From", rows, [&](std::size_t row) { return LowerEnd(first, row); });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "To", rows, [&](std::size_t row) { return UpperEnd(first, row); });
-  isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Area", rows, rowArea);
-  isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Fraction", rows,
+  isthmus::AddComputedColumn<vtkDoubleArray>(table->GetRowData(), "Area", rows, rowArea);
+  isthmus::AddComputedColumn<vtkDoubleArray>(table->GetRowData(), "Fraction", rows,
     [&](std::size_t row) { return Share(rowArea(row), total); });
   for (std::size_t column = 0; columns > 1 && column < columns; ++column)
   {
-    isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), NameOf(second, secondName, column),
-      rows, [&](std::size_t row) { return areas[row * columns + column]; });
+    isthmus::AddComputedColumn<vtkDoubleArray>(table->GetRowData(),
+      FormatName(second, secondName, column), rows,
+      [&](std::size_t row) { return areas[row * columns + column]; });
   }
 }
 
@@ -144,15 +145,15 @@ void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedS
     return area;
   };
   const std::size_t rows = minima.size();
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Minimum", rows, [&](std::size_t i) { return minima[i]; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Maximum", rows, [&](std::size_t i) { return maxima[i]; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Below", rows, [&](std::size_t i) { return sum(-Infinity, minima[i]); });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Between", rows, [&](std::size_t i) { return sum(minima[i], maxima[i]); });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Above", rows, [&](std::size_t i) { return sum(maxima[i], Infinity); });
 }
 
@@ -186,10 +187,10 @@ void FillHistogram(vtkTable* table, const SurfaceView& mesh, const ThresholdedSc
   const auto rows = static_cast<std::size_t>(bins);
   const auto middle = [&](std::size_t i)
   { return bins > 1 ? low + (static_cast<double>(i) + 0.5) * width : 0.5 * (low + high); };
-  isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Value", rows, middle);
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(table->GetRowData(), "Value", rows, middle);
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Area", rows, [&](std::size_t i) { return areas[i]; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Fraction", rows, [&](std::size_t i) { return Share(areas[i], total); });
 }
 
@@ -203,7 +204,7 @@ struct Labels
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       const double value = scalar.Values[static_cast<std::size_t>(i)];
-      this->OnPoints->SetValue(i, static_cast<int>(scalar.RegionOf(value)));
+      this->OnPoints->SetValue(i, static_cast<int>(scalar.GetRegion(value)));
     }
     vtkNew<vtkIdList> corners;
     std::vector<int> regions;
@@ -289,7 +290,7 @@ void vtkScalarRegions::Put(std::vector<double>& values, int index, double value)
 {
   if (index < 0)
   {
-    vtkErrorMacro(<< isthmus::TextOf(
+    vtkErrorMacro(<< isthmus::JoinText(
                     "There is no threshold ", index, ": they are counted from 0."));
     return;
   }
@@ -333,7 +334,7 @@ int vtkScalarRegions::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));
@@ -386,14 +387,14 @@ void vtkScalarRegions::Compute(vtkPolyData* input, vtkPolyData* output)
   const isthmus::PolyDataTriangles triangles(input);
   const isthmus::SurfaceView mesh = triangles.View();
   const std::vector<double> areas = isthmus::RegionAreas(
-    mesh, first, second, rule, isthmus::Between(isthmus::ProgressOf(this), 0.1, 0.5));
+    mesh, first, second, rule, isthmus::Between(isthmus::MakeProgress(this), 0.1, 0.5));
   FillRegionTable(this->TableAt(1), first, second, secondName, areas);
   if (this->SweepSteps > 0)
   {
     FillSweepTable(this->TableAt(2), mesh, first, this->SweepTarget, this->SweepSteps, rule);
   }
   FillHistogram(this->TableAt(3), mesh, first, this->HistogramBins, rule);
-  isthmus::Report(isthmus::ProgressOf(this), 0.8);
+  isthmus::Report(isthmus::MakeProgress(this), 0.8);
 
   output->BuildCells();
   const Labels labels(first, output, "Region");

@@ -33,7 +33,7 @@ namespace
 
 using isthmus::SurfaceCurvatureResult;
 
-isthmus::DifferentialFormsSelection FormsSelectionOf(vtkSurfaceCurvature* filter)
+isthmus::DifferentialFormsSelection SelectForms(vtkSurfaceCurvature* filter)
 {
   return { filter->GetOutputArraySelection(), filter->GetNormalCurvatureDirection() };
 }
@@ -48,7 +48,7 @@ void AddDescriptor(vtkPolyData* output, const SurfaceCurvatureResult& result, bo
     return;
   }
   using Value = typename Array::ValueType;
-  isthmus::AddColumnOf<Array>(output->GetPointData(), name, result.Valid.size(),
+  isthmus::AddComputedColumn<Array>(output->GetPointData(), name, result.Valid.size(),
     [&](std::size_t point)
     { return result.Valid[point] ? static_cast<Value>(get(point)) : Value{ 0 }; });
 }
@@ -66,7 +66,7 @@ void AddVectors(
 }
 
 /// Copies to every point the values of the point that represents its place.
-void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result)
+void CopyToDuplicates(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result)
 {
   const auto spread = [&places](auto& values, std::size_t components)
   {
@@ -89,11 +89,11 @@ void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result
 /// Curvature with coincident points merged (SurfaceCleaning.h) where the surface is not closed and
 /// regular otherwise: files with texture coordinates or normals at corners are open at every seam.
 /// `places`: for each point the one that represents its position, empty if no points coincide.
-SurfaceCurvatureResult CurvatureOfPlaces(const isthmus::SurfaceView& mesh,
+SurfaceCurvatureResult CurvatureAtPlaces(const isthmus::SurfaceView& mesh,
   const isthmus::SurfaceCurvatureOptions& options, const isthmus::ProgressCallback& progress,
   std::vector<vtkIdType>& places)
 {
-  SurfaceCurvatureResult result = isthmus::CurvatureOfSurface(mesh, options, progress);
+  SurfaceCurvatureResult result = isthmus::ComputeSurfaceCurvature(mesh, options, progress);
   if (result.BoundaryPoints + result.IrregularPoints + result.DegeneratePoints == 0)
   {
     return result;
@@ -104,8 +104,8 @@ SurfaceCurvatureResult CurvatureOfPlaces(const isthmus::SurfaceView& mesh,
     places.clear();
     return result;
   }
-  result = isthmus::CurvatureOfSurface({ mesh.Points, merged }, options, progress);
-  Spread(places, result);
+  result = isthmus::ComputeSurfaceCurvature({ mesh.Points, merged }, options, progress);
+  CopyToDuplicates(places, result);
   return result;
 }
 
@@ -118,7 +118,7 @@ void AddAreas(
   {
     ++sharers[isthmus::At(place)];
   }
-  isthmus::AddColumnOf<vtkDoubleArray>(output->GetPointData(), "PointArea", areas.size(),
+  isthmus::AddComputedColumn<vtkDoubleArray>(output->GetPointData(), "PointArea", areas.size(),
     [&](std::size_t i)
     { return places.empty() ? areas[i] : areas[i] / sharers[isthmus::At(places[i])]; });
 }
@@ -136,7 +136,7 @@ double IntegralOver(const std::vector<vtkIdType>& places, const SurfaceCurvature
 }
 
 /// Warning about points without curvature; empty if there are none.
-std::string Complaints(const SurfaceCurvatureResult& result)
+std::string DescribeProblems(const SurfaceCurvatureResult& result)
 {
   std::string text;
   const auto add = [&](vtkIdType count, const char* what)
@@ -185,31 +185,30 @@ int vtkSurfaceCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));
       isthmus::Check(this->Parameters);
       this->OutputArrays.Check();
-      FormsSelectionOf(this).Check();
+      SelectForms(this).Check();
       output->ShallowCopy(input);
       isthmus::SurfaceCurvatureOptions options = this->Parameters;
-      options.Normals =
-        this->OutputArrays.Has("MeanCurvatureNormal") || FormsSelectionOf(this).Any();
+      options.Normals = this->OutputArrays.Has("MeanCurvatureNormal") || SelectForms(this).Any();
       const isthmus::PolyDataTriangles triangles(input);
       std::vector<vtkIdType> places;
-      const SurfaceCurvatureResult result = CurvatureOfPlaces(
-        triangles.View(), options, isthmus::Between(isthmus::ProgressOf(this), 0.1, 0.9), places);
+      const SurfaceCurvatureResult result = CurvatureAtPlaces(
+        triangles.View(), options, isthmus::Between(isthmus::MakeProgress(this), 0.1, 0.9), places);
       this->AddArrays(result, output);
       isthmus::AddGaussBonnet(IntegralOver(places, result), output->GetFieldData());
       if (this->OutputArrays.Has("PointArea"))
       {
         AddAreas(places, result.Area, output);
       }
-      const std::string complaints = Complaints(result);
+      const std::string complaints = DescribeProblems(result);
       if (!complaints.empty())
       {
-        vtkWarningMacro(<< isthmus::TextOf(complaints, "CurvatureValid is 0 there."));
+        vtkWarningMacro(<< isthmus::JoinText(complaints, "CurvatureValid is 0 there."));
       }
     });
 }
@@ -234,7 +233,7 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
   addVectors("PrincipalDirection2", result.Direction2);
   addVectors("MeanCurvatureNormal", result.MeanNormal);
   addVectors("GaussMap", result.Normal);
-  if (const auto selection = FormsSelectionOf(this); selection.Any())
+  if (const auto selection = SelectForms(this); selection.Any())
   {
     vtkNew<vtkPolyData> made; // from arrays that need not all be requested
     made->ShallowCopy(output);

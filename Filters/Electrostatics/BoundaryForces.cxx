@@ -12,7 +12,7 @@ namespace isthmus
 namespace
 {
 
-std::vector<Point3> PlacesOfCrossings(const GridPotential& solution)
+std::vector<Point3> CrossingPositions(const GridPotential& solution)
 {
   const SolverBox& box = solution.GetBox();
   std::vector<Point3> places;
@@ -98,7 +98,7 @@ BoundaryForces ForcesOnBoundary(const GridPotential& solution, const SurfaceMoti
 {
   const double kelvin = solution.GetParameters().Temperature;
   const SolverBox& box = solution.GetBox();
-  const std::vector<Point3> places = PlacesOfCrossings(solution);
+  const std::vector<Point3> places = CrossingPositions(solution);
   const SurfaceValues field = EvaluateAtCrossings(solution, kelvin);
   const double coulomb = units::CoulombLength(kelvin);
   const std::size_t atoms = solution.GetReport().AtomForces.size();
@@ -177,7 +177,7 @@ SurfaceMotion::SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay
     static_cast<std::size_t>(this->Cells[0] * this->Cells[1] * this->Cells[2]) + 1, 0);
   for (std::size_t i = 0; i < atoms.size(); ++i)
   {
-    const auto c = this->CellOf(atoms[i].Position);
+    const auto c = this->FindCell(atoms[i].Position);
     cell[i] = static_cast<std::size_t>(c[0] + this->Cells[0] * (c[1] + this->Cells[1] * c[2]));
     ++this->First[cell[i] + 1];
   }
@@ -193,7 +193,7 @@ SurfaceMotion::SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay
   }
 }
 
-std::array<std::int64_t, 3> SurfaceMotion::CellOf(const Point3& x) const
+std::array<std::int64_t, 3> SurfaceMotion::FindCell(const Point3& x) const
 {
   std::array<std::int64_t, 3> cell;
   for (std::size_t a = 0; a < 3; ++a)
@@ -207,7 +207,7 @@ std::array<std::int64_t, 3> SurfaceMotion::CellOf(const Point3& x) const
 
 /// Visits the atoms of the cells at a distance of `ring` cells, in their order.
 template <class Visit>
-void SurfaceMotion::ForNear(
+void SurfaceMotion::ForEachNear(
   const std::array<std::int64_t, 3>& middle, std::int64_t ring, const Visit& visit) const
 {
   std::array<std::int64_t, 3> first, last;
@@ -237,12 +237,12 @@ void SurfaceMotion::ForNear(
   }
 }
 
-void SurfaceMotion::OfGaussians(const Point3& x, std::vector<SurfaceShare>& shares) const
+void SurfaceMotion::GaussianShares(const Point3& x, std::vector<SurfaceShare>& shares) const
 {
   const double most = 1.0 - std::log(SmallestTerm) / this->Decay; // of (distance / radius)^2
   const auto rings =
     static_cast<std::int64_t>(std::ceil(this->Largest * std::sqrt(most) / this->Cell));
-  const auto middle = this->CellOf(x);
+  const auto middle = this->FindCell(x);
   Point3 gradient{ 0.0, 0.0, 0.0 };
   const auto visit = [&](std::size_t i)
   {
@@ -263,7 +263,7 @@ void SurfaceMotion::OfGaussians(const Point3& x, std::vector<SurfaceShare>& shar
   };
   for (std::int64_t ring = 0; ring <= rings; ++ring)
   {
-    this->ForNear(middle, ring, visit);
+    this->ForEachNear(middle, ring, visit);
   }
   const double length =
     std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
@@ -284,7 +284,7 @@ void SurfaceMotion::OfGaussians(const Point3& x, std::vector<SurfaceShare>& shar
 
 std::size_t SurfaceMotion::Owner(const Point3& x) const
 {
-  const auto middle = this->CellOf(x);
+  const auto middle = this->FindCell(x);
   // Where x lies beyond the cells, those of ring n are farther away than this still.
   double beyond = 0.0;
   for (std::size_t a = 0; a < 3; ++a)
@@ -302,7 +302,7 @@ std::size_t SurfaceMotion::Owner(const Point3& x) const
     {
       break;
     }
-    this->ForNear(middle, ring,
+    this->ForEachNear(middle, ring,
       [&](std::size_t i)
       {
         const ChargedAtom& atom = this->Atoms[i];
@@ -325,7 +325,7 @@ void SurfaceMotion::At(
   shares.clear();
   if (this->Decay > 0.0)
   {
-    this->OfGaussians(x, shares);
+    this->GaussianShares(x, shares);
   }
   if (shares.empty())
   {

@@ -56,10 +56,10 @@ public:
 
 private:
   template <class Visit>
-  void ForNear(
+  void ForEachNear(
     const std::array<std::int64_t, 3>& middle, std::int64_t ring, const Visit& visit) const;
-  std::array<std::int64_t, 3> CellOf(const Point3& x) const;
-  void OfGaussians(const Point3& x, std::vector<SurfaceShare>& shares) const;
+  std::array<std::int64_t, 3> FindCell(const Point3& x) const;
+  void GaussianShares(const Point3& x, std::vector<SurfaceShare>& shares) const;
   std::size_t Owner(const Point3& x) const;
 
   const std::vector<ChargedAtom>& Atoms;

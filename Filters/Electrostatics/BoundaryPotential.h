@@ -23,7 +23,7 @@ using PotentialFunction = std::function<double(const Point3&)>;
 PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,
   double solventDielectric, double kappa);
 
-/// The same with the total charge at the centre of a sphere around all atoms.
+/// The same with the total charge at the center of a sphere around all atoms.
 PotentialFunction SingleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,
   double solventDielectric, double kappa);
 

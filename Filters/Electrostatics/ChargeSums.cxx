@@ -63,7 +63,7 @@ ISTHMUS_VECTOR_CLONES void ValueLoop(std::size_t blocks, const double* px, const
 
 /// exp(x) for x <= 0 in eight lanes, relative error 1e-15; plain arithmetic, for vector
 /// instructions. 2^n by its bits, the rest by its series (|rest| <= ln 2 / 2).
-inline void ExpOfLanes(double* x)
+inline void ExponentialLanes(double* x)
 {
   constexpr double shift = 6755399441055744.0; // 1.5 * 2^52: the sum's low bits are the integer
   constexpr double inverseLog2 = 1.4426950408889634074;
@@ -112,7 +112,7 @@ ISTHMUS_VECTOR_CLONES void ScreenedLoop(std::size_t blocks, const double* px, co
       factor[l] = pq[b * Lanes + l] / r;
       decay[l] = -kappa * r;
     }
-    ExpOfLanes(decay);
+    ExponentialLanes(decay);
     for (std::size_t l = 0; l < Lanes; ++l)
     {
       sums[l] += factor[l] * decay[l];

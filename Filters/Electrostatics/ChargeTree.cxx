@@ -153,35 +153,35 @@ void ChargeTree::AddStandIns(
 }
 
 /// Whether the box's equivalent charges may stand in for its charges, for targets within a ball.
-bool ChargeTree::Far(const Box& box, const Point3& centre, double radius)
+bool ChargeTree::IsFar(const Box& box, const Point3& center, double radius)
 {
   double size2 = 0.0;
   double distance2 = 0.0;
   for (std::size_t a = 0; a < 3; ++a)
   {
     const double half = 0.5 * (box.High[a] - box.Low[a]);
-    const double off = centre[a] - 0.5 * (box.High[a] + box.Low[a]);
+    const double off = center[a] - 0.5 * (box.High[a] + box.Low[a]);
     size2 += half * half;
     distance2 += off * off;
   }
   return std::sqrt(size2) < OpeningRatio * (std::sqrt(distance2) - radius);
 }
 
-void ChargeTree::Gather(const Point3& centre, double radius, ChargeList& seen) const
+void ChargeTree::Gather(const Point3& center, double radius, ChargeList& seen) const
 {
   seen.Clear();
   if (!this->Boxes.empty())
   {
-    this->Gather(0, centre, radius, seen);
+    this->Gather(0, center, radius, seen);
   }
 }
 
 void ChargeTree::Gather(
-  std::int64_t id, const Point3& centre, double radius, ChargeList& seen) const
+  std::int64_t id, const Point3& center, double radius, ChargeList& seen) const
 {
   const Box& box = this->Boxes[static_cast<std::size_t>(id)];
   const bool leaf = box.Children[0] < 0;
-  const bool far = !leaf && Far(box, centre, radius);
+  const bool far = !leaf && IsFar(box, center, radius);
   // Leaves give their charges themselves; their range of Sorted is consecutive.
   if (leaf || far)
   {
@@ -189,8 +189,8 @@ void ChargeTree::Gather(
     seen.Append(from, far ? 0 : box.First, far ? from.Size() : box.Last);
     return;
   }
-  this->Gather(box.Children[0], centre, radius, seen);
-  this->Gather(box.Children[1], centre, radius, seen);
+  this->Gather(box.Children[0], center, radius, seen);
+  this->Gather(box.Children[1], center, radius, seen);
 }
 
 double ChargeTree::ScreenedSum(const Point3& x, double kappa) const
@@ -205,7 +205,7 @@ double ChargeTree::ScreenedSum(std::int64_t id, const Point3& x, double kappa) c
   {
     return isthmus::ScreenedSum(this->Sorted, kappa, x, box.First, box.Last);
   }
-  if (Far(box, x, 0.0))
+  if (IsFar(box, x, 0.0))
   {
     return isthmus::ScreenedSum(box.StandIns, kappa, x);
   }

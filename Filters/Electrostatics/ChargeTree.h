@@ -23,8 +23,8 @@ class ChargeTree
 public:
   explicit ChargeTree(const ChargeList& charges);
 
-  /// `seen` = what targets within `radius` of `centre` may sum over instead of all charges.
-  void Gather(const Point3& centre, double radius, ChargeList& seen) const;
+  /// `seen` = what targets within `radius` of `center` may sum over instead of all charges.
+  void Gather(const Point3& center, double radius, ChargeList& seen) const;
 
   /// sum q exp(-kappa |x - r|) / |x - r| at a point.
   double ScreenedSum(const Point3& x, double kappa) const;
@@ -43,8 +43,8 @@ private:
   static void AddStandIns(
     const ChargeList& charges, const std::vector<std::size_t>& order, Box& box);
   /// Whether a box is far enough away to be replaced by its equivalent charges.
-  static bool Far(const Box& box, const Point3& centre, double radius);
-  void Gather(std::int64_t box, const Point3& centre, double radius, ChargeList& seen) const;
+  static bool IsFar(const Box& box, const Point3& center, double radius);
+  void Gather(std::int64_t box, const Point3& center, double radius, ChargeList& seen) const;
   double ScreenedSum(std::int64_t box, const Point3& x, double kappa) const;
 
   ChargeList Sorted; ///< the charges of a box in a row

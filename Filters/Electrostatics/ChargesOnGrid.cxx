@@ -16,7 +16,7 @@ constexpr std::int64_t Brick = 8;
 
 using BrickNumber = std::array<std::int64_t, 3>;
 
-BrickNumber BrickOf(const SolverBox& box, const Point3& x)
+BrickNumber FindBrick(const SolverBox& box, const Point3& x)
 {
   BrickNumber brick;
   for (std::size_t a = 0; a < 3; ++a)
@@ -27,15 +27,15 @@ BrickNumber BrickOf(const SolverBox& box, const Point3& x)
   return brick;
 }
 
-Point3 CentreOf(const SolverBox& box, const BrickNumber& brick)
+Point3 BrickCenter(const SolverBox& box, const BrickNumber& brick)
 {
-  Point3 centre;
+  Point3 center;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    centre[a] = box.Corner[a] +
+    center[a] = box.Corner[a] +
       static_cast<double>(Brick) * box.Spacing[a] * (static_cast<double>(brick[a]) + 0.5);
   }
-  return centre;
+  return center;
 }
 
 /// Radius of a ball around a brick's nodes and the edges that start there.
@@ -54,7 +54,7 @@ std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const 
   std::vector<std::pair<BrickNumber, std::size_t>> order(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    order[p] = { BrickOf(box, points[p]), p };
+    order[p] = { FindBrick(box, points[p]), p };
   }
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> starts;
@@ -81,7 +81,7 @@ std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const 
       {
         if (tree)
         {
-          tree->Gather(CentreOf(box, order[starts[b]].first), BrickRadius(box), seen);
+          tree->Gather(BrickCenter(box, order[starts[b]].first), BrickRadius(box), seen);
         }
         for (std::size_t i = starts[b]; i < starts[b + 1]; ++i)
         {
@@ -149,13 +149,13 @@ void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,
       {
         const std::array<std::int64_t, 3> at{ b % bricks[0] * Brick,
           b / bricks[0] % bricks[1] * Brick, b / (bricks[0] * bricks[1]) * Brick };
-        Point3 centre;
+        Point3 center;
         for (std::size_t a = 0; a < 3; ++a)
         {
-          centre[a] = box.Corner[a] +
+          center[a] = box.Corner[a] +
             box.Spacing[a] * (static_cast<double>(at[a]) + 0.5 * static_cast<double>(Brick - 1));
         }
-        tree.Gather(centre, BrickRadius(box), seen);
+        tree.Gather(center, BrickRadius(box), seen);
         for (std::int64_t k = at[2]; k < std::min(n[2], at[2] + Brick); ++k)
         {
           for (std::int64_t j = at[1]; j < std::min(n[1], at[1] + Brick); ++j)

@@ -63,7 +63,7 @@ public:
     return sets;
   }
 
-  std::int64_t RunOf(std::int64_t node) const
+  std::int64_t FindRun(std::int64_t node) const
   {
     const auto line = static_cast<std::size_t>(node / this->Width);
     const auto first = this->Runs.begin() + static_cast<std::ptrdiff_t>(this->Start[line]);
@@ -115,7 +115,7 @@ private:
 
 }
 
-std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(const SolverBox& box,
+std::vector<std::vector<std::int64_t>> FindCavityWalls(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings)
 {
   const OutsideRuns runs(box, inside);
@@ -128,7 +128,7 @@ std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(const SolverBox& bo
     const InterfaceCrossing& crossing = crossings[c];
     const bool lowerInside = inside[static_cast<std::size_t>(crossing.Node)] != 0;
     const std::int64_t step = box.Steps()[static_cast<std::size_t>(crossing.Axis)];
-    const std::int64_t root = sets.Find(runs.RunOf(crossing.Node + (lowerInside ? step : 0)));
+    const std::int64_t root = sets.Find(runs.FindRun(crossing.Node + (lowerInside ? step : 0)));
     if (root != open)
     {
       const auto found = wallOf.emplace(root, walls.size()).first;

@@ -32,7 +32,7 @@ namespace isthmus
  * as finer grids show. Both orders are those of the crossings. O(nodes), by runs of nodes along x,
  * with at most about 40 bytes for each run.
  */
-std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(const SolverBox& box,
+std::vector<std::vector<std::int64_t>> FindCavityWalls(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings);
 
 /// The sum over nodes of one cavity, Value . u - RightSide, of which its rows get shares.

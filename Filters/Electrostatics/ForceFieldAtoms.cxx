@@ -41,7 +41,7 @@ void CopyColumn(const ChargedProtein& protein, const char* name, vtkPointSet* fr
   copy->SetNumberOfComponents(array->GetNumberOfComponents());
   for (const ForceFieldAtom& atom : protein.Atoms)
   {
-    copy->InsertNextTuple(static_cast<vtkIdType>(atom.Like), array);
+    copy->InsertNextTuple(static_cast<vtkIdType>(atom.SourceAtom), array);
   }
   to->GetPointData()->AddArray(copy);
 }
@@ -65,7 +65,7 @@ bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays)
   return !charges || 2 * missing > charges->GetNumberOfTuples();
 }
 
-vtkSmartPointer<vtkPointSet> PointsOf(
+vtkSmartPointer<vtkPointSet> CopyAtomsWithCharges(
   const ChargedProtein& protein, vtkPointSet* atoms, const ChargeArrays& arrays)
 {
   auto result = vtkSmartPointer<vtkPointSet>::Take(atoms->NewInstance());
@@ -84,13 +84,15 @@ vtkSmartPointer<vtkPointSet> PointsOf(
   }
   using Atom = const ForceFieldAtom&;
   vtkFieldData* const data = result->GetPointData();
-  AddColumnOf<vtkDoubleArray>(data, arrays.Charge, protein.Atoms, [](Atom a) { return a.Charge; });
-  AddColumnOf<vtkDoubleArray>(data, arrays.Radius, protein.Atoms, [](Atom a) { return a.Radius; });
-  AddColumnOf<vtkStringArray>(data, "AtomName", protein.Atoms, [](Atom a) { return a.Name; });
-  AddColumnOf<vtkUnsignedShortArray>(data, "Element", protein.Atoms,
-    [](Atom a) { return static_cast<unsigned short>(ElementOfAtomName(a.Name, a.Residue)); });
-  AddColumnOf<vtkIdTypeArray>(data, "InputAtom", protein.Atoms,
-    [](Atom a) { return a.IsNew ? -1 : static_cast<vtkIdType>(a.Like); });
+  AddComputedColumn<vtkDoubleArray>(
+    data, arrays.Charge, protein.Atoms, [](Atom a) { return a.Charge; });
+  AddComputedColumn<vtkDoubleArray>(
+    data, arrays.Radius, protein.Atoms, [](Atom a) { return a.Radius; });
+  AddComputedColumn<vtkStringArray>(data, "AtomName", protein.Atoms, [](Atom a) { return a.Name; });
+  AddComputedColumn<vtkUnsignedShortArray>(data, "Element", protein.Atoms,
+    [](Atom a) { return static_cast<unsigned short>(ElementFromAtomName(a.Name, a.Residue)); });
+  AddComputedColumn<vtkIdTypeArray>(data, "InputAtom", protein.Atoms,
+    [](Atom a) { return a.IsNew ? -1 : static_cast<vtkIdType>(a.SourceAtom); });
   for (const char* name : { "ResidueName", "ResidueId", "Chain", "InsertionCode", "IsHetero" })
   {
     CopyColumn(protein, name, atoms, result);
@@ -102,7 +104,7 @@ namespace
 {
 
 /// Heavy atoms of the amino acids, that of the end of a chain not counted; 0: another residue.
-int HeavyAtomsOf(const std::string& residue)
+int CountHeavyAtoms(const std::string& residue)
 {
   static const std::map<std::string, int> counts{ { "ALA", 5 }, { "ARG", 11 }, { "ASN", 8 },
     { "ASP", 8 }, { "CYS", 6 }, { "GLN", 9 }, { "GLU", 9 }, { "GLY", 4 }, { "HIS", 10 },
@@ -120,7 +122,7 @@ std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms)
   constexpr double reach = 9.0;  // of a side chain that is rebuilt: arginine's, from CA
   PolymerOptions charged;        // free amino acids, which the program charges, count as ligands
   charged.Hydrogens = charged.Ions = charged.Ligands = charged.ProstheticGroups = true;
-  const std::vector<NamedAtom> named = NamedAtomsOf(atoms);
+  const std::vector<NamedAtom> named = ReadNamedAtoms(atoms);
   const auto residueOf = [](const NamedAtom& atom)
   { return std::make_tuple(atom.Chain, atom.ResidueId, atom.InsertionCode, atom.Residue); };
   std::map<decltype(residueOf(named[0])), int> heavy;
@@ -133,7 +135,7 @@ std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms)
   for (const std::size_t i : kept)
   {
     const bool isRebuilt =
-      named[i].Name == "CA" && heavy[residueOf(named[i])] < HeavyAtomsOf(named[i].Residue);
+      named[i].Name == "CA" && heavy[residueOf(named[i])] < CountHeavyAtoms(named[i].Residue);
     polymer.push_back({ named[i].Place, 0.0, isRebuilt ? reach : radius });
   }
   return polymer;
@@ -143,15 +145,15 @@ vtkPointSet* ForceFieldAtomsCache::Get(vtkPointSet* atoms, const ChargeArrays& a
   ChargeTable table, const ProgressCallback& progress)
 {
   RequireChoice("ForceField", table, ChargeTable::PARSE);
-  const Outcome& outcome = this->Cache.Get({ StateOf(atoms), arrays.Charge, arrays.Radius, table },
+  const Outcome& outcome = this->Cache.Get({ GetState(atoms), arrays.Charge, arrays.Radius, table },
     [&]
     {
       Outcome made;
       try
       {
-        const ChargedProtein protein = ChargeProtein(NamedAtomsOf(atoms), table, {}, progress);
+        const ChargedProtein protein = ChargeProtein(ReadNamedAtoms(atoms), table, {}, progress);
         made.Warning = protein.Warning;
-        made.Atoms = PointsOf(protein, atoms, arrays);
+        made.Atoms = CopyAtomsWithCharges(protein, atoms, arrays);
       }
       catch (const Cancelled&)
       {

@@ -31,7 +31,7 @@ bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays);
 
 /// `protein` as points of the kind of `atoms`: the arrays `arrays` names, AtomName, Element,
 /// InputAtom (the point of the input; -1: new), and of the input's those that a residue has.
-vtkSmartPointer<vtkPointSet> PointsOf(
+vtkSmartPointer<vtkPointSet> CopyAtomsWithCharges(
   const ChargedProtein& protein, vtkPointSet* atoms, const ChargeArrays& arrays);
 
 /// Largest distance of hydrogens beyond the balls of the atoms to which they are bonded, in

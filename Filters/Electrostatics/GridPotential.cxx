@@ -59,7 +59,7 @@ GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
   , Ions(ions)
   , Spacing(*std::min_element(box.Spacing.begin(), box.Spacing.end()))
 {
-  this->Inside = SidesOfNodes(level, this->Box);
+  this->Inside = ClassifyNodes(level, this->Box);
   this->Crossings = FindCrossings(level, this->Box, this->Inside, Between(progress, 0.0, 0.2));
   this->EvaluateCharges(last, Between(progress, 0.2, 0.6));
   // Equations inside have a truncation error that is larger by eps_s / eps_m: their weight in the
@@ -159,7 +159,7 @@ void GridPotential::Assemble(std::vector<SurfaceIons> ions, const ProgressCallba
 {
   const InterfaceProblem problem{ &this->Box, &this->Inside, &this->Crossings, &this->AtCrossing,
     this->Medium, std::move(ions), this->Parameters.DielectricModel,
-    WallsOfClosedCavities(this->Box, this->Inside, this->Crossings) };
+    FindCavityWalls(this->Box, this->Inside, this->Crossings) };
   InterfaceMatrixRows rows = AssembleIrregularRows(problem, progress);
   this->Report.LinearFits = rows.LinearFits;
   this->Report.GhostFits = rows.GhostFits;
@@ -251,7 +251,7 @@ void GridPotential::SolveLinear(double tolerance, const ProgressCallback& progre
   // Later solutions are measured against the first residual, not their own smaller ones.
   if (!(this->Report.Reference > 0.0))
   {
-    this->Report.Reference = NormOf(this->Work.Residual);
+    this->Report.Reference = ComputeNorm(this->Work.Residual);
   }
   SolverControl control;
   control.Tolerance = tolerance;
@@ -452,7 +452,7 @@ double GridPotential::NonlinearResidual(
       }
     });
   this->Matrix->SetDiagonal(this->IonDiagonal);
-  return NormOf(out);
+  return ComputeNorm(out);
 }
 
 double GridPotential::TakeStep(const std::vector<double>& step, double before)

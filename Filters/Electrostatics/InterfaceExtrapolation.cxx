@@ -16,7 +16,7 @@ Point3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
 }
 
 /// Turns a functional of total potentials into one of u: the charges' part becomes a constant.
-Continuation InTermsOfU(const FitFunctional& functional, const FitNodes& nodes,
+Continuation ExpressByU(const FitFunctional& functional, const FitNodes& nodes,
   const SecondOrderTaylor& charges, bool insideFunction, const Point3& target)
 {
   Continuation c{};
@@ -91,9 +91,9 @@ void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
     lower[i] = (share - (isLower ? 1.0 - theta : 0.0)) / theta;
     upper[i] = (share - (isUpper ? theta : 0.0)) / (1.0 - theta);
   }
-  values.AtUpper = InTermsOfU(lower, nodes, charges, lowerInside, EndOffset(*problem.Box, c, true));
+  values.AtUpper = ExpressByU(lower, nodes, charges, lowerInside, EndOffset(*problem.Box, c, true));
   values.AtLower =
-    InTermsOfU(upper, nodes, charges, !lowerInside, EndOffset(*problem.Box, c, false));
+    ExpressByU(upper, nodes, charges, !lowerInside, EndOffset(*problem.Box, c, false));
 }
 
 }
@@ -177,8 +177,8 @@ InterfaceExtrapolation ValuesAtCrossing(const InterfaceProblem& problem, std::si
     GhostFluid(problem, c, charges, nodes, values);
     return values;
   }
-  values.AtUpper = InTermsOfU(functionals[0], nodes, charges, lowerInside, up);
-  values.AtLower = InTermsOfU(functionals[1], nodes, charges, !lowerInside, down);
+  values.AtUpper = ExpressByU(functionals[0], nodes, charges, lowerInside, up);
+  values.AtLower = ExpressByU(functionals[1], nodes, charges, !lowerInside, down);
   if (ions.Constant != 0.0)
   {
     AddLaplacian(c.Frame, ions.Constant, nodes, lowerInside, up, values.AtUpper);

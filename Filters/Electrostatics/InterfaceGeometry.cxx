@@ -134,7 +134,7 @@ void Derivatives(const Samples& s, const LineWeights& w, int axis, const Point3&
 }
 
 /// P H P / |g|, limited to one over the spacing: the grid does not resolve sharper bends.
-SurfaceFrame FrameOf(
+SurfaceFrame ComputeFrame(
   const Point3& g, const double (&hessian)[3][3], double spacing, int axis, double towards)
 {
   SurfaceFrame frame;
@@ -197,7 +197,7 @@ double Largest(const Point3& h)
 
 }
 
-std::vector<unsigned char> SidesOfNodes(const LevelFunction& level, const SolverBox& box)
+std::vector<unsigned char> ClassifyNodes(const LevelFunction& level, const SolverBox& box)
 {
   std::vector<unsigned char> inside(static_cast<std::size_t>(box.Size()), 0);
   const auto& n = box.Dimensions;
@@ -262,7 +262,7 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
           Point3 g;
           double hessian[3][3];
           Derivatives(samples, WeightsAt(crossing.Fraction), axis, box.Spacing, g, hessian);
-          crossing.Frame = FrameOf(g, hessian, Largest(box.Spacing), axis,
+          crossing.Frame = ComputeFrame(g, hessian, Largest(box.Spacing), axis,
             inside[static_cast<std::size_t>(node)] ? 1.0 : -1.0);
           layers[static_cast<std::size_t>(at[2])].push_back(crossing);
         }
@@ -301,7 +301,7 @@ Point3 OnLevel(const LevelFunction& level, const SolverBox& box, Point3 x)
 SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Point3& x)
 {
   const LocalPolynomial f(level, box, x);
-  return FrameOf(f.Gradient, f.Hessian, Largest(box.Spacing), 2, 1.0);
+  return ComputeFrame(f.Gradient, f.Hessian, Largest(box.Spacing), 2, 1.0);
 }
 
 }

@@ -36,7 +36,7 @@ struct InterfaceCrossing
 };
 
 /// 1 for the nodes of the box inside the level, else 0. Parallel.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<unsigned char> SidesOfNodes(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<unsigned char> ClassifyNodes(
   const LevelFunction& level, const SolverBox& box);
 
 /**

@@ -100,7 +100,7 @@ void BuildRow(const InterfaceProblem& problem, const std::vector<InterfaceExtrap
 }
 
 /// Nodes with a crossing on one of their edges, in increasing order.
-std::vector<std::int64_t> IrregularNodesOf(
+std::vector<std::int64_t> FindIrregularNodes(
   const std::vector<InterfaceCrossing>& crossings, const std::array<std::int64_t, 3>& steps)
 {
   std::vector<std::int64_t> nodes;
@@ -192,7 +192,7 @@ InterfaceMatrixRows AssembleIrregularRows(
     },
     Between(progress, 0.0, 0.7));
   InterfaceMatrixRows rows;
-  rows.Node = IrregularNodesOf(*problem.Crossings, problem.Box->Steps());
+  rows.Node = FindIrregularNodes(*problem.Crossings, problem.Box->Steps());
   const auto total = static_cast<std::int64_t>(rows.Node.size());
   constexpr std::int64_t block = 1024;
   std::vector<InterfaceMatrixRows> parts(static_cast<std::size_t>((total + block - 1) / block));

@@ -27,7 +27,7 @@ void InterfaceOperator::ApplyRegularRows(
   const std::int64_t nx = n[0];
   const std::int64_t nxy = n[0] * n[1];
   const double wx = this->Weights[0], wy = this->Weights[1], wz = this->Weights[2];
-  const double centre = 2.0 * (wx + wy + wz);
+  const double center = 2.0 * (wx + wy + wz);
   const float* d = this->Diagonal ? this->Diagonal->data() : nullptr;
   ParallelFor(0, n[2], 1,
     [&](std::int64_t first, std::int64_t last)
@@ -52,7 +52,7 @@ void InterfaceOperator::ApplyRegularRows(
               sign * (this->Inside[static_cast<std::size_t>(p)] ? this->Solute : this->Solvent);
             const double here = static_cast<double>(u[p]);
             to[p] = eps *
-              (centre * here -
+              (center * here -
                 wx * (static_cast<double>(u[p - 1]) + static_cast<double>(u[p + 1])) -
                 wy * (static_cast<double>(u[p - nx]) + static_cast<double>(u[p + nx])) -
                 wz * (static_cast<double>(u[p - nxy]) + static_cast<double>(u[p + nxy])));

@@ -55,7 +55,7 @@ void Precondition(const InterfaceOperator& matrix, MultigridPoisson& multigrid,
 
 double FiniteNorm(const std::vector<double>& r)
 {
-  const double norm = NormOf(r);
+  const double norm = ComputeNorm(r);
   if (!std::isfinite(norm))
   {
     throw std::runtime_error(
@@ -161,7 +161,7 @@ void RequireConvergence(const SolverReport& report, const SolverControl& control
   }
 }
 
-double NormOf(const std::vector<double>& a)
+double ComputeNorm(const std::vector<double>& a)
 {
   return std::sqrt(Dot(a, a));
 }

@@ -51,7 +51,7 @@ SolverReport SolveInterface(const InterfaceOperator& matrix, MultigridPoisson& m
 void RequireConvergence(const SolverReport& report, const SolverControl& control);
 
 /// sqrt(sum a_i^2), bitwise the same on any number of threads.
-double NormOf(const std::vector<double>& a);
+double ComputeNorm(const std::vector<double>& a);
 
 }
 

@@ -24,7 +24,7 @@ double DistanceFrom(const InterfaceCrossing& c, const Point3& y)
     return length;
   }
   const double focus = 1.0 + s * bend / t2;
-  // Beyond the centre of curvature of a hollow the paraboloid is meaningless.
+  // Beyond the center of curvature of a hollow the paraboloid is meaningless.
   return focus > 0.3 ? std::clamp(s + 0.5 * bend / focus, 0.0, length) : length;
 }
 
@@ -83,7 +83,7 @@ public:
   }
 
   /// The point of the surface next to a node within reach, and the normal there.
-  IonBorderNode FootOf(std::int64_t node, double distance) const
+  IonBorderNode FindFoot(std::int64_t node, double distance) const
   {
     const auto& c =
       this->Crossings[static_cast<std::size_t>(this->Nearest[static_cast<std::size_t>(node)])];
@@ -174,7 +174,7 @@ std::vector<float> IonAccess(const SolverBox& box, const std::vector<unsigned ch
       access[node] = static_cast<float>(part);
       if (border && part > 0.0 && part < 1.0)
       {
-        border->push_back(nearest.FootOf(static_cast<std::int64_t>(node), d));
+        border->push_back(nearest.FindFoot(static_cast<std::int64_t>(node), d));
       }
     }
   }

@@ -25,7 +25,7 @@ struct MultigridLevel
   {
     return this->Dimensions[0] * this->Dimensions[1] * this->Dimensions[2];
   }
-  bool Finest() const { return this->Edge[0].empty(); }
+  bool IsFinest() const { return this->Edge[0].empty(); }
 };
 
 /// Finds lines with one permittivity only.
@@ -94,7 +94,7 @@ struct StoredEdges
 template <typename Use>
 void WithEdges(const MultigridLevel& level, Use&& use)
 {
-  if (level.Finest())
+  if (level.IsFinest())
   {
     use(CodedEdges(level));
   }
@@ -328,7 +328,7 @@ void SmoothLine(MultigridLevel& level, const Edges& edges, std::int64_t start, s
   const float* b = level.B.data();
   const float* d = level.Diagonal ? level.Diagonal->data() : nullptr;
   const float eps =
-    level.Finest() ? level.LinePermittivity[static_cast<std::size_t>(start / nx)] : 0.0F;
+    level.IsFinest() ? level.LinePermittivity[static_cast<std::size_t>(start / nx)] : 0.0F;
   const std::int64_t last = start + nx - 1;
   if (eps > 0.0F)
   {
@@ -375,7 +375,7 @@ void ResidualPlane(const MultigridLevel& level, const Edges& edges, std::int64_t
     const std::int64_t start = nx * (j + n[1] * k);
     float* out = plane + nx * j - start;
     const float eps =
-      level.Finest() ? level.LinePermittivity[static_cast<std::size_t>(start / nx)] : 0.0F;
+      level.IsFinest() ? level.LinePermittivity[static_cast<std::size_t>(start / nx)] : 0.0F;
     if (eps > 0.0F)
     {
       const UniformStencil s(level, eps);

@@ -14,7 +14,7 @@ namespace
 {
 
 /// First and last nodes of the volume inside the level.
-BoxNodes RangeOfLevel(const LevelFunction& level)
+BoxNodes LevelNodeRange(const LevelFunction& level)
 {
   const auto& n = level.Dimensions();
   BoxNodes range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
@@ -105,7 +105,7 @@ void Check(const PoissonBoltzmannParameters& p)
 SolverBox BoxAround(const LevelFunction& level, double padding)
 {
   const auto& n = level.Dimensions();
-  const BoxNodes inside = RangeOfLevel(level);
+  const BoxNodes inside = LevelNodeRange(level);
   if (inside.Last[0] < 0)
   {
     throw std::invalid_argument("No node is inside the surface: choose another Level, toggle "

@@ -56,7 +56,7 @@ double LevelAt(const LevelFunction& level, const Point3& x)
 }
 
 /// A potential on a separate grid, trilinear; NaN beyond it.
-std::function<double(const Point3&)> OnItsGrid(
+std::function<double(const Point3&)> MakeGridInterpolator(
   vtkImageData* potential, vtkDataArray* values, vtkImageData* grid)
 {
   // A copy: the filter's input may be deleted before the function.
@@ -72,7 +72,7 @@ std::function<double(const Point3&)> OnItsGrid(
     }
     (*copy)[static_cast<std::size_t>(i)] = value;
   }
-  const GridShape shape = ShapeOf(potential);
+  const GridShape shape = GetGridShape(potential);
   const vtkSmartPointer<vtkImageData> here = grid;
   const vtkSmartPointer<vtkImageData> there = potential;
   return [copy, shape, here, there](const Point3& place)
@@ -94,7 +94,7 @@ std::function<double(const Point3&)> OnItsGrid(
 
 }
 
-std::vector<ChargedAtom> ChargedAtomsOf(
+std::vector<ChargedAtom> MakeChargedAtoms(
   vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name)
 {
   const std::vector<double> charges = AtomCharges(input, atoms, name);
@@ -117,7 +117,7 @@ SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeed
   all.Missing = MissingRadius::Refuse;
   const MoleculeAtoms atoms = ReadAtoms(points, all);
   SoluteAtoms solute;
-  solute.Atoms = ChargedAtomsOf(points, atoms, InputArrayName(filter, 1));
+  solute.Atoms = MakeChargedAtoms(points, atoms, InputArrayName(filter, 1));
   double absolute = 0.0;
   for (std::size_t i = 0; i < solute.Atoms.size(); ++i)
   {
@@ -208,7 +208,7 @@ void SetPotentialInput(
       ArrayNames(potential->GetPointData()) + ".");
   }
   RequireOneComponent(values, "the potential");
-  const auto function = OnItsGrid(potential, values, grid);
+  const auto function = MakeGridInterpolator(potential, values, grid);
   if (!border)
   {
     parameters.Start = [function](const Point3& x)

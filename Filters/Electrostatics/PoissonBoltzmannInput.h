@@ -25,7 +25,7 @@ struct SoluteVolume;
 
 /// The charges of the point array `name` at the positions of `atoms.Kept`, with radius 0. Throws as
 /// AtomCharges does.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<ChargedAtom> ChargedAtomsOf(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<ChargedAtom> MakeChargedAtoms(
   vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name);
 
 /// The atoms of the solute.

@@ -231,7 +231,7 @@ vtkSmartPointer<vtkFloatArray> Map(const char* name, vtkImageData* image, int co
 
 /// Calls use(node of the image, node of the box) for all nodes of the image, in parallel.
 template <class Use>
-void ForNodesOf(vtkImageData* image, const SolverBox& box, const Use& use)
+void ForEachBoxNode(vtkImageData* image, const SolverBox& box, const Use& use)
 {
   int n[3];
   image->GetDimensions(n);
@@ -266,7 +266,7 @@ vtkSmartPointer<vtkFloatArray> AccessMap(const GridPotential& solution, vtkImage
   {
     share.push_back(static_cast<float>(ions.Derivative(l, 0.0) / ions.Linear()));
   }
-  ForNodesOf(image, solution.GetBox(),
+  ForEachBoxNode(image, solution.GetBox(),
     [&](vtkIdType to, std::size_t from)
     {
       float sum = 0.0F;
@@ -331,7 +331,7 @@ void FillMaps(
     dielectric->SetComponentName(a, edges[a]);
   }
   const EdgePermittivity permittivity = solution.Permittivities();
-  ForNodesOf(image, box,
+  ForEachBoxNode(image, box,
     [&](vtkIdType to, std::size_t from)
     {
       for (std::size_t a = 0; a < 3; ++a)

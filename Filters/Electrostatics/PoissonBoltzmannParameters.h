@@ -38,7 +38,7 @@ struct IonSpecies
 enum class BoundaryCondition
 {
   Zero = 0,                 ///< u = 0
-  SingleDebyeHueckel = 1,   ///< the net charge at the centre of charge, in a sphere of the solute
+  SingleDebyeHueckel = 1,   ///< the net charge at the center of charge, in a sphere of the solute
   MultipleDebyeHueckel = 2, ///< every charge by itself
   SelfConsistent = 3,       ///< the former, corrected by what a solution on a coarser grid radiates
   Given = 4                 ///< by PoissonBoltzmannParameters::Boundary

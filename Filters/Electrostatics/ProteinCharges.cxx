@@ -19,7 +19,7 @@ constexpr char ChainLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstu
 constexpr std::size_t MostChains = sizeof ChainLetters - 1;
 constexpr int MostResidues = 9999;
 
-const std::string WayOut = " Or open a PQR file.";
+const std::string Suggestion = " Or open a PQR file.";
 
 /// A residue of the input, and its name in the files of the child process.
 struct FileResidue
@@ -27,12 +27,12 @@ struct FileResidue
   std::vector<std::size_t> Atoms;
   char Chain = 'A';
   int Number = 1;
-  bool Answered = false;
+  bool HasCharges = false;
 };
 
 /// Assigns letters and numbers that fit into the columns of a PDB file, whatever the names in the
 /// input.
-std::vector<FileResidue> ResiduesOf(const std::vector<NamedAtom>& atoms)
+std::vector<FileResidue> FindResidues(const std::vector<NamedAtom>& atoms)
 {
   std::map<std::string, std::pair<std::size_t, int>> chains; // letter's place, residues so far
   std::map<std::tuple<std::string, int, std::string, std::string>, std::size_t> known;
@@ -55,7 +55,7 @@ std::vector<FileResidue> ResiduesOf(const std::vector<NamedAtom>& atoms)
         throw std::invalid_argument(
           "The molecule has more than 62 chains, or more than 9,999 residues in one chain, so "
           "pdb2pqr cannot assign charges. Read fewer chains (Chains of the reader)." +
-          WayOut);
+          Suggestion);
       }
       residues.push_back({ {}, ChainLetters[chain.first], chain.second, false });
     }
@@ -77,7 +77,7 @@ std::string PDBLine(const NamedAtom& atom, const FileResidue& residue, int seria
     {
       throw std::invalid_argument("A coordinate of an atom exceeds 9,999 angstrom, the limit of "
                                   "pdb2pqr's files: move the molecule to the origin." +
-        WayOut);
+        Suggestion);
     }
   }
   // A truncated name could be that of another residue; names that do not fit are not in the force
@@ -167,18 +167,19 @@ void RequireSuccess(const ChildResult& result, const ChildLimits& limits)
     throw std::runtime_error(
       "The atoms have no charges. The program pdb2pqr, which assigns them by a force field, is not "
       "installed: install it (Debian: apt install pdb2pqr)." +
-      WayOut);
+      Suggestion);
   }
   if (result.End == ChildEnd::TimedOut)
   {
     throw std::runtime_error("The atoms have no charges, and pdb2pqr did not find them in " +
-      std::to_string(static_cast<int>(limits.TimeLimit)) + " seconds: read fewer chains." + WayOut);
+      std::to_string(static_cast<int>(limits.TimeLimit)) + " seconds: read fewer chains." +
+      Suggestion);
   }
   if (result.End == ChildEnd::Crashed || result.Code != 0)
   {
     throw std::runtime_error("The atoms have no charges, and pdb2pqr could not find them (" +
       ReasonIn(result.Output) + "): complete the protein, or read only its complete part." +
-      WayOut);
+      Suggestion);
   }
 }
 
@@ -189,10 +190,10 @@ bool IsHydrogen(const std::string& name)
 }
 
 /// The atoms of one line of the output: ATOM serial name residue chain number x y z charge radius.
-class Answer
+class PQROutput
 {
 public:
-  Answer(const std::vector<NamedAtom>& atoms, std::vector<FileResidue>& residues)
+  PQROutput(const std::vector<NamedAtom>& atoms, std::vector<FileResidue>& residues)
     : Atoms(atoms)
     , Residues(residues)
   {
@@ -202,34 +203,34 @@ public:
     }
   }
 
-  void Take(const std::string& line, ChargedProtein& to)
+  void ParseLine(const std::string& line, ChargedProtein& to)
   {
     std::string_view words = line;
-    TakeWord(words); // the record's name
-    TakeWord(words); // the serial number
+    ExtractWord(words); // the record's name
+    ExtractWord(words); // the serial number
     ForceFieldAtom atom;
-    atom.Name = TakeWord(words);
-    atom.Residue = TakeWord(words);
-    const std::string_view chain = TakeWord(words);
+    atom.Name = ExtractWord(words);
+    atom.Residue = ExtractWord(words);
+    const std::string_view chain = ExtractWord(words);
     int number = 0;
-    const bool complete = TakeNumber(words, number) && TakeNumber(words, atom.Place[0]) &&
-      TakeNumber(words, atom.Place[1]) && TakeNumber(words, atom.Place[2]) &&
-      TakeNumber(words, atom.Charge) && TakeNumber(words, atom.Radius);
+    const bool complete = ExtractNumber(words, number) && ExtractNumber(words, atom.Place[0]) &&
+      ExtractNumber(words, atom.Place[1]) && ExtractNumber(words, atom.Place[2]) &&
+      ExtractNumber(words, atom.Charge) && ExtractNumber(words, atom.Radius);
     const auto at = this->Places.find({ chain.empty() ? ' ' : chain[0], number });
     if (!complete || at == this->Places.end())
     {
       throw std::runtime_error("pdb2pqr wrote a line that can't be read (" + Printable(line) +
-        "): use version 3." + WayOut);
+        "): use version 3." + Suggestion);
     }
     FileResidue& residue = this->Residues[at->second];
-    residue.Answered = true;
-    atom.Like = residue.Atoms.front();
+    residue.HasCharges = true;
+    atom.SourceAtom = residue.Atoms.front();
     atom.IsNew = true;
     for (const std::size_t i : residue.Atoms)
     {
       if (Distance(this->Atoms[i].Place, atom.Place) < 0.002)
       {
-        atom.Like = i;
+        atom.SourceAtom = i;
         atom.IsNew = false;
       }
     }
@@ -243,7 +244,7 @@ public:
     int count = 0;
     for (const FileResidue& residue : this->Residues)
     {
-      if (!residue.Answered && ++count <= 6)
+      if (!residue.HasCharges && ++count <= 6)
       {
         const NamedAtom& atom = this->Atoms[residue.Atoms.front()];
         list += (list.empty() ? "" : ", ") + atom.Residue + " " + std::to_string(atom.ResidueId) +
@@ -277,26 +278,26 @@ private:
 ChargedProtein ChargeProtein(const std::vector<NamedAtom>& atoms, ChargeTable table,
   const ChildLimits& limits, const ProgressCallback& progress)
 {
-  std::vector<FileResidue> residues = ResiduesOf(atoms);
+  std::vector<FileResidue> residues = FindResidues(atoms);
   const TemporaryFolder folder;
   WritePDB(atoms, residues, folder.Path() / "protein.pdb");
   RequireSuccess(RunWhicheverIsThere(folder.Path(), table, limits, progress), limits);
   std::ifstream file(folder.Path() / "protein.pqr");
-  Answer answer(atoms, residues);
+  PQROutput answer(atoms, residues);
   ChargedProtein charged;
   std::string line;
   while (std::getline(file, line))
   {
     if (line.compare(0, 4, "ATOM") == 0 || line.compare(0, 6, "HETATM") == 0)
     {
-      answer.Take(line, charged);
+      answer.ParseLine(line, charged);
     }
   }
   if (charged.Atoms.empty())
   {
     throw std::runtime_error("The atoms have no charges, and pdb2pqr recognised none of the "
                              "residues: it supports proteins and nucleic acids only." +
-      WayOut);
+      Suggestion);
   }
   charged.Warning = answer.Warning();
   return charged;

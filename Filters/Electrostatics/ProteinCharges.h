@@ -30,7 +30,7 @@ struct ForceFieldAtom
   double Radius = 0.0;           ///< angstrom
   std::string Name;              ///< the force field's, and its residue's
   std::string Residue;
-  std::size_t Like =
+  std::size_t SourceAtom =
     0;                ///< an atom of the input of the same residue: the same one, where it is there
   bool IsNew = false; ///< not in the input: hydrogens, heavy atoms that were missing
 };

@@ -29,7 +29,7 @@ constexpr double Band = 6.0;
 /// A box of more nodes along an axis is long and thin, and mostly empty.
 constexpr double MostNodesAlong = 20000.0;
 
-vtkSmartPointer<vtkImageData> ImageOf(
+vtkSmartPointer<vtkImageData> MakeImage(
   const Point3& origin, const std::array<double, 3>& nodes, double spacing)
 {
   const double most = *std::max_element(nodes.begin(), nodes.end());
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkImageData> ImageOf(
   return image;
 }
 
-std::vector<Ball> BallsOf(const std::vector<ChargedAtom>& atoms)
+std::vector<Ball> MakeBalls(const std::vector<ChargedAtom>& atoms)
 {
   std::vector<Ball> balls;
   for (const ChargedAtom& atom : atoms)
@@ -184,10 +184,10 @@ Straightness Measure(const LevelFunction& level)
 void SetDistance(SoluteVolume& volume, vtkPolyData* surface,
   const std::vector<unsigned char>* sides, const ProgressCallback& progress)
 {
-  const GridShape shape = ShapeOf(volume.Grid);
+  const GridShape shape = GetGridShape(volume.Grid);
   const PolyDataTriangles triangles(surface);
   const std::vector<unsigned char> inside =
-    sides ? *sides : NodesInside(triangles.View(), shape, WorldOf(volume.Grid));
+    sides ? *sides : NodesInside(triangles.View(), shape, MakeWorldTransform(volume.Grid));
   const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
   volume.Doubles = DistanceToSurface(triangles.View(), shape, Band * h, progress);
   for (std::size_t i = 0; i < inside.size(); ++i)
@@ -200,7 +200,7 @@ void SetDistance(SoluteVolume& volume, vtkPolyData* surface,
   volume.Level.InsideIsHigher = false;
 }
 
-vtkSmartPointer<vtkImageData> StructureOf(vtkImageData* image)
+vtkSmartPointer<vtkImageData> CopyGridStructure(vtkImageData* image)
 {
   auto grid = vtkSmartPointer<vtkImageData>::New();
   grid->CopyStructure(image);
@@ -209,11 +209,11 @@ vtkSmartPointer<vtkImageData> StructureOf(vtkImageData* image)
 
 }
 
-vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& wish)
+vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& request)
 {
-  Check(wish);
+  Check(request);
   double box[6];
-  if (!BoxOfPolygons(surface, box))
+  if (!ComputePolygonBounds(surface, box))
   {
     throw std::invalid_argument("The surface has no polygons, so it has no inside.");
   }
@@ -221,33 +221,33 @@ vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const Grid
   std::array<double, 3> nodes;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    origin[a] = box[2 * a] - wish.Padding;
-    nodes[a] = std::ceil((box[2 * a + 1] + wish.Padding - origin[a]) / wish.Spacing) + 1.0;
+    origin[a] = box[2 * a] - request.Padding;
+    nodes[a] = std::ceil((box[2 * a + 1] + request.Padding - origin[a]) / request.Spacing) + 1.0;
   }
-  return ImageOf(origin, nodes, wish.Spacing);
+  return MakeImage(origin, nodes, request.Spacing);
 }
 
 vtkSmartPointer<vtkImageData> GridAroundAtoms(
-  const std::vector<ChargedAtom>& atoms, const GridRequest& wish)
+  const std::vector<ChargedAtom>& atoms, const GridRequest& request)
 {
-  Check(wish);
-  const DensityGrid grid =
-    GridAroundBalls(BallsOf(atoms), wish.Spacing, { wish.Padding, wish.Padding, wish.Padding });
-  return ImageOf(grid.Origin,
+  Check(request);
+  const DensityGrid grid = GridAroundBalls(
+    MakeBalls(atoms), request.Spacing, { request.Padding, request.Padding, request.Padding });
+  return MakeImage(grid.Origin,
     { static_cast<double>(grid.Dimensions[0]), static_cast<double>(grid.Dimensions[1]),
       static_cast<double>(grid.Dimensions[2]) },
-    wish.Spacing);
+    request.Spacing);
 }
 
-SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double level,
+SoluteVolume VolumeFromImage(vtkImageData* image, vtkDataArray* scalars, double level,
   bool insideIsHigher, const ProgressCallback& progress)
 {
   SoluteVolume volume;
-  volume.Grid = StructureOf(image);
+  volume.Grid = CopyGridStructure(image);
   volume.Scalars = scalars;
   volume.Kind = std::string("level ") + FormatNumber(level) + " of " +
     (scalars->GetName() ? scalars->GetName() : "the scalars");
-  ShapeOf(image);
+  GetGridShape(image);
   RequireUsualValues(scalars);
   UseScalars(image, scalars,
     [&](const auto& grid)
@@ -289,19 +289,19 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
   return volume;
 }
 
-SoluteVolume VolumeOfSurface(
-  vtkPolyData* surface, const GridRequest& wish, const ProgressCallback& progress)
+SoluteVolume VolumeFromSurface(
+  vtkPolyData* surface, const GridRequest& request, const ProgressCallback& progress)
 {
   SoluteVolume volume;
-  volume.Grid = GridAroundSurface(surface, wish);
+  volume.Grid = GridAroundSurface(surface, request);
   volume.Kind = "closed polygons";
-  MemoryBudget().RequireGrid(ShapeOf(volume.Grid).Dimensions, SolutionBytesPerNode,
+  MemoryBudget().RequireGrid(GetGridShape(volume.Grid).Dimensions, SolutionBytesPerNode,
     "choose a larger Spacing or a smaller Padding");
   SetDistance(volume, InGridAxes(surface, volume.Grid), nullptr, progress);
   return volume;
 }
 
-SoluteVolume VolumeOfAtoms(
+SoluteVolume VolumeFromAtoms(
   const std::vector<ChargedAtom>& atoms, vtkImageData* grid, const ProgressCallback& progress)
 {
   constexpr double decay = 2.3;
@@ -309,13 +309,13 @@ SoluteVolume VolumeOfAtoms(
   volume.Grid = grid;
   volume.Decay = decay;
   volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
-  const GridShape shape = ShapeOf(volume.Grid);
+  const GridShape shape = GetGridShape(volume.Grid);
   MemoryBudget().RequireGrid(
     shape.Dimensions, SolutionBytesPerNode, "choose a larger Spacing or a smaller Padding");
   volume.Floats.resize(static_cast<std::size_t>(shape.Size()));
   Point3 origin;
   volume.Grid->GetOrigin(origin.data());
-  GaussianSum(BallsOf(atoms), decay, origin,
+  GaussianSum(MakeBalls(atoms), decay, origin,
     { volume.Floats.data(), shape.Dimensions, shape.Spacing }, progress);
   volume.Level.Floats = { volume.Floats.data(), shape.Dimensions, shape.Spacing };
   volume.Level.Level = 1.0;

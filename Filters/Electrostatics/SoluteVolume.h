@@ -36,25 +36,25 @@ struct SoluteVolume
 /// Memory of a solution, for each node of the grid, with a margin.
 constexpr double SolutionBytesPerNode = 130.0;
 
-/// The grids for VolumeOfSurface and VolumeOfAtoms. Throws std::invalid_argument.
-vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& wish);
+/// The grids for VolumeFromSurface and VolumeFromAtoms. Throws std::invalid_argument.
+vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& request);
 vtkSmartPointer<vtkImageData> GridAroundAtoms(
-  const std::vector<ChargedAtom>& atoms, const GridRequest& wish);
+  const std::vector<ChargedAtom>& atoms, const GridRequest& request);
 
 /**
  * An image's level. Values that are cut off near the surface (masks, clamped distances) are
  * replaced by the distance from the triangles of the level. Scalars are replaced by their logarithm
  * if that is the more linear function. Throws std::invalid_argument for values that are not finite.
  */
-SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double level,
+SoluteVolume VolumeFromImage(vtkImageData* image, vtkDataArray* scalars, double level,
   bool insideIsHigher, const ProgressCallback& progress = {});
 
 /// The signed distance from closed triangles. Throws std::invalid_argument if they are not closed.
-SoluteVolume VolumeOfSurface(
-  vtkPolyData* surface, const GridRequest& wish, const ProgressCallback& progress = {});
+SoluteVolume VolumeFromSurface(
+  vtkPolyData* surface, const GridRequest& request, const ProgressCallback& progress = {});
 
 /// Level 1 of the sum of Gaussians of MolecularDensity.h with decay 2.3, on the nodes of `grid`.
-SoluteVolume VolumeOfAtoms(
+SoluteVolume VolumeFromAtoms(
   const std::vector<ChargedAtom>& atoms, vtkImageData* grid, const ProgressCallback& progress = {});
 
 /// Converts world coordinates to lengths along the axes of the grid from its first node, and back.

@@ -27,7 +27,7 @@ int vtkForceFieldCharges::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
@@ -51,7 +51,7 @@ int vtkForceFieldCharges::RequestData(
         return;
       }
       output->ShallowCopy(this->Cache->Get(atoms, arrays,
-        static_cast<isthmus::ChargeTable>(this->ForceField), isthmus::ProgressOf(this)));
+        static_cast<isthmus::ChargeTable>(this->ForceField), isthmus::MakeProgress(this)));
       output->GetFieldData()->PassData(atoms->GetFieldData());
       if (!this->Cache->Warning().empty())
       {

@@ -265,7 +265,7 @@ int vtkPoissonBoltzmann::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       this->OutputArrays.Check();
@@ -290,7 +290,7 @@ vtkPointSet* vtkPoissonBoltzmann::AtomsWithCharges(vtkInformationVector** inputV
     return atoms;
   }
   return this->Cache->Get(atoms, arrays, static_cast<isthmus::ChargeTable>(this->ForceField),
-    isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.05));
+    isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.05));
 }
 
 void vtkPoissonBoltzmann::Warn(const std::string& sentence)
@@ -306,7 +306,7 @@ void vtkPoissonBoltzmann::Solve(
 {
   isthmus::Check(this->Parameters);
   isthmus::RequireRange("Level", this->Level, -isthmus::LargestPeak, isthmus::LargestPeak);
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   vtkPointSet* points = this->AtomsWithCharges(inputVector);
   vtkImageData* image = vtkImageData::GetData(inputVector[1], 0);
   vtkPolyData* polygons = vtkPolyData::GetData(inputVector[1], 0);
@@ -315,11 +315,12 @@ void vtkPoissonBoltzmann::Solve(
   this->Warn(points == vtkPointSet::GetData(inputVector[0], 0) ? "" : this->Cache->Warning());
   this->Warn(atoms.Warning);
   isthmus::SoluteVolume volume = image
-    ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->Level,
+    ? isthmus::VolumeFromImage(image, isthmus::SurfaceScalars(image), this->Level,
         this->InsideIsHigher, isthmus::Between(progress, 0.0, 0.05))
     : polygons
-    ? isthmus::VolumeOfSurface(polygons, parameters, isthmus::Between(progress, 0.0, 0.05))
-    : isthmus::VolumeOfAtoms(atoms.Atoms, this->GridAround(vtkPointSet::GetData(inputVector[0], 0)),
+    ? isthmus::VolumeFromSurface(polygons, parameters, isthmus::Between(progress, 0.0, 0.05))
+    : isthmus::VolumeFromAtoms(atoms.Atoms,
+        this->GridAround(vtkPointSet::GetData(inputVector[0], 0)),
         isthmus::Between(progress, 0.0, 0.05));
   isthmus::PlaceOnGrid(volume, atoms.Atoms);
   isthmus::SetPotentialInput(vtkImageData::GetData(inputVector[2], 0), volume.Grid, parameters);
@@ -337,7 +338,7 @@ void vtkPoissonBoltzmann::Solve(
     parameters.BoundaryCondition != BoundaryCondition::SelfConsistent &&
     parameters.BoundaryCondition != BoundaryCondition::Given)
   {
-    vtkWarningMacro(<< isthmus::TextOf("Padding is ", parameters.Padding,
+    vtkWarningMacro(<< isthmus::JoinText("Padding is ", parameters.Padding,
                       " angstrom, less than the Debye length of ", 1.0 / kappa,
                       ": the border is close enough to affect the result."));
   }

@@ -161,9 +161,9 @@ std::string DenoiseMapResult::Sentence() const
   }
   const double gain = std::round(10.0 * this->Gain) / 10.0;
   return this->IsLinear()
-    ? TextOf("Order ", this->Diffusion.Order, ", linear, time ", this->Diffusion.Time,
+    ? JoinText("Order ", this->Diffusion.Order, ", linear, time ", this->Diffusion.Time,
         "; estimated gain ", gain, " dB")
-    : TextOf("Order ", this->Diffusion.Order, ", edge stopping at gradients of ",
+    : JoinText("Order ", this->Diffusion.Order, ", edge stopping at gradients of ",
         this->Diffusion.Sigma, ", time ", this->Diffusion.Time, "; estimated gain ", gain, " dB");
 }
 

@@ -47,7 +47,7 @@ void CopyPart(
     });
 }
 
-Extent ExtentOf(vtkImageData* image)
+Extent ReadExtent(vtkImageData* image)
 {
   Extent extent;
   image->GetExtent(extent.data());
@@ -114,7 +114,7 @@ vtkSmartPointer<typename DiffusionImage<T>::Array> DiffusionImage<T>::Copy(
 {
   this->CheckArray(array);
   auto volume = this->NewVolume(array && array->GetName() ? array->GetName() : "ImageScalars");
-  const Extent from = ExtentOf(this->Input);
+  const Extent from = ReadExtent(this->Input);
   auto copy = [&](auto* typed)
   {
     CopyPart(vtk::DataArrayValueRange<1>(typed), from, Intersection(from, this->Parts.Local()),
@@ -159,7 +159,7 @@ void DiffusionImage<T>::CheckArray(vtkDataArray* array) const
   if (array->GetNumberOfTuples() != this->Input->GetNumberOfPoints() ||
     array->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(TextOf("The array '", array->GetName() ? array->GetName() : "",
+    throw std::invalid_argument(JoinText("The array '", array->GetName() ? array->GetName() : "",
       "' has ", array->GetNumberOfTuples(), " tuples of ", array->GetNumberOfComponents(),
       " components, but the image has ", this->Input->GetNumberOfPoints(),
       " nodes and needs one number at each."));
@@ -184,7 +184,7 @@ void DiffusionImage<T>::RefuseInvalid(const T* values) const
   first = std::find_if(
             values, values + this->Grid.Size(), [](T value) { return !std::isfinite(value); }) -
     values;
-  std::string text = TextOf(count, " of the image's values are not finite");
+  std::string text = JoinText(count, " of the image's values are not finite");
   if (first < this->Grid.Size())
   {
     const auto& n = this->Grid.Dimensions;
@@ -196,8 +196,8 @@ void DiffusionImage<T>::RefuseInvalid(const T* values) const
       index[axis] = node[axis];
     }
     this->Input->TransformContinuousIndexToPhysicalPoint(index, position);
-    text += TextOf(", the first at node (", node[0], ", ", node[1], ", ", node[2], "), position (",
-      position[0], ", ", position[1], ", ", position[2], ")");
+    text += JoinText(", the first at node (", node[0], ", ", node[1], ", ", node[2],
+      "), position (", position[0], ", ", position[1], ", ", position[2], ")");
   }
   throw std::invalid_argument(text + ": repair them, or switch MaskInvalid on to leave them out.");
 }
@@ -262,7 +262,7 @@ void DiffusionImage<T>::AddResult(Array* volume, bool active)
     volume->SetValue(masked.Node, masked.Value);
   }
   vtkSmartPointer<Array> result = volume;
-  const Extent extent = ExtentOf(this->Output);
+  const Extent extent = ReadExtent(this->Output);
   if (extent != this->Parts.Local())
   {
     result = NamedArray<Array>(

@@ -67,7 +67,7 @@ DomainDecomposition::DomainDecomposition(
     this->Extents.resize(static_cast<std::size_t>(ranks));
     this->Rank = static_cast<std::size_t>(controller->GetLocalProcessId());
     controller->AllGather(own.data(), this->Extents.front().data(), 6);
-    this->LocalExtent = Grown(own, { halo, halo, halo }, whole);
+    this->LocalExtent = GrowExtent(own, { halo, halo, halo }, whole);
     this->FindOwned();
   }
 }
@@ -75,7 +75,7 @@ DomainDecomposition::DomainDecomposition(
 Extent DomainDecomposition::Shared(std::size_t owner, std::size_t user) const
 {
   const Extent& part = this->Extents[user];
-  const Extent grown = Grown(part, { this->Halo, this->Halo, this->Halo }, this->Whole);
+  const Extent grown = GrowExtent(part, { this->Halo, this->Halo, this->Halo }, this->Whole);
   return grown == part ? Extent{ 0, -1, 0, -1, 0, -1 } : Intersection(this->Extents[owner], grown);
 }
 

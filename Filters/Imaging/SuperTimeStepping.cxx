@@ -17,7 +17,7 @@ namespace
 [[noreturn]] void RefuseSteps(double time, double limit, int count, const char* integrator)
 {
   throw std::invalid_argument(
-    TextOf("With Steps = ", count, " a step is ", time / count, " long, but ", integrator,
+    JoinText("With Steps = ", count, " a step is ", time / count, " long, but ", integrator,
       " is stable only up to ", limit, " for these orders, diffusivities and spacing: take ",
       std::ceil(time / limit), " steps or more, or Steps = 0 for automatic ones."));
 }
@@ -54,7 +54,7 @@ void RequireEvaluations(double evaluations)
 {
   if (!(evaluations <= MaximumEvaluations))
   {
-    throw std::invalid_argument(TextOf("This takes ", evaluations,
+    throw std::invalid_argument(JoinText("This takes ", evaluations,
       " evaluations of the equation, or more; the most is ", MaximumEvaluations,
       ". Lower the end time or the diffusivities, or use SuperTimeStepping or a coarser grid."));
   }

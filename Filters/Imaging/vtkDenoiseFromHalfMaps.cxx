@@ -158,17 +158,17 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   denoising->SetMaskInvalid(true);
   denoising->SetController(nullptr);      // every rank has all of the volume
   denoising->SetContainerAlgorithm(this); // stops with this one
-  isthmus::UpdateInner(denoising, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7),
+  isthmus::UpdateInner(denoising, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
-  isthmus::Report(isthmus::ProgressOf(this), 0.7); // throws if it was aborted
+  isthmus::Report(isthmus::MakeProgress(this), 0.7); // throws if it was aborted
   const auto resolution = isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", size);
   const int* n = one->GetDimensions();
   const double* spacing = one->GetSpacing();
   isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
     CenteredValues(scalars), CenteredValues(others),
     vtkFloatArray::SafeDownCast(resolution)->GetPointer(0),
-    isthmus::Between(isthmus::ProgressOf(this), 0.7, 1.0));
-  isthmus::Report(isthmus::ProgressOf(this), 1.0);
+    isthmus::Between(isthmus::MakeProgress(this), 0.7, 1.0));
+  isthmus::Report(isthmus::MakeProgress(this), 1.0);
   output->ShallowCopy(denoising->GetOutput());
   output->GetPointData()->RemoveArray(differenceName);
   output->GetPointData()->AddArray(resolution);
@@ -178,7 +178,7 @@ int vtkDenoiseFromHalfMaps::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* image = vtkImageData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       auto* one = vtkImageData::GetData(input[0]);
@@ -189,7 +189,7 @@ int vtkDenoiseFromHalfMaps::RequestData(
         this->Denoise(one, vtkImageData::GetData(input[1]), image);
         isthmus::Extent piece{};
         image->GetExtent(piece.data());
-        isthmus::CropTo(image, isthmus::PieceOf(output->GetInformationObject(0), piece));
+        isthmus::CropTo(image, isthmus::GetPieceExtent(output->GetInformationObject(0), piece));
       }
     });
 }

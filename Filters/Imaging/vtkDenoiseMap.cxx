@@ -64,21 +64,22 @@ void vtkDenoiseMap::WarnIfUnchanged(const isthmus::DenoiseMapResult& result)
   const double change = changes.empty() ? 0.0 : changes.back();
   if (result.Estimate.FewValues)
   {
-    vtkWarningMacro(<< isthmus::TextOf(
+    vtkWarningMacro(<< isthmus::JoinText(
                       "The volume has only a few distinct values, like a mask, labels or a "
                       "constant. It contains no noise and is returned unchanged.",
                       remedy));
   }
   else if (!(result.NoiseLevel > 0.0))
   {
-    vtkWarningMacro(<< isthmus::TextOf("No noise was found in the volume, which is returned "
-                                       "unchanged: most values equal the mean of their neighbours.",
+    vtkWarningMacro(<< isthmus::JoinText(
+                      "No noise was found in the volume, which is returned "
+                      "unchanged: most values equal the mean of their neighbours.",
                       remedy));
   }
   else if (change < 1e-3 * deviation && !result.Background)
   {
     vtkWarningMacro(
-      << isthmus::TextOf(
+      << isthmus::JoinText(
            "Hardly anything was changed. If there is noise, it is coloured: its power falls "
            "towards the finest waves, like that of the map, but neither as if a Gaussian had "
            "smoothed it, nor is there background without signal in which it could be measured. "
@@ -87,7 +88,7 @@ void vtkDenoiseMap::WarnIfUnchanged(const isthmus::DenoiseMapResult& result)
   }
   else if (change < 1e-4 * deviation)
   {
-    vtkWarningMacro(<< isthmus::TextOf("Hardly anything was changed: the noise found, ",
+    vtkWarningMacro(<< isthmus::JoinText("Hardly anything was changed: the noise found, ",
                       result.NoiseLevel, ", is ", 100.0 * result.NoiseLevel / deviation,
                       " % of the values' standard deviation. Raise Strength.", remedy));
   }

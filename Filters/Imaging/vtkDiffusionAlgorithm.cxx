@@ -97,7 +97,7 @@ std::array<int, 6> vtkDiffusionAlgorithm::OwnPart(
   {
     return delivered;
   }
-  const isthmus::Extent piece = isthmus::PieceOf(request, whole);
+  const isthmus::Extent piece = isthmus::GetPieceExtent(request, whole);
   const int fits = isthmus::Contains(delivered, piece);
   int allFit = 0;
   this->Controller->AllReduce(&fits, &allFit, 1, vtkCommunicator::MIN_OP);
@@ -111,13 +111,13 @@ int vtkDiffusionAlgorithm::RequestData(
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
   const isthmus::Extent whole =
-    isthmus::ExtentOf(inputs[0]->GetInformationObject(0), Pipeline::WHOLE_EXTENT());
+    isthmus::ReadExtent(inputs[0]->GetInformationObject(0), Pipeline::WHOLE_EXTENT());
   if (isthmus::NodeCount(whole) == 0)
   {
     output->Initialize();
     return 1;
   }
-  return isthmus::Guarded(this, outputs,
+  return isthmus::RunGuarded(this, outputs,
     [&]()
     {
       isthmus::RequireNoBlocks(this);
@@ -138,7 +138,7 @@ int vtkDiffusionAlgorithm::RequestData(
       }
       if (!this->IsParallel())
       {
-        isthmus::CropTo(output, isthmus::PieceOf(outputs->GetInformationObject(0), own));
+        isthmus::CropTo(output, isthmus::GetPieceExtent(outputs->GetInformationObject(0), own));
       }
     });
 }
@@ -176,7 +176,7 @@ void vtkDiffusionAlgorithm::Compute(
   vtkImageData* input, vtkImageData* output, const isthmus::DomainDecomposition& parts)
 {
   isthmus::DiffusionImage<T> image(
-    input, output, parts, this->VoxelUnits, SharedProgress(isthmus::ProgressOf(this), parts));
+    input, output, parts, this->VoxelUnits, SharedProgress(isthmus::MakeProgress(this), parts));
   this->Process(image);
 }
 

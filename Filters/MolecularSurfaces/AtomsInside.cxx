@@ -52,21 +52,21 @@ double ValueBetween(
 }
 
 std::string CheckAtomsInside(vtkImageData* grid, const std::vector<float>& distances,
-  const std::vector<Point3>& centres, const std::string& what)
+  const std::vector<Point3>& centers, const std::string& what)
 {
   const int* const extent = grid->GetExtent();
   const std::array<int, 3> dimensions{ grid->GetDimensions()[0], grid->GetDimensions()[1],
     grid->GetDimensions()[2] };
   std::size_t outside = 0;
   Point3 first{};
-  for (const Point3& centre : centres)
+  for (const Point3& center : centers)
   {
     double index[3];
-    grid->TransformPhysicalPointToContinuousIndex(centre.data(), index);
+    grid->TransformPhysicalPointToContinuousIndex(center.data(), index);
     const Point3 place{ index[0] - extent[0], index[1] - extent[2], index[2] - extent[4] };
     if (!(ValueBetween(dimensions, distances, place) < 0.0))
     {
-      first = outside++ == 0 ? centre : first;
+      first = outside++ == 0 ? center : first;
     }
   }
   if (outside == 0)
@@ -74,9 +74,9 @@ std::string CheckAtomsInside(vtkImageData* grid, const std::vector<float>& dista
     return {};
   }
   const std::string text =
-    TextOf(std::to_string(outside), " of ", std::to_string(centres.size()), " ", what,
+    JoinText(std::to_string(outside), " of ", std::to_string(centers.size()), " ", what,
       " lie outside the surface, the first at (", first[0], ", ", first[1], ", ", first[2], "). ");
-  if (2 * outside > centres.size())
+  if (2 * outside > centers.size())
   {
     throw std::invalid_argument(
       text + "Is it the surface of these atoms, at their place and in the same unit (angstrom)?");

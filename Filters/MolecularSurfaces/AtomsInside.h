@@ -19,7 +19,7 @@ namespace isthmus
 {
 
 /**
- * Which of `centres` lie outside the surface: where `distances` (one for each node of `grid`,
+ * Which of `centers` lie outside the surface: where `distances` (one for each node of `grid`,
  * negative inside, linear between nodes) are not negative, or outside of the grid. An atom farther
  * inside the surface than its own grid cell cannot be counted wrongly.
  * @param what  the atoms, e.g. "charged atoms"
@@ -27,7 +27,7 @@ namespace isthmus
  * @throws std::invalid_argument if more than half of them do
  */
 std::string CheckAtomsInside(vtkImageData* grid, const std::vector<float>& distances,
-  const std::vector<Point3>& centres, const std::string& what);
+  const std::vector<Point3>& centers, const std::string& what);
 
 }
 

@@ -31,7 +31,7 @@ void LowerBrick(
     [&](const NodeRange& row, std::int64_t j, std::int64_t k, double y, double z)
     {
       LowerRow(values + row.First + grid.Row() * j + grid.Plane() * k, row.Last - row.First,
-        static_cast<float>(static_cast<double>(row.First) - ball.Centre[0]),
+        static_cast<float>(static_cast<double>(row.First) - ball.Center[0]),
         static_cast<float>(y * y + z * z), static_cast<float>(ball.Radius - band));
     });
 }
@@ -50,7 +50,7 @@ void DistanceToBalls(const FlowGrid& grid, const std::vector<Ball>& balls, doubl
     Ball scaled{ {}, (scale * ball.Radius + more) / h + band };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      scaled.Centre[axis] = (ball.Centre[axis] - origin[axis]) / h;
+      scaled.Center[axis] = (ball.Center[axis] - origin[axis]) / h;
     }
     reaching.push_back(scaled);
   }

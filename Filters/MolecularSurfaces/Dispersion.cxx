@@ -47,7 +47,7 @@ void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair,
     [&](const NodeRange& row, std::int64_t j, std::int64_t k, double y, double z)
     {
       float* to = energy.data() + grid.Row() * j + grid.Plane() * k;
-      AddRow(pair, h, static_cast<double>(row.First) - ball.Centre[0], y * y + z * z,
+      AddRow(pair, h, static_cast<double>(row.First) - ball.Center[0], y * y + z * z,
         static_cast<int>(row.Last - row.First), to + row.First);
     });
 }
@@ -62,8 +62,8 @@ void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
   std::sort(sorted.begin(), sorted.end(),
     [](const DispersionAtom& a, const DispersionAtom& b)
     {
-      return std::tie(a.Centre[2], a.Centre[1], a.Centre[0], a.WellDepth, a.Radius) <
-        std::tie(b.Centre[2], b.Centre[1], b.Centre[0], b.WellDepth, b.Radius);
+      return std::tie(a.Center[2], a.Center[1], a.Center[0], a.WellDepth, a.Radius) <
+        std::tie(b.Center[2], b.Center[1], b.Center[0], b.WellDepth, b.Radius);
     });
   std::vector<Ball> balls;
   std::vector<DispersionPair> pairs;
@@ -72,7 +72,7 @@ void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
     Ball ball{ {}, CutOff / h };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      ball.Centre[axis] = (atom.Centre[axis] - origin[axis]) / h;
+      ball.Center[axis] = (atom.Center[axis] - origin[axis]) / h;
     }
     balls.push_back(ball);
     pairs.emplace_back(atom, solvent);
@@ -116,7 +116,7 @@ double DispersionPair::Integral() const
   return -32.0 / 9.0 * Pi * std::pow(this->Minimum, 3) * this->Depth;
 }
 
-std::array<double, 2> DispersionOfElement(int element)
+std::array<double, 2> ElementDispersion(int element)
 {
   switch (element)
   {
@@ -235,7 +235,7 @@ Block BlockAt(const DensityGrid& grid, Part&& part, const std::array<std::int64_
 }
 
 template <typename Part>
-std::vector<Block> BlocksOf(const DensityGrid& grid, Part&& part)
+std::vector<Block> DivideIntoBlocks(const DensityGrid& grid, Part&& part)
 {
   std::array<std::int64_t, 3> counts;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -280,22 +280,22 @@ ISTHMUS_VECTOR_CLONES void WellLoop(std::size_t groups, const double* x, const d
 
 /// The integral of a pair over blocks, of which those farther than `near` count as one point.
 double IntegralOver(
-  const std::vector<Block>& blocks, const Place& centre, const DispersionPair& pair, double near)
+  const std::vector<Block>& blocks, const Place& center, const DispersionPair& pair, double near)
 {
   double far = 0.0;
   double sums[Lanes] = {};
   for (const Block& block : blocks)
   {
     const Place& at = block.At;
-    const double squared = (at[0] - centre[0]) * (at[0] - centre[0]) +
-      (at[1] - centre[1]) * (at[1] - centre[1]) + (at[2] - centre[2]) * (at[2] - centre[2]);
+    const double squared = (at[0] - center[0]) * (at[0] - center[0]) +
+      (at[1] - center[1]) * (at[1] - center[1]) + (at[2] - center[2]) * (at[2] - center[2]);
     if (squared > near * near)
     {
       far += block.Whole * pair.At(squared);
       continue;
     }
     WellLoop(block.X.size() / Lanes, block.X.data(), block.Y.data(), block.Z.data(),
-      block.Volume.data(), centre.data(), pair.Minimum * pair.Minimum, sums);
+      block.Volume.data(), center.data(), pair.Minimum * pair.Minimum, sums);
   }
   double sum = 0.0;
   for (const double lane : sums)
@@ -316,8 +316,8 @@ std::vector<double> DispersionEnergies(const std::vector<DispersionAtom>& atoms,
   const DensityGrid& grid, const float* distance, const SolventParameters& solvent,
   const ProgressCallback& progress)
 {
-  const std::vector<Block> inside =
-    BlocksOf(grid, [&](std::int64_t node) { return InsidePart(distance[node], grid.Spacing); });
+  const std::vector<Block> inside = DivideIntoBlocks(
+    grid, [&](std::int64_t node) { return InsidePart(distance[node], grid.Spacing); });
   const double near = Near + 0.5 * std::sqrt(3.0) * grid.Spacing * static_cast<double>(Side);
   std::vector<double> energies(atoms.size());
   ParallelFor(
@@ -328,7 +328,7 @@ std::vector<double> DispersionEnergies(const std::vector<DispersionAtom>& atoms,
       {
         const DispersionPair pair(atoms[a], solvent);
         energies[a] = solvent.SolventDensity *
-          (pair.Integral() - IntegralOver(inside, atoms[a].Centre, pair, near));
+          (pair.Integral() - IntegralOver(inside, atoms[a].Center, pair, near));
       }
     },
     progress);
@@ -338,7 +338,7 @@ std::vector<double> DispersionEnergies(const std::vector<DispersionAtom>& atoms,
 double DispersionChange(const std::vector<DispersionAtom>& atoms, const DensityGrid& grid,
   const float* before, const float* now, const SolventParameters& solvent)
 {
-  const std::vector<Block> gained = BlocksOf(grid,
+  const std::vector<Block> gained = DivideIntoBlocks(grid,
     [&](std::int64_t node)
     { return InsidePart(now[node], grid.Spacing) - InsidePart(before[node], grid.Spacing); });
   constexpr double everywhere = std::numeric_limits<double>::infinity();
@@ -349,7 +349,7 @@ double DispersionChange(const std::vector<DispersionAtom>& atoms, const DensityG
         for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a)
         {
           const DispersionPair pair(atoms[a], solvent);
-          partial += IntegralOver(gained, atoms[a].Centre, pair, everywhere);
+          partial += IntegralOver(gained, atoms[a].Center, pair, everywhere);
         }
       });
 }

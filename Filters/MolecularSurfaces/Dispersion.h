@@ -34,7 +34,7 @@ namespace isthmus
 /// depth in kcal/mol.
 struct DispersionAtom
 {
-  std::array<double, 3> Centre;
+  std::array<double, 3> Center;
   double Radius;
   double WellDepth;
 };
@@ -55,7 +55,7 @@ struct DispersionPair
 /// Half the minimum's distance and the depth of an element by AMBER's parm99 (W. D. Cornell et al.,
 /// J. Am. Chem. Soc. 117 (1995) 5179): H of alkyl groups, C sp3, N, O of carbonyl groups, F, P, S,
 /// Cl, Br, I. Depth 0 for others.
-std::array<double, 2> DispersionOfElement(int element);
+std::array<double, 2> ElementDispersion(int element);
 
 /// -V / gamma = (pressure - density U) / gamma of equation 4.9, U from atoms within 10 angstrom.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT PullField SolventPull(

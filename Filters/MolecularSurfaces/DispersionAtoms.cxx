@@ -12,7 +12,7 @@
 namespace isthmus
 {
 
-std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const MoleculeAtoms& atoms)
+std::vector<DispersionAtom> MakeDispersionAtoms(vtkDataObject* input, const MoleculeAtoms& atoms)
 {
   std::vector<DispersionAtom> result;
   if (atoms.Balls.empty())
@@ -39,11 +39,11 @@ std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const Molecu
         throw std::invalid_argument("Atom " + std::to_string(id) + " has a WellDepth of " +
           FormatNumber(depth) + ", but it is the depth of a well: give 0 or more, in kcal/mol.");
       }
-      result.push_back({ ball.Centre, ball.Radius, depth });
+      result.push_back({ ball.Center, ball.Radius, depth });
       continue;
     }
-    const auto [radius, depth] = DispersionOfElement(elements[static_cast<std::size_t>(id)]);
-    result.push_back({ ball.Centre, radius, depth });
+    const auto [radius, depth] = ElementDispersion(elements[static_cast<std::size_t>(id)]);
+    result.push_back({ ball.Center, radius, depth });
   }
   return result;
 }

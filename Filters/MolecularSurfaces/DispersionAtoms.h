@@ -21,7 +21,7 @@ namespace isthmus
  * without this array, both are assigned by element. Throws std::invalid_argument if there is
  * neither, or a depth is negative or not finite.
  */
-std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const MoleculeAtoms& atoms);
+std::vector<DispersionAtom> MakeDispersionAtoms(vtkDataObject* input, const MoleculeAtoms& atoms);
 
 }
 

@@ -71,7 +71,7 @@ enum : unsigned char
 
 /// Clamps the distances of a chunk, copies them to Next, and returns which part of it lies in the
 /// band.
-unsigned char Settle(float* distance, float* next)
+unsigned char ClampChunk(float* distance, float* next)
 {
   bool any = false;
   for (std::int64_t i = 0; i < FlowGrid::Chunk; ++i)
@@ -87,12 +87,12 @@ unsigned char Settle(float* distance, float* next)
     (any ? HasNear : 0) | (first ? FirstIsNear : 0) | (last ? LastIsNear : 0));
 }
 
-void SettleRange(FlowField& field, std::int64_t first, std::int64_t last)
+void ClampRange(FlowField& field, std::int64_t first, std::int64_t last)
 {
   for (std::int64_t node = first; node < last; node += FlowGrid::Chunk)
   {
     field.Near[static_cast<std::size_t>(node / FlowGrid::Chunk)] =
-      Settle(field.Distance.data() + node, field.Next.data() + node);
+      ClampChunk(field.Distance.data() + node, field.Next.data() + node);
   }
 }
 
@@ -101,7 +101,7 @@ void SettleRange(FlowField& field, std::int64_t first, std::int64_t last)
 constexpr std::int64_t Reach = 2;
 
 /// The runs of one plane: its chunks that are near, or next to a node that is.
-void RunsOfPlane(const FlowField& field, std::int64_t plane, std::vector<ChunkRun>& runs)
+void FindPlaneRuns(const FlowField& field, std::int64_t plane, std::vector<ChunkRun>& runs)
 {
   const std::int64_t row = field.Grid.Row() / FlowGrid::Chunk;
   const std::int64_t rows = field.Grid.Dimensions()[1];
@@ -141,7 +141,7 @@ void GatherRuns(FlowField& field)
     {
       for (std::int64_t k = first; k < last; ++k)
       {
-        RunsOfPlane(field, k, ofPlane[static_cast<std::size_t>(k)]);
+        FindPlaneRuns(field, k, ofPlane[static_cast<std::size_t>(k)]);
       }
     });
   field.Runs.clear();
@@ -157,14 +157,13 @@ void FindBand(FlowField& field)
 {
   ParallelFor(0, field.Grid.NumberOfNodes() / FlowGrid::Chunk, 1 << 14,
     [&](std::int64_t first, std::int64_t last)
-    { SettleRange(field, FlowGrid::Chunk * first, FlowGrid::Chunk * last); });
+    { ClampRange(field, FlowGrid::Chunk * first, FlowGrid::Chunk * last); });
   GatherRuns(field);
 }
 
 void MoveBand(FlowField& field)
 {
-  ForEachRun(
-    field, [&](std::int64_t first, std::int64_t last) { SettleRange(field, first, last); });
+  ForEachRun(field, [&](std::int64_t first, std::int64_t last) { ClampRange(field, first, last); });
   GatherRuns(field);
 }
 

@@ -56,7 +56,7 @@ inline float Bend(float below, float here, float above)
   return above - 2.0F * here + below;
 }
 
-inline float Twist(float belowBelow, float belowAbove, float aboveBelow, float aboveAbove)
+inline float MixedDifference(float belowBelow, float belowAbove, float aboveBelow, float aboveAbove)
 {
   return 0.25F * (aboveAbove - aboveBelow - belowAbove + belowBelow);
 }
@@ -98,9 +98,10 @@ void AdvanceNodes(const float* from, float* __restrict to, const float* ceiling,
     const float xx = Bend(at[-1], c, at[1]);
     const float yy = Bend(at[-row], c, at[row]);
     const float zz = Bend(at[-plane], c, at[plane]);
-    const float xy = Twist(at[-1 - row], at[row - 1], at[1 - row], at[1 + row]);
-    const float xz = Twist(at[-1 - plane], at[plane - 1], at[1 - plane], at[1 + plane]);
-    const float yz = Twist(at[-row - plane], at[plane - row], at[row - plane], at[row + plane]);
+    const float xy = MixedDifference(at[-1 - row], at[row - 1], at[1 - row], at[1 + row]);
+    const float xz = MixedDifference(at[-1 - plane], at[plane - 1], at[1 - plane], at[1 + plane]);
+    const float yz =
+      MixedDifference(at[-row - plane], at[plane - row], at[row - plane], at[row + plane]);
     const float squared = x * x + y * y + z * z;
     const float bent = (y * y + z * z) * xx + (x * x + z * z) * yy + (x * x + y * y) * zz -
       2.0F * (x * y * xy + x * z * xz + y * z * yz);

@@ -24,7 +24,7 @@ namespace
 {
 
 /// `value`, or `least` to the side of `level` that it is on.
-float Off(float value, float level, float least)
+float KeepFromLevel(float value, float level, float least)
 {
   const float by = value - level;
   return std::abs(by) < least ? (by > 0.0F ? level + least : level - least) : value;
@@ -63,7 +63,8 @@ void FillImage(const SurfaceFlowResult& result, double distance, vtkImageData* i
   const auto nodes = static_cast<std::size_t>(image->GetNumberOfPoints());
   vtkFloatArray* distances =
     AddArray<vtkFloatArray>(image->GetPointData(), "SignedDistance", nodes);
-  Fill(distances, [&](std::size_t node) { return Off(result.Distance[node], level, least); });
+  Fill(distances,
+    [&](std::size_t node) { return KeepFromLevel(result.Distance[node], level, least); });
   const float width = 2.0F * static_cast<float>(HalfWidthOfS) * h;
   const float* at = distances->GetPointer(0);
   vtkFloatArray* s = AddArray<vtkFloatArray>(image->GetPointData(), "S", nodes);
@@ -74,7 +75,7 @@ void FillImage(const SurfaceFlowResult& result, double distance, vtkImageData* i
   else
   {
     const auto ofS = static_cast<float>(0.5 - distance / static_cast<double>(width));
-    Fill(s, [&](std::size_t node) { return Off(result.S[node], ofS, 1e-4F); });
+    Fill(s, [&](std::size_t node) { return KeepFromLevel(result.S[node], ofS, 1e-4F); });
   }
   image->GetPointData()->SetActiveScalars("SignedDistance");
 }
@@ -112,15 +113,15 @@ void FillHistory(
   const SurfaceFlowResult& result, double tension, double pressure, vtkTable* history)
 {
   vtkFieldData* const data = history->GetRowData();
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Time", result.History, [](const FlowRecord& r) { return r.Time; });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Spacing", result.History, [](const FlowRecord& r) { return r.Spacing; });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Area", result.History, [](const FlowRecord& r) { return r.Area; });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Volume", result.History, [](const FlowRecord& r) { return r.Volume; });
-  AddColumnOf<vtkDoubleArray>(data, "Energy", result.History,
+  AddComputedColumn<vtkDoubleArray>(data, "Energy", result.History,
     [=](const FlowRecord& r) { return tension * r.Area + pressure * r.Volume; });
 }
 

@@ -19,7 +19,7 @@ namespace
 
 using Place = std::array<double, 3>;
 
-Place PlaceOf(const DensityGrid& grid, std::int64_t i, std::int64_t j, std::int64_t k)
+Place GetPosition(const DensityGrid& grid, std::int64_t i, std::int64_t j, std::int64_t k)
 {
   return { grid.Origin[0] + grid.Spacing * static_cast<double>(i),
     grid.Origin[1] + grid.Spacing * static_cast<double>(j),
@@ -27,8 +27,8 @@ Place PlaceOf(const DensityGrid& grid, std::int64_t i, std::int64_t j, std::int6
 }
 
 /// Shares of area (not yet to scale) and volume, by the nearest atom of each node.
-void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const float* distance,
-  std::vector<NonpolarTerms>& atoms, const ProgressCallback& progress)
+void DistributeShares(const std::vector<Ball>& balls, const DensityGrid& grid,
+  const float* distance, std::vector<NonpolarTerms>& atoms, const ProgressCallback& progress)
 {
   const auto& n = grid.Dimensions;
   const double h = grid.Spacing;
@@ -44,7 +44,7 @@ void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const flo
         if (static_cast<double>(distance[node]) < reach)
         {
           owner[static_cast<std::size_t>(node)] = static_cast<std::int64_t>(
-            nearest.At(PlaceOf(grid, node % n[0], node / n[0] % n[1], node / (n[0] * n[1]))));
+            nearest.At(GetPosition(grid, node % n[0], node / n[0] % n[1], node / (n[0] * n[1]))));
         }
       }
     },
@@ -61,7 +61,7 @@ void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const flo
   }
 }
 
-LevelMeasure MeasureOf(const DensityGrid& grid, const float* distance)
+LevelMeasure MeasureLevelSet(const DensityGrid& grid, const float* distance)
 {
   FlowField field{ FlowGrid(grid) };
   const auto& n = grid.Dimensions;
@@ -119,14 +119,14 @@ NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
   {
     return energies;
   }
-  ShareOut(balls, grid, distance, energies.Atoms, Between(progress, 0.0, 0.4));
+  DistributeShares(balls, grid, distance, energies.Atoms, Between(progress, 0.0, 0.4));
   const std::vector<double> dispersion =
     DispersionEnergies(atoms, grid, distance, solvent, Between(progress, 0.4, 1.0));
   for (std::size_t a = 0; a < atoms.size(); ++a)
   {
     energies.Atoms[a].DispersionEnergy = dispersion[a];
   }
-  Finish(MeasureOf(grid, distance), solvent, energies);
+  Finish(MeasureLevelSet(grid, distance), solvent, energies);
   return energies;
 }
 

@@ -26,24 +26,24 @@ struct BrickScratch
   std::vector<float> ToCircle = std::vector<float>(BrickNodes); // squared distance
 };
 
-/// Calls `use(place in the brick, squared distance)` for the nodes within `reach` of `centre`.
+/// Calls `use(place in the brick, squared distance)` for the nodes within `reach` of `center`.
 template <typename Use>
-void ForNodesNear(const std::array<double, 3>& centre, double reach, const Brick& brick, Use use)
+void ForEachNodeNear(const std::array<double, 3>& center, double reach, const Brick& brick, Use use)
 {
-  const NodeRange planes(centre[2], reach, brick.First[2], brick.Last[2]);
+  const NodeRange planes(center[2], reach, brick.First[2], brick.Last[2]);
   for (std::int64_t k = planes.First; k < planes.Last; ++k)
   {
-    const double z = static_cast<double>(k) - centre[2];
+    const double z = static_cast<double>(k) - center[2];
     const double left = std::max(0.0, reach * reach - z * z);
-    const NodeRange rows(centre[1], std::sqrt(left), brick.First[1], brick.Last[1]);
+    const NodeRange rows(center[1], std::sqrt(left), brick.First[1], brick.Last[1]);
     for (std::int64_t j = rows.First; j < rows.Last; ++j)
     {
-      const double y = static_cast<double>(j) - centre[1];
+      const double y = static_cast<double>(j) - center[1];
       const double reachX = std::sqrt(std::max(0.0, left - y * y));
-      const NodeRange row(centre[0], reachX, brick.First[0], brick.Last[0]);
+      const NodeRange row(center[0], reachX, brick.First[0], brick.Last[0]);
       const std::int64_t line = BallBricks::BrickSize[0] *
         ((j - brick.First[1]) + BallBricks::BrickSize[1] * (k - brick.First[2]));
-      const auto x0 = static_cast<float>(static_cast<double>(row.First) - centre[0]);
+      const auto x0 = static_cast<float>(static_cast<double>(row.First) - center[0]);
       const auto rest = static_cast<float>(y * y + z * z);
       for (std::int64_t i = row.First; i < row.Last; ++i)
       {
@@ -61,8 +61,8 @@ public:
     : Grid(grid)
     , Probe(probe)
     , Outside(std::max(0.0, static_cast<double>(FlowGrid::Band) - probe))
-    , Spheres(Grown(std::move(rolled), this->Outside), 1.0, grid.Dimensions())
-    , Rolled(Grown(this->Spheres.Sorted(), -this->Outside))
+    , Spheres(GrowBalls(std::move(rolled), this->Outside), 1.0, grid.Dimensions())
+    , Rolled(GrowBalls(this->Spheres.GetSortedBalls(), -this->Outside))
     , Neighbours(this->Rolled)
     , Circles(CircleBalls(), 1.0, grid.Dimensions())
   {
@@ -79,7 +79,7 @@ public:
     this->Circles.ForEachBall(b,
       [&](const Ball& ball)
       {
-        ForNodesNear(ball.Centre, reach, brick,
+        ForEachNodeNear(ball.Center, reach, brick,
           [&](std::size_t node, float squared)
           { scratch.ToCircle[node] = std::min(scratch.ToCircle[node], squared); });
       });
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  static std::vector<Ball> Grown(std::vector<Ball> balls, double by)
+  static std::vector<Ball> GrowBalls(std::vector<Ball> balls, double by)
   {
     std::for_each(balls.begin(), balls.end(), [by](Ball& ball) { ball.Radius += by; });
     return balls;
@@ -130,7 +130,7 @@ private:
       {
         const Ball& ball = this->Rolled[index];
         const auto radius = static_cast<float>(ball.Radius);
-        ForNodesNear(ball.Centre, ball.Radius + this->Outside, brick,
+        ForEachNodeNear(ball.Center, ball.Radius + this->Outside, brick,
           [&](std::size_t node, float squared)
           {
             const float depth = std::sqrt(squared) - radius;
@@ -166,14 +166,14 @@ private:
   bool IsOnFreeSphere(const std::array<double, 3>& place, std::size_t ball) const
   {
     const Ball& sphere = this->Rolled[ball];
-    std::array<double, 3> out{ place[0] - sphere.Centre[0], place[1] - sphere.Centre[1],
-      place[2] - sphere.Centre[2] };
+    std::array<double, 3> out{ place[0] - sphere.Center[0], place[1] - sphere.Center[1],
+      place[2] - sphere.Center[2] };
     const double length = std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
     if (length > 0.0)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        out[axis] = sphere.Centre[axis] + sphere.Radius / length * out[axis];
+        out[axis] = sphere.Center[axis] + sphere.Radius / length * out[axis];
       }
       std::int64_t by = -1;
       return this->Neighbours.IsFree(ball, out, by);
@@ -201,8 +201,8 @@ void SolventExcludedDistance(const FlowGrid& grid, const std::vector<Ball>& ball
   rolled.reserve(balls.size());
   for (const Ball& ball : balls)
   {
-    rolled.push_back({ { (ball.Centre[0] - origin[0]) / h, (ball.Centre[1] - origin[1]) / h,
-                         (ball.Centre[2] - origin[2]) / h },
+    rolled.push_back({ { (ball.Center[0] - origin[0]) / h, (ball.Center[1] - origin[1]) / h,
+                         (ball.Center[2] - origin[2]) / h },
       (ball.Radius + probe) / h });
   }
   const ExcludedDistance distance(grid, std::move(rolled), probe / h);

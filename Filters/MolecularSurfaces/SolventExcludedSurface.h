@@ -2,10 +2,10 @@
  * @file SolventExcludedSurface.h
  * @brief The solvent-excluded surface of balls for a probe, as a distance on a grid.
  *
- * The probe's centre stays out of the balls of radius r_i + p; what the probe can't touch is
+ * The probe's center stays out of the balls of radius r_i + p; what the probe can't touch is
  * inside:
  *
- *   phi(x) = p - (distance from x to where the centre can be)          within those balls,
+ *   phi(x) = p - (distance from x to where the center can be)          within those balls,
  *
  * two distances, one after the other (F. M. Richards, Annu. Rev. Biophys. Bioeng. 6 (1977) 151).
  * The second distance is computed exactly: the nearest place is on the sphere in which x lies

@@ -21,7 +21,7 @@ namespace
 /// The surface keeps this distance from the border, in spacings, so that it is closed.
 constexpr double LeastPadding = 2.0;
 
-std::vector<Ball> Enlarged(const std::vector<Ball>& balls, double factor)
+std::vector<Ball> EnlargeBalls(const std::vector<Ball>& balls, double factor)
 {
   std::vector<Ball> larger = balls;
   std::for_each(larger.begin(), larger.end(), [=](Ball& ball) { ball.Radius *= factor; });
@@ -42,7 +42,7 @@ std::array<double, 3> Middle(const std::vector<Ball>& balls)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     std::transform(balls.begin(), balls.end(), places.begin(),
-      [axis](const Ball& ball) { return ball.Centre[axis]; });
+      [axis](const Ball& ball) { return ball.Center[axis]; });
     const auto half = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
     std::nth_element(places.begin(), half, places.end());
     middle[axis] = *half;
@@ -59,7 +59,7 @@ std::string OutlierText(const std::vector<Ball>& balls)
     [&middle](const Ball& ball)
     {
       return std::hypot(
-        ball.Centre[0] - middle[0], ball.Centre[1] - middle[1], ball.Centre[2] - middle[2]);
+        ball.Center[0] - middle[0], ball.Center[1] - middle[1], ball.Center[2] - middle[2]);
     });
   const auto farthest = std::max_element(distances.begin(), distances.end());
   const double far = *farthest;
@@ -70,7 +70,8 @@ std::string OutlierText(const std::vector<Ball>& balls)
   {
     return "";
   }
-  return TextOf(" Atom ", atom, " lies ", far, " from the middle of the others: is this intended?");
+  return JoinText(
+    " Atom ", atom, " lies ", far, " from the middle of the others: is this intended?");
 }
 
 }
@@ -81,7 +82,7 @@ void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& para
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const Ball& ball = balls[i];
-    if (!std::isfinite(ball.Centre[0] + ball.Centre[1] + ball.Centre[2]) ||
+    if (!std::isfinite(ball.Center[0] + ball.Center[1] + ball.Center[2]) ||
       !std::isfinite(ball.Radius) || ball.Radius <= 0.0)
     {
       throw std::invalid_argument("Atom " + std::to_string(i) +
@@ -113,7 +114,8 @@ DensityGrid FlowGridAround(
 {
   const double h = factor * parameters.Spacing;
   const double padding = std::max(parameters.Padding, LeastPadding * h);
-  return GridAroundBalls(Enlarged(balls, parameters.Enlargement), h, { padding, padding, padding });
+  return GridAroundBalls(
+    EnlargeBalls(balls, parameters.Enlargement), h, { padding, padding, padding });
 }
 
 double FlowBytes(const DensityGrid& grid)
@@ -134,9 +136,9 @@ void CheckFlowMemory(const std::vector<Ball>& balls, const DensityGrid& grid)
     return;
   }
   const auto& n = grid.Dimensions;
-  const std::string flow = TextOf("The flow on a grid of ", n[0], " x ", n[1], " x ", n[2],
+  const std::string flow = JoinText("The flow on a grid of ", n[0], " x ", n[1], " x ", n[2],
     " nodes (Spacing ", grid.Spacing, ")");
-  const std::string remedy = TextOf("choose a Spacing of about ",
+  const std::string remedy = JoinText("choose a Spacing of about ",
     1.1 * grid.Spacing * std::cbrt(needed / std::max(budget.Bytes(), 1e6)), " or more");
   throw std::runtime_error(budget.Message(needed, flow, remedy) + OutlierText(balls));
 }

@@ -117,7 +117,7 @@ public:
 MoleculeAtoms vtkMolecularFlowSurface::vtkInternals::Atoms(vtkDataObject* input) const
 {
   return isthmus::ReadAtoms(input,
-    isthmus::WholeMolecule(
+    isthmus::SelectWholeMolecule(
       isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms));
 }
 
@@ -148,7 +148,7 @@ SurfaceFlowResult vtkMolecularFlowSurface::vtkInternals::Flow(const MoleculeAtom
   isthmus::PullField pull;
   if (p.Solvent)
   {
-    pull = isthmus::SolventPull(isthmus::DispersionAtomsOf(input, atoms), p);
+    pull = isthmus::SolventPull(isthmus::MakeDispersionAtoms(input, atoms), p);
   }
   return isthmus::SurfaceFlow(atoms.Balls, parameters, pull, progress);
 }
@@ -163,7 +163,7 @@ void vtkMolecularFlowSurface::vtkInternals::Warn(
   if (!result.Converged)
   {
     vtkWarningWithObjectMacro(this->Self,
-      << isthmus::TextOf("The surface still moves after ", result.History.back().Time,
+      << isthmus::JoinText("The surface still moves after ", result.History.back().Time,
            " square angstrom of flow: parts of it are larger than the steady flow is designed "
            "for. The last state is shown."));
   }
@@ -192,7 +192,7 @@ void vtkMolecularFlowSurface::vtkInternals::Surface(
   delaunay->SetInsideIsHigher(ofS);
   try
   {
-    isthmus::UpdateInner(delaunay, isthmus::Between(isthmus::ProgressOf(this->Self), 0.9, 1.0),
+    isthmus::UpdateInner(delaunay, isthmus::Between(isthmus::MakeProgress(this->Self), 0.9, 1.0),
       [this](const std::string& warning) { vtkWarningWithObjectMacro(this->Self, << warning); });
   }
   catch (const isthmus::Cancelled&)
@@ -310,7 +310,7 @@ int vtkMolecularFlowSurface::RequestData(
   vtkImageData* image = vtkImageData::GetData(outputVector, 1);
   vtkTable* history = vtkTable::GetData(outputVector, 2);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       const vtkInternals internals(this);
@@ -318,7 +318,7 @@ int vtkMolecularFlowSurface::RequestData(
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       this->Advance->RequireOneRank(0, "atoms");
       const MoleculeAtoms atoms = internals.Atoms(input);
-      const auto progress = isthmus::ProgressOf(this);
+      const auto progress = isthmus::MakeProgress(this);
       const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));
       const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
       const double time = times.empty()

@@ -51,7 +51,7 @@ const Column Columns[] = {
   { "NonpolarEnergy", [](const NonpolarTerms& t) { return t.Total(); } },
 };
 
-isthmus::DensityGrid GridOf(vtkImageData* image)
+isthmus::DensityGrid MakeGrid(vtkImageData* image)
 {
   isthmus::DensityGrid grid;
   const double* h = image->GetSpacing();
@@ -72,7 +72,7 @@ isthmus::DensityGrid GridOf(vtkImageData* image)
   return grid;
 }
 
-std::vector<float> DistancesOf(vtkImageData* image)
+std::vector<float> ReadDistances(vtkImageData* image)
 {
   vtkDataArray* array = image->GetPointData()->GetArray("SignedDistance");
   if (!array || array->GetNumberOfComponents() != 1)
@@ -210,7 +210,7 @@ int vtkNonpolarSolvation::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::Check(this->Parameters);
@@ -218,7 +218,7 @@ int vtkNonpolarSolvation::RequestData(
       isthmus::RequireOneRank(this, input, "atoms");
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
       const isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input,
-        isthmus::WholeMolecule(
+        isthmus::SelectWholeMolecule(
           isthmus::InputArrayName(this, 0), this->IncludeWaters, this->UnitedAtoms));
       if (atoms.Balls.empty())
       {
@@ -228,20 +228,20 @@ int vtkNonpolarSolvation::RequestData(
       {
         vtkWarningMacro(<< warning);
       }
-      const std::vector<float> distances = DistancesOf(image);
-      std::vector<isthmus::Point3> centres;
+      const std::vector<float> distances = ReadDistances(image);
+      std::vector<isthmus::Point3> centers;
       for (const isthmus::Ball& atom : atoms.Balls)
       {
-        centres.push_back(atom.Centre);
+        centers.push_back(atom.Center);
       }
-      const std::string outside = isthmus::CheckAtomsInside(image, distances, centres, "atoms");
+      const std::string outside = isthmus::CheckAtomsInside(image, distances, centers, "atoms");
       if (!outside.empty())
       {
         vtkWarningMacro(<< outside);
       }
       const NonpolarEnergies energies =
-        isthmus::NonpolarEnergy(atoms.Balls, isthmus::DispersionAtomsOf(input, atoms),
-          GridOf(image), distances.data(), this->Parameters, isthmus::ProgressOf(this));
+        isthmus::NonpolarEnergy(atoms.Balls, isthmus::MakeDispersionAtoms(input, atoms),
+          MakeGrid(image), distances.data(), this->Parameters, isthmus::MakeProgress(this));
       FillAtoms(input, atoms, energies, output);
       FillTable(energies.Whole, table);
     });

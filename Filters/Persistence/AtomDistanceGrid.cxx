@@ -60,7 +60,7 @@ AtomDistances GridAround(const std::vector<Point3>& atoms, double reach, double 
 }
 
 /// Lowers the nodes within `reach` of an atom to their distance over `scale`.
-void PutAtom(const Point3& atom, double scale, double reach, AtomDistances& grid)
+void AddAtom(const Point3& atom, double scale, double reach, AtomDistances& grid)
 {
   std::array<std::int64_t, 3> low{};
   std::array<std::int64_t, 3> high{};
@@ -97,7 +97,7 @@ void MarchType(const std::vector<Point3>& atoms, double scale, double theta, Ato
   std::fill(own.Values.begin(), own.Values.end(), far);
   for (const Point3& atom : atoms)
   {
-    PutAtom(atom, scale, 1.0001 * std::sqrt(3.0) * grid.Spacing, own);
+    AddAtom(atom, scale, 1.0001 * std::sqrt(3.0) * grid.Spacing, own);
   }
   std::vector<std::int64_t> known;
   for (std::size_t i = 0; i < own.Values.size(); ++i)
@@ -140,7 +140,7 @@ AtomDistances AtomDistance(const std::vector<Point3>& atoms, const std::vector<d
     for (std::size_t i = 0; i < atoms.size(); ++i)
     {
       const double scale = scales.empty() ? 1.0 : scales[i];
-      PutAtom(atoms[i], scale, theta * scale, grid);
+      AddAtom(atoms[i], scale, theta * scale, grid);
       Report(progress, static_cast<double>(i + 1) / static_cast<double>(atoms.size()));
     }
     return grid;

@@ -19,7 +19,7 @@
 namespace isthmus
 {
 
-void ReturnFreeMemory()
+void ReleaseFreeMemory()
 {
 #ifdef __GLIBC__
   malloc_trim(0);
@@ -42,7 +42,7 @@ public:
     this->FindRange();
   }
 
-  std::uint64_t Of(std::size_t i) const
+  std::uint64_t GetKey(std::size_t i) const
   {
     if (!this->First.empty() && this->First[i])
     {
@@ -57,7 +57,7 @@ public:
   /// The leading bits in which keys differ, in the same order; 0 for those below the range.
   std::uint32_t Short(std::size_t i) const
   {
-    const std::uint64_t key = this->Of(i);
+    const std::uint64_t key = this->GetKey(i);
     return key < this->Least ? 0
                              : 1 + static_cast<std::uint32_t>((key - this->Least) >> this->Shift);
   }
@@ -79,7 +79,7 @@ private:
         std::uint64_t high = 0;
         for (std::int64_t i = begin; i < end; ++i)
         {
-          const std::uint64_t key = this->Of(At(i));
+          const std::uint64_t key = this->GetKey(At(i));
           low = key != 0 && key != Zero ? std::min(low, key) : low;
           high = std::max(high, key);
         }
@@ -103,7 +103,7 @@ private:
 /// An id below its short key.
 using Entry = std::uint64_t;
 
-std::size_t IdOf(Entry entry)
+std::size_t GetId(Entry entry)
 {
   return static_cast<std::size_t>(entry & 0xFFFFFFFFU);
 }
@@ -111,10 +111,10 @@ std::size_t IdOf(Entry entry)
 /// Whether a run of entries is already in the order of whole keys: most have one key.
 bool IsInOrder(const Entry* begin, const Entry* end, const EntryKeys& keys)
 {
-  std::uint64_t before = keys.Of(IdOf(*begin));
+  std::uint64_t before = keys.GetKey(GetId(*begin));
   for (const Entry* entry = begin + 1; entry != end; ++entry)
   {
-    const std::uint64_t key = keys.Of(IdOf(*entry));
+    const std::uint64_t key = keys.GetKey(GetId(*entry));
     if (key < before)
     {
       return false;
@@ -142,7 +142,7 @@ void SortRuns(
       run.clear();
       for (std::size_t k = i; k < next; ++k)
       {
-        run.emplace_back(keys.Of(IdOf(entries[k])), entries[k]);
+        run.emplace_back(keys.GetKey(GetId(entries[k])), entries[k]);
       }
       std::sort(run.begin(), run.end());
       std::transform(run.begin(), run.end(), entries.begin() + static_cast<std::ptrdiff_t>(i),
@@ -177,7 +177,7 @@ void Number(const std::vector<Entry>& entries, std::size_t begin, std::size_t en
 {
   for (std::size_t i = begin; i < end; ++i)
   {
-    const auto id = Id::At(IdOf(entries[i]));
+    const auto id = Id::At(GetId(entries[i]));
     order[Rank::At(before + i)] = id;
     rank[id] = Rank::At(before + i);
   }
@@ -209,7 +209,7 @@ public:
     }
     std::vector<Entry> entries(place.back());
     const std::uint32_t start = piece == 0 ? 0 : this->Ends[piece - 1];
-    this->ForBlocks(
+    this->ForEachBlock(
       [&](std::size_t b, std::size_t i)
       {
         const std::uint32_t key = this->Keys.Short(i);
@@ -231,7 +231,7 @@ private:
 
   /// Calls visit(block, id) for all ids; blocks run in parallel.
   template <typename Visit>
-  void ForBlocks(const Visit& visit) const
+  void ForEachBlock(const Visit& visit) const
   {
     ParallelFor(0, static_cast<std::int64_t>(this->Blocks()), 1,
       [&](std::int64_t begin, std::int64_t end)
@@ -253,7 +253,7 @@ private:
     std::vector<Bins> ofBlock(pieces == 1 ? 0 : this->Blocks(), Bins{});
     if (pieces > 1)
     {
-      this->ForBlocks(
+      this->ForEachBlock(
         [&](std::size_t b, std::size_t i) { ++ofBlock[b][this->Keys.Short(i) >> BinShift]; });
     }
     std::size_t counted = 0;
@@ -274,11 +274,11 @@ private:
   void CountEntries()
   {
     this->InBlock.assign(this->Blocks(), {});
-    this->ForBlocks([&](std::size_t b, std::size_t i)
-      { ++this->InBlock[b][this->PieceOf(this->Keys.Short(i))]; });
+    this->ForEachBlock([&](std::size_t b, std::size_t i)
+      { ++this->InBlock[b][this->FindPiece(this->Keys.Short(i))]; });
   }
 
-  std::size_t PieceOf(std::uint32_t key) const
+  std::size_t FindPiece(std::uint32_t key) const
   {
     std::size_t piece = 0;
     while (key >> BinShift >= this->Ends[piece])
@@ -388,7 +388,7 @@ constexpr std::ptrdiff_t FewEdges = 24; ///< counting them is faster than mispre
 /// Calls visit(cell, corner) for the faces that are triangles of the cells of piece `p`: of two
 /// tetrahedra the one with the smaller id has it.
 template <typename Visit>
-void ForFaces(const CellFiltration& f, std::size_t p, Visit&& visit)
+void ForEachFace(const CellFiltration& f, std::size_t p, Visit&& visit)
 {
   const std::size_t end = std::min((p + 1) * CellsOfPiece, f.Tetrahedra.size());
   for (const TetrahedronId t : HandleRange<TetrahedronId>(p * CellsOfPiece, end))
@@ -423,14 +423,14 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
       part);
   };
   forPieces(Between(progress, 0.0, 0.3),
-    [&](std::size_t p) { ForFaces(f, p, [&](TetrahedronId, std::size_t) { ++first[p + 1]; }); });
+    [&](std::size_t p) { ForEachFace(f, p, [&](TetrahedronId, std::size_t) { ++first[p + 1]; }); });
   std::partial_sum(first.begin(), first.end(), first.begin());
   f.TriangleFaces.resize(first.back());
   forPieces(Between(progress, 0.3, 1.0),
     [&](std::size_t p)
     {
       TriangleId next = TriangleId::At(first[p]);
-      ForFaces(f, p,
+      ForEachFace(f, p,
         [&](TetrahedronId t, std::size_t k)
         {
           f.TriangleFaces[next] = static_cast<SimplexId>(4 * t.Index() + k);
@@ -440,17 +440,17 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
 }
 
 /// See TriangleBlocks.
-std::vector<SimplexId> BlocksOf(const CellFiltration& f)
+std::vector<SimplexId> FindTriangleBlocks(const CellFiltration& f)
 {
   std::vector<SimplexId> blocks;
-  blocks.reserve(f.Tetrahedra.size() / CellFiltration::CellsOfBlock + 2);
+  blocks.reserve(f.Tetrahedra.size() / CellFiltration::CellsPerBlock + 2);
   for (const TriangleId t : f.Triangles())
   {
     const auto block =
-      static_cast<std::uint32_t>(f.TriangleFaces[t]) / (4 * CellFiltration::CellsOfBlock);
+      static_cast<std::uint32_t>(f.TriangleFaces[t]) / (4 * CellFiltration::CellsPerBlock);
     blocks.resize(std::max<std::size_t>(blocks.size(), block + 1), t.Value);
   }
-  blocks.resize(f.Tetrahedra.size() / CellFiltration::CellsOfBlock + 2,
+  blocks.resize(f.Tetrahedra.size() / CellFiltration::CellsPerBlock + 2,
     static_cast<SimplexId>(f.TriangleCount()));
   return blocks;
 }
@@ -544,7 +544,7 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
 
 /// The edges opposite to the points of a triangle. Two begin at its lowest point: if few edges do,
 /// one pass over them finds both.
-std::array<EdgeId, 3> EdgesOf(const CellFiltration& f, const std::array<SimplexId, 3>& p)
+std::array<EdgeId, 3> FindEdges(const CellFiltration& f, const std::array<SimplexId, 3>& p)
 {
   const EdgeId first = f.FirstEdge[At(p[0])];
   const EdgeId end = f.FirstEdge[At(p[0]) + 1];
@@ -577,7 +577,7 @@ void FindEdgePlaces(CellFiltration& f, const ProgressCallback& progress)
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
         const auto p = f.TrianglePoints(t);
-        const auto edges = EdgesOf(f, p);
+        const auto edges = FindEdges(f, p);
         f.EdgePlaces[t] = { place(edges[0], p[1]), place(edges[1], p[0]), place(edges[2], p[0]) };
       }
     },
@@ -601,7 +601,7 @@ void CellFiltration::Connect(const ProgressCallback& progress)
 {
   this->RequireNumbers();
   MakeTriangles(*this, Between(progress, 0.0, 0.3));
-  this->TriangleBlocks = BlocksOf(*this);
+  this->TriangleBlocks = FindTriangleBlocks(*this);
   MakeEdges(*this, Between(progress, 0.3, 0.7));
   FindEdgePlaces(*this, Between(progress, 0.7, 1.0));
 }

@@ -83,7 +83,7 @@ SimplexOrder(const HandleVector<TriangleId, std::uint32_t>& level,
 
 /// Gives memory that was freed, and that the C library keeps for later, back to the system; glibc
 /// only.
-void ReturnFreeMemory();
+void ReleaseFreeMemory();
 
 /**
  * A simplicial 3-complex and the value at which each of its simplices enters.
@@ -97,7 +97,7 @@ void ReturnFreeMemory();
  */
 struct CellFiltration
 {
-  static constexpr std::size_t CellsOfBlock = 8;
+  static constexpr std::size_t CellsPerBlock = 8;
 
   std::vector<Point3> Points;
   HandleVector<TetrahedronId, std::array<SimplexId, 4>> Tetrahedra;
@@ -153,7 +153,7 @@ struct CellFiltration
   }
 
   /// The triangle opposite to a corner of a tetrahedron. By bisection among about 20 ids.
-  TriangleId TriangleOf(TetrahedronId cell, std::size_t corner) const;
+  TriangleId GetTriangle(TetrahedronId cell, std::size_t corner) const;
 
   std::size_t TriangleCount() const { return this->TriangleFaces.size(); }
   HandleRange<TriangleId> Triangles() const { return this->TriangleFaces.Keys(); }
@@ -222,7 +222,7 @@ struct CellFiltration
   }
 };
 
-inline TriangleId CellFiltration::TriangleOf(TetrahedronId cell, std::size_t corner) const
+inline TriangleId CellFiltration::GetTriangle(TetrahedronId cell, std::size_t corner) const
 {
   TetrahedronId first = cell;
   if (const TetrahedronId other = this->Neighbours[cell][corner]; other.Exists() && other < cell)
@@ -231,7 +231,7 @@ inline TriangleId CellFiltration::TriangleOf(TetrahedronId cell, std::size_t cor
     first = other;
     corner = static_cast<std::size_t>(std::find(back.begin(), back.end(), cell) - back.begin());
   }
-  const std::size_t block = first.Index() / CellsOfBlock;
+  const std::size_t block = first.Index() / CellsPerBlock;
   const auto begin = this->TriangleFaces.begin();
   const auto face = static_cast<std::uint32_t>(4 * first.Index() + corner);
   const auto at =

@@ -32,7 +32,7 @@ public:
     std::iota(this->Eldest.begin(), this->Eldest.end(), std::uint32_t{ 0 });
   }
 
-  std::size_t EldestOf(std::size_t place)
+  std::size_t FindEldest(std::size_t place)
   {
     return this->Eldest[this->Sets.Find(static_cast<std::uint32_t>(place))];
   }
@@ -52,7 +52,7 @@ private:
 /// The minima that the gradient leads to from both nodes of each edge; the last one is that from
 /// node 0.
 template <typename Gradient>
-PathEnds<typename Gradient::Key::Link> MinimaOf(
+PathEnds<typename Gradient::Key::Link> FindMinima(
   const Gradient& gradient, const std::vector<typename Gradient::Key>& edges)
 {
   const LowerStars& stars = gradient.Lower();
@@ -65,14 +65,14 @@ PathEnds<typename Gradient::Key::Link> MinimaOf(
   {
     const auto edge = static_cast<std::size_t>(i);
     return edge == edges.size() ? std::array<std::int64_t, 2>{ 0, 0 }
-                                : gradient.EndsOf(edges[edge]);
+                                : gradient.GetEnds(edges[edge]);
   };
   return { static_cast<std::int64_t>(edges.size()) + 1, starts, stars.NodeCount(), descend };
 }
 
 /// The cubes, or the outside, that the gradient comes from on both sides of each face.
 template <typename Gradient>
-PathEnds<typename Gradient::Key::Link> MaximaOf(
+PathEnds<typename Gradient::Key::Link> FindMaxima(
   const Gradient& gradient, const std::vector<typename Gradient::Key>& faces)
 {
   const LowerStars& stars = gradient.Lower();
@@ -89,13 +89,13 @@ PathEnds<typename Gradient::Key::Link> MaximaOf(
     {
       return cube;
     }
-    const auto sides = gradient.CofacesOf(node, face);
+    const auto sides = gradient.GetCofaces(node, face);
     return sides[0] == cube ? sides[1] : sides[0];
   };
   const auto starts = [&](std::int64_t i)
   {
     const auto& face = faces[static_cast<std::size_t>(i)];
-    return gradient.CofacesOf(face.Node(), Gradient::FaceOf(face));
+    return gradient.GetCofaces(face.Node(), Gradient::GetFace(face));
   };
   return { static_cast<std::int64_t>(faces.size()), starts, outside + 1, ascend };
 }
@@ -118,8 +118,8 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
   negative.assign(edges.size(), 0);
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    std::size_t elder = components.EldestOf(minima.Numbers[i][0]);
-    std::size_t younger = components.EldestOf(minima.Numbers[i][1]);
+    std::size_t elder = components.FindEldest(minima.Numbers[i][0]);
+    std::size_t younger = components.FindEldest(minima.Numbers[i][1]);
     if (elder == younger)
     {
       continue;
@@ -132,13 +132,13 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
     negative[i] = 1;
     if (!gradient.EdgeKey(nodeOf(younger), StarCell(0)).SameValue(edges[i]))
     {
-      pairs.push_back({ gradient.NamedNode(nodeOf(younger)),
-        gradient.Named(edges[i].Node(), Gradient::EdgeOf(edges[i])), 0,
-        gradient.NamedNode(nodeOf(elder)) });
+      pairs.push_back({ gradient.MakeNodeCell(nodeOf(younger)),
+        gradient.MakeCell(edges[i].Node(), Gradient::GetEdge(edges[i])), 0,
+        gradient.MakeNodeCell(nodeOf(elder)) });
     }
   }
-  const std::int64_t first = nodeOf(components.EldestOf(minima.Numbers.back()[0]));
-  pairs.push_back({ gradient.NamedNode(first), CubicalCell(), 0, CubicalCell() });
+  const std::int64_t first = nodeOf(components.FindEldest(minima.Numbers.back()[0]));
+  pairs.push_back({ gradient.MakeNodeCell(first), CubicalCell(), 0, CubicalCell() });
 }
 
 /**
@@ -162,13 +162,13 @@ void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& fa
   const auto nameOf = [&](std::size_t maximum)
   {
     const auto [node, cell] = gradient.StarCube(cubeOf(maximum));
-    return gradient.Named(node, cell);
+    return gradient.MakeCell(node, cell);
   };
   std::size_t kept = faces.size();
   for (std::size_t i = faces.size(); i-- > 0;)
   {
-    std::size_t stays = voids.EldestOf(maxima.Numbers[i][0]);
-    std::size_t ends = voids.EldestOf(maxima.Numbers[i][1]);
+    std::size_t stays = voids.FindEldest(maxima.Numbers[i][0]);
+    std::size_t ends = voids.FindEldest(maxima.Numbers[i][1]);
     if (stays == ends)
     {
       faces[--kept] = faces[i];
@@ -181,8 +181,8 @@ void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& fa
     voids.Join(ends, stays);
     if (!keyOf(ends).SameValue(faces[i]))
     {
-      pairs.push_back({ gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])), nameOf(ends),
-        2, cubeOf(stays) == outside ? CubicalCell() : nameOf(stays) });
+      pairs.push_back({ gradient.MakeCell(faces[i].Node(), Gradient::GetFace(faces[i])),
+        nameOf(ends), 2, cubeOf(stays) == outside ? CubicalCell() : nameOf(stays) });
     }
   }
   faces.erase(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -256,11 +256,11 @@ struct CubicalCritical
   explicit CubicalCritical(const Gradient& gradient)
   {
     CollectCritical(gradient, this->Edges, this->Faces);
-    AtOnce([this]() { std::sort(this->Edges.begin(), this->Edges.end()); },
+    RunConcurrently([this]() { std::sort(this->Edges.begin(), this->Edges.end()); },
       [this]() { std::sort(this->Faces.begin(), this->Faces.end()); });
-    const auto minima = MinimaOf(gradient, this->Edges);
-    const auto maxima = MaximaOf(gradient, this->Faces);
-    AtOnce([&]()
+    const auto minima = FindMinima(gradient, this->Edges);
+    const auto maxima = FindMaxima(gradient, this->Faces);
+    RunConcurrently([&]()
       { PairComponents(gradient, this->Edges, minima, this->Negative, this->Components); },
       [&]() { PairVoids(gradient, this->Faces, maxima, this->Voids); });
   }
@@ -268,7 +268,7 @@ struct CubicalCritical
 private:
   /// Computes components and voids, which are independent of each other.
   template <typename First, typename Second>
-  static void AtOnce(First&& first, Second&& second)
+  static void RunConcurrently(First&& first, Second&& second)
   {
     ParallelFor(0, 2, 1,
       [&](std::int64_t begin, std::int64_t end)

@@ -50,7 +50,7 @@ public:
 
   /// From the far end of an edge to its node, which is the one that enters: nodes, both ends
   /// included. Empty if there is no path.
-  Nodes Round(std::int64_t node, std::int64_t far)
+  Nodes CloseEdge(std::int64_t node, std::int64_t far)
   {
     return this->Find(far, node, node, std::numeric_limits<double>::infinity());
   }
@@ -124,7 +124,7 @@ private:
       // they do not run along the edge itself.
       const bool arrives = next == this->Latest && next == this->Goal &&
         cell.Value < Star::FirstFace && at != this->Start;
-      if (arrives || this->WasThere(at, cell))
+      if (arrives || this->HadEntered(at, cell))
       {
         this->Offer(open, next, length + this->StepLength(cell), at);
       }
@@ -147,7 +147,7 @@ private:
   }
 
   /// Whether all corners of the cell entered before the latest.
-  bool WasThere(std::int64_t node, StarCell cell) const
+  bool HadEntered(std::int64_t node, StarCell cell) const
   {
     const auto& step = Star::Steps[cell.Index()];
     for (int corner = 1; corner < 8; ++corner)
@@ -218,14 +218,14 @@ public:
     std::set<std::int64_t> odd;
     for (const Key& edge : column)
     {
-      const auto ends = this->Cells.EndsOf(edge);
+      const auto ends = this->Cells.GetEnds(edge);
       this->ToggleEdge(ends[0], ends[1]);
       Toggle(odd, ends[0]);
       Toggle(odd, ends[1]);
     }
     for (const std::int64_t node : odd)
     {
-      this->ToggleWayToRoot(node);
+      this->TogglePathToRoot(node);
     }
     return this->TakeLoops();
   }
@@ -257,7 +257,7 @@ private:
     return edge == Star::Node ? node : node + this->Cells.Lower().Offset(StarCell(edge));
   }
 
-  std::int64_t MinimumOf(std::int64_t node) const
+  std::int64_t FindMinimum(std::int64_t node) const
   {
     for (std::int64_t next = this->Below(node); next != node; next = this->Below(node))
     {
@@ -277,13 +277,13 @@ private:
     return node;
   }
 
-  void ToggleWayToRoot(std::int64_t node)
+  void TogglePathToRoot(std::int64_t node)
   {
     std::int64_t minimum = this->ToggleDescent(node);
     for (auto link = this->Above.find(minimum); link->second.Minimum >= 0;
          link = this->Above.find(minimum))
     {
-      const auto ends = this->Cells.EndsOf(this->Edges[link->second.Edge]);
+      const auto ends = this->Cells.GetEnds(this->Edges[link->second.Edge]);
       this->ToggleEdge(ends[0], ends[1]);
       this->ToggleDescent(ends[0]);
       this->ToggleDescent(ends[1]);
@@ -298,14 +298,14 @@ private:
     {
       if (this->Negative[i])
       {
-        const auto ends = this->Cells.EndsOf(this->Edges[i]);
-        const std::int64_t a = this->MinimumOf(ends[0]);
-        const std::int64_t b = this->MinimumOf(ends[1]);
+        const auto ends = this->Cells.GetEnds(this->Edges[i]);
+        const std::int64_t a = this->FindMinimum(ends[0]);
+        const std::int64_t b = this->FindMinimum(ends[1]);
         neighbours[a].push_back({ b, i });
         neighbours[b].push_back({ a, i });
       }
     }
-    const std::int64_t root = this->MinimumOf(0);
+    const std::int64_t root = this->FindMinimum(0);
     this->Above[root] = { -1, 0 };
     Nodes open{ root };
     while (!open.empty())
@@ -409,7 +409,8 @@ std::vector<typename Gradient::Key> EdgesAlong(const Gradient& gradient, const N
   return edges;
 }
 
-double LengthOf(const Nodes& loop, const LowerStars& stars, const std::array<double, 3>& spacing)
+double ComputeLoopLength(
+  const Nodes& loop, const LowerStars& stars, const std::array<double, 3>& spacing)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -437,12 +438,12 @@ public:
     const std::array<double, 3>& spacing)
     : Cells(gradient)
     , Reduction(reduction)
-    , Ways(gradient, spacing)
+    , Paths(gradient, spacing)
     , Spacing(spacing)
   {
   }
 
-  ShortestPaths<Gradient>& Shortest() { return this->Ways; }
+  ShortestPaths<Gradient>& Shortest() { return this->Paths; }
 
   /**
    * Replaces arcs, longer ones first, by shorter paths if the loop between them is filled by the
@@ -479,9 +480,9 @@ private:
     const auto end = begin + static_cast<std::ptrdiff_t>(width + 1);
     const Nodes arc(begin, end);
     const LowerStars& stars = this->Cells.Lower();
-    const double length = LengthOf(arc, stars, this->Spacing) -
-      LengthOf({ arc.back(), arc.front() }, stars, this->Spacing) / 2.0;
-    const Nodes way = this->Ways.Between(arc.front(), arc.back(), latest, 0.999 * length);
+    const double length = ComputeLoopLength(arc, stars, this->Spacing) -
+      ComputeLoopLength({ arc.back(), arc.front() }, stars, this->Spacing) / 2.0;
+    const Nodes way = this->Paths.Between(arc.front(), arc.back(), latest, 0.999 * length);
     if (way.empty())
     {
       return false;
@@ -501,16 +502,16 @@ private:
 
   const Gradient& Cells;
   LoopReduction<Gradient>& Reduction;
-  ShortestPaths<Gradient> Ways;
+  ShortestPaths<Gradient> Paths;
   std::array<double, 3> Spacing;
 };
 
 /// Features of dimension 1 by the face that ends them.
-using Wanted = std::unordered_map<std::int64_t, std::int64_t>;
+using SelectedFeatures = std::unordered_map<std::int64_t, std::int64_t>;
 
-Wanted WantedOf(const FeatureList& features, std::size_t most)
+SelectedFeatures SelectCycles(const FeatureList& features, std::size_t most)
 {
-  Wanted wanted;
+  SelectedFeatures wanted;
   for (std::size_t i = 0; i < features.Kept && wanted.size() < most; ++i)
   {
     const CubicalPair& pair = features.Features[i].Pair;
@@ -528,7 +529,7 @@ Wanted WantedOf(const FeatureList& features, std::size_t most)
 /// feature exists. It can have several loops; those that are filled on their own are dropped.
 template <typename Gradient>
 std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<double, 3>& spacing,
-  const Wanted& wanted, const ProgressCallback& progress)
+  const SelectedFeatures& wanted, const ProgressCallback& progress)
 {
   const CubicalCritical<Gradient> critical(gradient);
   LoopReduction<Gradient> reduction(gradient, critical.Edges, critical.Negative);
@@ -536,13 +537,13 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
   CycleShortening<Gradient> shortening(gradient, reduction, spacing);
   std::vector<CubicalCycle> cycles;
   const auto keep = [&](std::int64_t feature, const Nodes& loop) {
-    cycles.push_back({ feature, loop, LengthOf(loop, gradient.Lower(), spacing) });
+    cycles.push_back({ feature, loop, ComputeLoopLength(loop, gradient.Lower(), spacing) });
   };
   std::size_t done = 0;
   for (std::size_t i = 0; i < critical.Faces.size() && done < wanted.size(); ++i)
   {
     const auto& face = critical.Faces[i];
-    const auto found = wanted.find(gradient.Named(face.Node(), Gradient::FaceOf(face)).Name());
+    const auto found = wanted.find(gradient.MakeCell(face.Node(), Gradient::GetFace(face)).Name());
     if (found == wanted.end())
     {
       reduction.Fill(face);
@@ -551,8 +552,8 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
     Report(progress, static_cast<double>(done) / static_cast<double>(wanted.size()));
     ++done;
     const auto edge = reduction.Find(face);
-    const auto ends = gradient.EndsOf(edge);
-    const Nodes loop = shortening.Shortest().Round(ends[0], ends[1]);
+    const auto ends = gradient.GetEnds(edge);
+    const Nodes loop = shortening.Shortest().CloseEdge(ends[0], ends[1]);
     const auto edges =
       loop.empty() ? std::vector<typename Gradient::Key>() : EdgesAlong(gradient, loop);
     // Filled by this face, and not before.
@@ -564,7 +565,7 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
       continue;
     }
     // Another tunnel was in the way. As long as this one lives, what is filled can be passed.
-    std::vector<Nodes> parts = completion.Close(reduction.ColumnOf(edge));
+    std::vector<Nodes> parts = completion.Close(reduction.BuildColumn(edge));
     reduction.SetUsed(edge, false);
     for (Nodes& part : parts)
     {
@@ -588,7 +589,7 @@ std::vector<CubicalCycle> CubicalCycles(const VolumeView& volume,
   std::size_t most, const ProgressCallback& progress)
 {
   std::vector<CubicalCycle> cycles;
-  const Wanted wanted = WantedOf(features, most);
+  const SelectedFeatures wanted = SelectCycles(features, most);
   if (!wanted.empty())
   {
     WithGradient(volume, superlevel, Between(progress, 0.0, 0.2),

@@ -43,14 +43,17 @@ public:
     return Key(this->Values[node], node, cell.Value - Star::FirstCube);
   }
   /// The cell of the node's star that is denoted by the key of an edge or of a face.
-  static StarCell EdgeOf(const Key& key) { return StarCell(key.Place()); }
-  static StarCell FaceOf(const Key& key) { return StarCell(key.Place() + Star::FirstFace); }
+  static StarCell GetEdge(const Key& key) { return StarCell(key.Place()); }
+  static StarCell GetFace(const Key& key) { return StarCell(key.Place() + Star::FirstFace); }
 
-  static CubicalCell Named(std::int64_t node, StarCell cell)
+  static CubicalCell MakeCell(std::int64_t node, StarCell cell)
   {
     return CubicalCell(node, Star::DirectionOf[cell.Index()]);
   }
-  static CubicalCell NamedNode(std::int64_t node) { return Named(node, StarCell(Star::Node)); }
+  static CubicalCell MakeNodeCell(std::int64_t node)
+  {
+    return MakeCell(node, StarCell(Star::Node));
+  }
 
   bool IsLater(std::int64_t a, std::int64_t b) const
   {
@@ -60,9 +63,9 @@ public:
   }
 
   /// The two nodes of an edge.
-  std::array<std::int64_t, 2> EndsOf(const Key& edge) const
+  std::array<std::int64_t, 2> GetEnds(const Key& edge) const
   {
-    return { edge.Node(), edge.Node() + this->Stars.Offset(EdgeOf(edge)) };
+    return { edge.Node(), edge.Node() + this->Stars.Offset(GetEdge(edge)) };
   }
 
   /// The edge from a node one step along an axis, forwards or back.
@@ -73,7 +76,7 @@ public:
   }
 
   /// The four edges of a face of the star of `node`; the first two are of the same star.
-  std::array<Key, 4> BoundaryOf(std::int64_t node, StarCell face) const
+  std::array<Key, 4> GetBoundary(std::int64_t node, StarCell face) const
   {
     const auto& edges = Star::FaceEdges[face.Index() - Star::FirstFace];
     const StarCell first(edges[0]), second(edges[1]);
@@ -85,7 +88,7 @@ public:
 
   /// The cubes on both sides of a face, given by their lowest corners; NodeCount() stands for the
   /// exterior of the grid.
-  std::array<std::int64_t, 2> CofacesOf(std::int64_t node, StarCell face) const
+  std::array<std::int64_t, 2> GetCofaces(std::int64_t node, StarCell face) const
   {
     const auto& step = Star::Steps[face.Index()];
     const std::size_t normal = step[0] == 0 ? 0 : step[1] == 0 ? 1 : 2;

@@ -38,7 +38,7 @@ public:
     this->Slots.assign(slots, 0);
     for (std::size_t i = 0; i < keys.size(); ++i)
     {
-      std::size_t slot = this->SlotOf(keys[i]);
+      std::size_t slot = this->FindSlot(keys[i]);
       while (this->Slots[slot] != 0)
       {
         slot = (slot + 1) & (this->Slots.size() - 1);
@@ -50,7 +50,7 @@ public:
   /// The number of a key that is in the list.
   std::size_t operator()(const Key& key) const
   {
-    std::size_t slot = this->SlotOf(key);
+    std::size_t slot = this->FindSlot(key);
     while (!(this->Keys[this->Slots[slot] - 1] == key))
     {
       slot = (slot + 1) & (this->Slots.size() - 1);
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  std::size_t SlotOf(const Key& key) const
+  std::size_t FindSlot(const Key& key) const
   {
     return static_cast<std::size_t>(key.Hash() * 0x9e3779b97f4a7c15U >> 20) &
       (this->Slots.size() - 1);
@@ -106,7 +106,7 @@ public:
   /// Adds the boundary of a face.
   void AddFace(const Key& face)
   {
-    for (const Key& edge : this->Cells.BoundaryOf(face.Node(), Gradient::FaceOf(face)))
+    for (const Key& edge : this->Cells.GetBoundary(face.Node(), Gradient::GetFace(face)))
     {
       this->Push(edge);
     }
@@ -219,7 +219,7 @@ private:
       const StarCell face(star.Partner[edge]);
       const auto& both = Star::FaceEdges[face.Index() - Star::FirstFace];
       edges ^= 1U << both[0] | 1U << both[1];
-      const auto boundary = this->Cells.BoundaryOf(node, face);
+      const auto boundary = this->Cells.GetBoundary(node, face);
       this->Push(boundary[2]);
       this->Push(boundary[3]);
     }
@@ -290,7 +290,7 @@ public:
   void FillAll(const std::vector<Key>& faces, Found&& found, const ProgressCallback& progress)
   {
     const std::size_t most = std::max<std::size_t>(1024, faces.size() / 16);
-    std::vector<Begun> waiting;
+    std::vector<PartialColumn> waiting;
     // Progress within a round is reported only if the round is long, since each part requires
     // starting threads.
     double seconds = std::numeric_limits<double>::infinity();
@@ -330,7 +330,7 @@ public:
 
   /// The edges of the column of the face for which Fill returned `edge`, without those that join
   /// components.
-  std::vector<Key> ColumnOf(const Key& edge) const
+  std::vector<Key> BuildColumn(const Key& edge) const
   {
     const Column& column = this->Columns[this->NumberOf(edge)];
     std::vector<Key> edges(column.First, column.First + column.Count);
@@ -361,7 +361,7 @@ private:
   };
 
   /// State of the reduction of a face: it has reached the edge Pivot, with Rest below it.
-  struct Begun
+  struct PartialColumn
   {
     std::size_t Pivot = EdgeColumn<Gradient>::None;
     Column Rest;
@@ -381,7 +381,7 @@ private:
     return number;
   }
 
-  static std::size_t Demanded(std::size_t pivot)
+  static std::size_t RequirePivot(std::size_t pivot)
   {
     if (pivot == EdgeColumn<Gradient>::None)
     {
@@ -395,12 +395,12 @@ private:
   {
     this->Working.Clear();
     this->Working.AddFace(face);
-    return Demanded(this->Reduce(this->Working, Latest));
+    return RequirePivot(this->Reduce(this->Working, Latest));
   }
 
   /// Reduces the waiting faces as far as the existing columns allow.
-  void Advance(
-    const std::vector<Key>& faces, std::vector<Begun>& waiting, const ProgressCallback& progress)
+  void Advance(const std::vector<Key>& faces, std::vector<PartialColumn>& waiting,
+    const ProgressCallback& progress)
   {
     constexpr std::size_t grain = 16;
     const std::size_t chunks = (waiting.size() + grain - 1) / grain;
@@ -422,12 +422,12 @@ private:
       progress);
   }
 
-  void AdvanceChunk(const std::vector<Key>& faces, Begun* who, std::size_t count,
+  void AdvanceChunk(const std::vector<Key>& faces, PartialColumn* who, std::size_t count,
     EdgeColumn<Gradient>& working, std::vector<Key>& block) const
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      Begun& own = who[i];
+      PartialColumn& own = who[i];
       working.Clear();
       if (own.Pivot == EdgeColumn<Gradient>::None)
       {
@@ -439,7 +439,7 @@ private:
         working.Add(own.Rest.First, own.Rest.Count);
         working.Add(other.First, other.Count);
       }
-      own.Pivot = Demanded(this->Reduce(working, own.Rest.Face));
+      own.Pivot = RequirePivot(this->Reduce(working, own.Rest.Face));
       const std::vector<Key>& rest = working.Rest();
       own.Rest.Count = rest.size();
       block.insert(block.end(), rest.begin(), rest.end());
@@ -454,10 +454,10 @@ private:
   }
 
   /// Assigns each edge to the earliest of the faces that reached it; returns the others in order.
-  std::vector<Begun> Claim(const std::vector<Begun>& waiting)
+  std::vector<PartialColumn> Claim(const std::vector<PartialColumn>& waiting)
   {
-    std::vector<Begun> left;
-    for (const Begun& own : waiting)
+    std::vector<PartialColumn> left;
+    for (const PartialColumn& own : waiting)
     {
       Column& column = this->Columns[own.Pivot];
       if (column.Used && column.Face < own.Rest.Face)
@@ -472,7 +472,7 @@ private:
       column = own.Rest;
     }
     std::sort(left.begin(), left.end(),
-      [](const Begun& a, const Begun& b) { return a.Rest.Face < b.Rest.Face; });
+      [](const PartialColumn& a, const PartialColumn& b) { return a.Rest.Face < b.Rest.Face; });
     return left;
   }
 

@@ -87,8 +87,8 @@ void PairLoops(const Gradient& gradient, const std::vector<typename Gradient::Ke
       const auto& face = faces[static_cast<std::size_t>(i)];
       if (!edge.SameValue(face))
       {
-        pairs.push_back({ gradient.Named(edge.Node(), Gradient::EdgeOf(edge)),
-          gradient.Named(face.Node(), Gradient::FaceOf(face)), 1, CubicalCell() });
+        pairs.push_back({ gradient.MakeCell(edge.Node(), Gradient::GetEdge(edge)),
+          gradient.MakeCell(face.Node(), Gradient::GetFace(face)), 1, CubicalCell() });
       }
     },
     progress);

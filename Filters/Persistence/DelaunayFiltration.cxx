@@ -34,7 +34,7 @@ using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
 constexpr double FlatnessLimit = 1e-6;
 
 template <typename K>
-typename K::Point_3 PointOf(const Point3& p)
+typename K::Point_3 ToCGALPoint(const Point3& p)
 {
   return typename K::Point_3(p[0], p[1], p[2]);
 }
@@ -63,8 +63,8 @@ double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Po
   {
     return ExactOrthosphere({ p, q, r, s }, {}).Power;
   }
-  const Point3 centre = aa * bc + bb * Cross(c, a) + cc * Cross(a, b);
-  return Dot(centre, centre) / (4.0 * det * det);
+  const Point3 center = aa * bc + bb * Cross(c, a) + cc * Cross(a, b);
+  return Dot(center, center) / (4.0 * det * det);
 }
 
 double SquaredRadius(const Point3& p, const Point3& q, const Point3& r)
@@ -79,7 +79,7 @@ double SquaredRadius(const Point3& p, const Point3& q, const Point3& r)
   if (nn <= FlatnessLimit * FlatnessLimit * aa * bb)
   {
     return CGAL::to_double(CGAL::squared_radius(
-      PointOf<ExactKernel>(p), PointOf<ExactKernel>(q), PointOf<ExactKernel>(r)));
+      ToCGALPoint<ExactKernel>(p), ToCGALPoint<ExactKernel>(q), ToCGALPoint<ExactKernel>(r)));
   }
   return aa * bb * Dot(c, c) / (4.0 * nn);
 }
@@ -92,7 +92,7 @@ void Triangulate(
   sites.reserve(points.size());
   for (const Point3& p : points)
   {
-    sites.push_back(PointOf<Kernel>(p));
+    sites.push_back(ToCGALPoint<Kernel>(p));
   }
   Report(progress, 0.0);
   const std::vector<std::size_t> order = SpatialOrder<Kernel>(sites);
@@ -120,7 +120,7 @@ bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s
 {
   const auto& [a, b, c, aa, bb, cc] = EdgesFrom(p, q, r, s);
   const Point3 n = Cross(a, b);
-  // |c|^2 - 2 c.centre, times |n|^2.
+  // |c|^2 - 2 c.center, times |n|^2.
   const double power = Dot(n, n) * cc - Dot(aa * Cross(b, n) + bb * Cross(n, a), c);
   // Rounding takes at most some thirty units of 2^-53 of |a|^2 |b|^2 |c| (|a| + |b| + |c|).
   const double error = 1.5e-14 * aa * bb * std::sqrt(3.0 * cc * (aa + bb + cc));
@@ -128,8 +128,8 @@ bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s
   {
     return power < 0.0;
   }
-  return CGAL::side_of_bounded_sphere(PointOf<Kernel>(p), PointOf<Kernel>(q), PointOf<Kernel>(r),
-           PointOf<Kernel>(s)) == CGAL::ON_BOUNDED_SIDE;
+  return CGAL::side_of_bounded_sphere(ToCGALPoint<Kernel>(p), ToCGALPoint<Kernel>(q),
+           ToCGALPoint<Kernel>(r), ToCGALPoint<Kernel>(s)) == CGAL::ON_BOUNDED_SIDE;
 }
 
 double TriangleValue(const CellFiltration& f, TriangleId triangle)
@@ -157,8 +157,8 @@ bool IsInBall(const Point3& u, const Point3& v, const Point3& w)
   const double scale = Dot(u - v, u - v);
   return angle < -1e-12 * scale ||
     (angle < 1e-12 * scale &&
-      CGAL::side_of_bounded_sphere(PointOf<Kernel>(u), PointOf<Kernel>(v), PointOf<Kernel>(w)) ==
-        CGAL::ON_BOUNDED_SIDE);
+      CGAL::side_of_bounded_sphere(ToCGALPoint<Kernel>(u), ToCGALPoint<Kernel>(v),
+        ToCGALPoint<Kernel>(w)) == CGAL::ON_BOUNDED_SIDE);
 }
 
 /// For each triangle, bit k: the sphere of the edge opposite to corner k has that corner inside.
@@ -266,7 +266,7 @@ CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCall
       triangulated(watch.Lap());
     }
   }
-  ReturnFreeMemory(); // of the triangulation's many small blocks
+  ReleaseFreeMemory(); // of the triangulation's many small blocks
   f.Connect(Between(progress, 0.45, 0.6));
   ValueCells(f, Between(progress, 0.6, 0.85));
   f.Order(Between(progress, 0.85, 1.0));

@@ -13,18 +13,18 @@ namespace
 
 /// By rational numbers of any size.
 Orthosphere RationalOrthosphere(
-  const std::array<Point3, 4>& centres, const std::array<double, 4>& squaredRadii)
+  const std::array<Point3, 4>& centers, const std::array<double, 4>& squaredRadii)
 {
   using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
   const auto ball = [&](std::size_t k)
   {
-    const Point3& p = centres[k];
+    const Point3& p = centers[k];
     return Kernel::Weighted_point_3(Kernel::Point_3(p[0], p[1], p[2]), squaredRadii[k]);
   };
-  const auto centre = CGAL::weighted_circumcenter(ball(0), ball(1), ball(2), ball(3));
-  const auto power = CGAL::squared_distance(centre, ball(0).point()) - ball(0).weight();
-  return { { CGAL::to_double(centre.x()), CGAL::to_double(centre.y()),
-             CGAL::to_double(centre.z()) },
+  const auto center = CGAL::weighted_circumcenter(ball(0), ball(1), ball(2), ball(3));
+  const auto power = CGAL::squared_distance(center, ball(0).point()) - ball(0).weight();
+  return { { CGAL::to_double(center.x()), CGAL::to_double(center.y()),
+             CGAL::to_double(center.z()) },
     CGAL::to_double(power) };
 }
 
@@ -33,14 +33,14 @@ Orthosphere RationalOrthosphere(
 // Numerators and denominators apart: rational numbers look for common divisors after each operation
 // and take 14 times as long.
 Orthosphere ExactOrthosphere(
-  const std::array<Point3, 4>& centres, const std::array<double, 4>& squaredRadii)
+  const std::array<Point3, 4>& centers, const std::array<double, 4>& squaredRadii)
 {
   using Number = CGAL::Mpzf; // sums and products of doubles, without rounding
   using Vector = CGAL::Simple_cartesian<Number>::Vector_3;
   const auto edge = [&](std::size_t k)
   {
     const auto along = [&](std::size_t axis)
-    { return Number(centres[k][axis]) - Number(centres[0][axis]); };
+    { return Number(centers[k][axis]) - Number(centers[0][axis]); };
     return Vector(along(0), along(1), along(2));
   };
   const Number w = squaredRadii[0];
@@ -58,10 +58,10 @@ Orthosphere ExactOrthosphere(
   const double power = CGAL::to_double(numerator.squared_length() - w * squared) / divisor;
   if (!(divisor > 1e-200 && std::isfinite(power)))
   {
-    return RationalOrthosphere(centres, squaredRadii); // beyond the range of doubles
+    return RationalOrthosphere(centers, squaredRadii); // beyond the range of doubles
   }
   const auto place = [&](std::size_t axis, const Number& from)
-  { return centres[0][axis] + CGAL::to_double(from) / CGAL::to_double(denominator); };
+  { return centers[0][axis] + CGAL::to_double(from) / CGAL::to_double(denominator); };
   return { { place(0, numerator.x()), place(1, numerator.y()), place(2, numerator.z()) }, power };
 }
 

@@ -12,18 +12,18 @@
 namespace isthmus
 {
 
-/// A sphere orthogonal to the balls of a simplex: its centre, and its squared radius (power).
+/// A sphere orthogonal to the balls of a simplex: its center, and its squared radius (power).
 struct Orthosphere
 {
-  Point3 Centre;
+  Point3 Center;
   double Power;
 };
 
 /**
- * The sphere orthogonal to four balls with these centres, which do not lie in one plane, and
+ * The sphere orthogonal to four balls with these centers, which do not lie in one plane, and
  * squared radii. With radii 0 it is the circumscribed sphere.
  *
- * With a, b, c the edges from the first centre p, and w_i the squared radii, the centre is
+ * With a, b, c the edges from the first center p, and w_i the squared radii, the center is
  *
  *     p + (A b x c + B c x a + C a x b) / (2 a . (b x c)),   A = a . a + w_0 - w_1, and so on.
  *
@@ -31,7 +31,7 @@ struct Orthosphere
  * for common divisors after each operation.)
  */
 Orthosphere ExactOrthosphere(
-  const std::array<Point3, 4>& centres, const std::array<double, 4>& squaredRadii);
+  const std::array<Point3, 4>& centers, const std::array<double, 4>& squaredRadii);
 
 }
 

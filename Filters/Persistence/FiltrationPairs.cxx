@@ -43,7 +43,7 @@ void FindSides(const CellFiltration& f,
 
 /// Calls pair(triangle, tetrahedron) for each void: see VoidPairs().
 template <typename Pair>
-void ForVoidPairs(const CellFiltration& f, const ProgressCallback& progress, const Pair& pair)
+void ForEachVoidPair(const CellFiltration& f, const ProgressCallback& progress, const Pair& pair)
 {
   const std::size_t count = f.TriangleCount();
   HandleVector<TetrahedronId, TetrahedronRank> rank;
@@ -82,7 +82,7 @@ HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress)
 {
   HandleVector<TriangleId, TetrahedronId> filledBy(f.TriangleCount(), TetrahedronId::None());
-  ForVoidPairs(f, progress,
+  ForEachVoidPair(f, progress,
     [&filledBy](TriangleId triangle, TetrahedronId cell) { filledBy[triangle] = cell; });
   return filledBy;
 }
@@ -177,7 +177,7 @@ FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback
   , Columns(f.TriangleCount())
 {
   this->Partner.assign(f.TriangleCount(), -1);
-  ForVoidPairs(f, Between(progress, 0.0, 0.3),
+  ForEachVoidPair(f, Between(progress, 0.0, 0.3),
     [this](TriangleId triangle, TetrahedronId cell) { this->Partner[triangle] = -2 - cell.Value; });
   this->PairLoops(Between(progress, 0.3, 1.0));
 }
@@ -242,7 +242,7 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 }
 
 /// Edges of a triangle, all by rank.
-std::array<EdgeRank, 3> FiltrationPairs::BoundaryOf(TriangleRank rank) const
+std::array<EdgeRank, 3> FiltrationPairs::GetBoundary(TriangleRank rank) const
 {
   const auto edges = this->F.TriangleEdges(this->F.TrianglesInOrder[rank]);
   const auto& ranks = this->F.RankOfEdge;
@@ -263,10 +263,10 @@ void FiltrationPairs::AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) c
   const std::int64_t place = this->Columns.Find(rank);
   if (place >= 0)
   {
-    this->Columns.ForEdges(place, add);
+    this->Columns.ForEachEdge(place, add);
     return;
   }
-  for (const EdgeRank edge : this->BoundaryOf(rank))
+  for (const EdgeRank edge : this->GetBoundary(rank))
   {
     add(edge);
   }
@@ -281,7 +281,7 @@ bool FiltrationPairs::Reduce(TriangleRank rank, const HandleVector<EdgeRank, Tri
   column.Clear();
   reduced.clear();
   added.clear();
-  for (const EdgeRank e : this->BoundaryOf(rank))
+  for (const EdgeRank e : this->GetBoundary(rank))
   {
     column.Add(e);
   }
@@ -306,7 +306,7 @@ bool FiltrationPairs::Reduce(TriangleRank rank, const HandleVector<EdgeRank, Tri
 }
 
 /// By what it fills or else, for one of a void, by bisection.
-TriangleRank FiltrationPairs::RankOf(TriangleId triangle) const
+TriangleRank FiltrationPairs::FindRank(TriangleId triangle) const
 {
   const EdgeId closer = this->LoopClosed(triangle);
   if (closer.Exists())
@@ -321,7 +321,7 @@ TriangleRank FiltrationPairs::RankOf(TriangleId triangle) const
 
 TriangleChain FiltrationPairs::Filling(TriangleId triangle) const
 {
-  return this->Filling(this->RankOf(triangle));
+  return this->Filling(this->FindRank(triangle));
 }
 
 TriangleChain FiltrationPairs::Filling(TriangleRank triangle) const
@@ -336,7 +336,7 @@ TriangleChain FiltrationPairs::Filling(TriangleRank triangle) const
     const std::int64_t place = this->Columns.Find(rank);
     if (place >= 0)
     {
-      this->Columns.ForAdded(place, [&pending](TriangleRank other) { pending.Add(other); });
+      this->Columns.ForEachAdded(place, [&pending](TriangleRank other) { pending.Add(other); });
     }
   }
   return filling;
@@ -345,7 +345,7 @@ TriangleChain FiltrationPairs::Filling(TriangleRank triangle) const
 EdgeChain FiltrationPairs::Push(
   const EdgeChain& z, TriangleId limit, const Unwanted& unwanted, TriangleChain& swept) const
 {
-  const TriangleRank end = this->RankOf(limit);
+  const TriangleRank end = this->FindRank(limit);
   RankHeap<EdgeRank> cycle;
   for (const EdgeId e : z)
   {

@@ -67,13 +67,13 @@ public:
   }
 
   template <typename Visit>
-  void ForEdges(std::int64_t place, Visit&& visit) const
+  void ForEachEdge(std::int64_t place, Visit&& visit) const
   {
     this->Edges.ForEach(static_cast<std::size_t>(place), visit);
   }
 
   template <typename Visit>
-  void ForAdded(std::int64_t place, Visit&& visit) const
+  void ForEachAdded(std::int64_t place, Visit&& visit) const
   {
     this->Added.ForEach(static_cast<std::size_t>(place), visit);
   }
@@ -198,8 +198,8 @@ private:
   struct Reduction;
   bool Reduce(TriangleRank rank, const HandleVector<EdgeRank, TriangleRank>& filler,
     EdgeRank& pivot, Reduction& work, const std::function<void()>& tick);
-  std::array<EdgeRank, 3> BoundaryOf(TriangleRank rank) const;
-  TriangleRank RankOf(TriangleId triangle) const;
+  std::array<EdgeRank, 3> GetBoundary(TriangleRank rank) const;
+  TriangleRank FindRank(TriangleId triangle) const;
   TriangleChain Filling(TriangleRank rank) const;
   template <typename Heap>
   void AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) const;

@@ -119,7 +119,7 @@ struct PathEnds
         {
           for (Link& end : this->Numbers[static_cast<std::size_t>(i)])
           {
-            end = ends.RankOf(static_cast<std::int64_t>(end));
+            end = ends.FindRank(static_cast<std::int64_t>(end));
           }
         }
       });

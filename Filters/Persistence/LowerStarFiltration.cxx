@@ -23,17 +23,18 @@ struct Face
   std::uint32_t Middle, Last; ///< the other points
   std::uint32_t Place;        ///< 4 * cell + the corner opposite to the face
 
-  std::uint64_t Others() const { return std::uint64_t{ this->Middle } << 32 | this->Last; }
+  std::uint64_t OtherPoints() const { return std::uint64_t{ this->Middle } << 32 | this->Last; }
 
   bool operator<(const Face& o) const
   {
-    return this->Others() != o.Others() ? this->Others() < o.Others() : this->Place < o.Place;
+    return this->OtherPoints() != o.OtherPoints() ? this->OtherPoints() < o.OtherPoints()
+                                                  : this->Place < o.Place;
   }
 };
 
 /// Calls visit(smallest point, face) for the four faces of each cell.
 template <typename Visit>
-void ForFaces(const CellFiltration& f, const Visit& visit)
+void ForEachFace(const CellFiltration& f, const Visit& visit)
 {
   for (const TetrahedronId cell : f.Tetrahedra.Keys())
   {
@@ -55,10 +56,10 @@ std::vector<Face> FacesByPoint(const CellFiltration& f, std::vector<std::size_t>
 {
   // Counted two positions ahead: filling moves each start to the beginning of the next.
   first.assign(f.Points.size() + 2, 0);
-  ForFaces(f, [&first](std::size_t p, const Face&) { ++first[p + 2]; });
+  ForEachFace(f, [&first](std::size_t p, const Face&) { ++first[p + 2]; });
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<Face> faces(first.back());
-  ForFaces(f, [&](std::size_t p, const Face& face) { faces[first[p + 1]++] = face; });
+  ForEachFace(f, [&](std::size_t p, const Face& face) { faces[first[p + 1]++] = face; });
   return faces;
 }
 
@@ -68,11 +69,11 @@ std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
   std::sort(begin, end);
   for (Face* face = begin; face != end; ++face)
   {
-    if (face + 1 == end || face[0].Others() != face[1].Others())
+    if (face + 1 == end || face[0].OtherPoints() != face[1].OtherPoints())
     {
       continue;
     }
-    if (face + 2 != end && face[0].Others() == face[2].Others())
+    if (face + 2 != end && face[0].OtherPoints() == face[2].OtherPoints())
     {
       return face - begin;
     }
@@ -187,7 +188,7 @@ public:
 
   /// Calls visit(triangle) for each one with these points, ascending.
   template <typename Visit>
-  void ForTriangles(const std::array<SimplexId, 3>& p, Visit&& visit) const
+  void ForEachTriangle(const std::array<SimplexId, 3>& p, Visit&& visit) const
   {
     for (SimplexId i = this->First[At(p[0])]; i < this->First[At(p[0]) + 1]; ++i)
     {
@@ -215,7 +216,7 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        wanted.ForTriangles(f.TrianglePoints(t),
+        wanted.ForEachTriangle(f.TrianglePoints(t),
           [&](std::size_t triangle)
           {
             found[triangle] = 1;
@@ -296,7 +297,7 @@ HandleVector<Id, std::uint32_t> LastLevels(
 
 /// The order of simplices by level, those of the surface, which are `first`, before all others.
 template <typename Id, typename Rank>
-HandleVector<Rank, Id> OrderOf(HandleVector<Id, std::uint32_t> level,
+HandleVector<Rank, Id> SortByLevel(HandleVector<Id, std::uint32_t> level,
   const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank)
 {
   for (const Id id : level.Keys())
@@ -317,15 +318,15 @@ void EnterByPoints(
   Report(progress, 0.3);
   auto ofTriangles = LastLevels(
     levels, f.TriangleCount(), [&f](TriangleId t) { return f.TrianglePoints(t); }, f.TriangleValue);
-  f.TrianglesInOrder = OrderOf(std::move(ofTriangles), f.TriangleFirst, f.RankOfTriangle);
+  f.TrianglesInOrder = SortByLevel(std::move(ofTriangles), f.TriangleFirst, f.RankOfTriangle);
   Report(progress, 0.7);
   auto ofEdges = LastLevels(
     levels, f.Edges.size(), [&f](EdgeId e) { return f.Edges[e]; }, f.EdgeValue);
-  f.EdgesInOrder = OrderOf(std::move(ofEdges), f.EdgeFirst, f.RankOfEdge);
+  f.EdgesInOrder = SortByLevel(std::move(ofEdges), f.EdgeFirst, f.RankOfEdge);
   Report(progress, 1.0);
 }
 
-HandleVector<TetrahedronId, std::array<SimplexId, 4>> ShortIds(
+HandleVector<TetrahedronId, std::array<SimplexId, 4>> NarrowIds(
   const std::vector<Tetrahedron>& tetrahedra)
 {
   HandleVector<TetrahedronId, std::array<SimplexId, 4>> ids;
@@ -371,7 +372,7 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
   }
   CellFiltration f;
   f.Points = mesh.Points;
-  f.Tetrahedra = ShortIds(mesh.Tetrahedra);
+  f.Tetrahedra = NarrowIds(mesh.Tetrahedra);
   Derive(f, surface, Between(progress, 0.0, 0.8));
   EnterByPoints(f, square, Between(progress, 0.8, 1.0));
   return f;
@@ -382,9 +383,9 @@ CellFiltration ComplexAround(
 {
   CellFiltration f;
   f.Points = std::move(mesh.Points);
-  f.Tetrahedra = ShortIds(mesh.Tetrahedra);
+  f.Tetrahedra = NarrowIds(mesh.Tetrahedra);
   mesh = {};
-  ReturnFreeMemory(); // of TetGen's files, too
+  ReleaseFreeMemory(); // of TetGen's files, too
   Derive(f, surface, progress);
   return f;
 }

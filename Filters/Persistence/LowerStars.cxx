@@ -185,7 +185,7 @@ void LowerStars::NumberKinds(RankedSet& masks, const ProgressCallback& progress)
         if (kinds[node] != mask)
         {
           mask = kinds[node];
-          kind = masks.RankOf(mask);
+          kind = masks.FindRank(mask);
         }
         kinds[node] = kind;
       }

@@ -69,7 +69,7 @@ std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
 DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
   const ProgressCallback& progress)
 {
-  DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.7));
+  DistanceGrid grid = ComputeDistanceGrid(surface, box, cells, Between(progress, 0.0, 0.7));
   // In spacings, since floats know neither 1e40 nor 1e-40. No way on the grid is longer than this.
   const auto farthest =
     static_cast<float>(grid.Dimensions[0] + grid.Dimensions[1] + grid.Dimensions[2]);
@@ -117,7 +117,7 @@ std::vector<double> MorseValues(const SurfaceView& surface, const TetrahedralMes
     return EdgeDistances(mesh, sources, rest);
   }
   const DistanceGrid grid = function == MorseFunction::GridDistance
-    ? GridOfDistances(surface, box, MorseGridCells, rest)
+    ? ComputeDistanceGrid(surface, box, MorseGridCells, rest)
     : MarchedDistances(surface, box, MorseGridCells, rest);
   std::vector<double> values;
   for (const Point3& p : mesh.Points)

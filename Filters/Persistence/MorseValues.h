@@ -23,7 +23,7 @@ std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
   const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});
 
 /**
- * GridOfDistances() by fast marching (FastMarch()) from the nodes within two spacings of the
+ * ComputeDistanceGrid() by fast marching (FastMarch()) from the nodes within two spacings of the
  * surface, where it is exact: |grad d| = 1 solved to first order, error O(h log h).
  */
 DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,

@@ -30,7 +30,7 @@ bool IsStored(vtkDataArray* values)
 
 }
 
-VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image)
+VolumeView MakeVolumeView(vtkDataArray* scalars, vtkImageData* image)
 {
   const int* n = image->GetDimensions();
   const std::array<std::int64_t, 3> dimensions{ n[0], n[1], n[2] };
@@ -50,7 +50,7 @@ VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image)
 const VolumeStatistics& PersistenceCache::Statistics(
   vtkDataArray* scalars, const VolumeView& volume)
 {
-  return this->OfVolume.Get({ StateOf(scalars), volume.Dimensions },
+  return this->OfVolume.Get({ GetState(scalars), volume.Dimensions },
     [&]
     {
       this->Diagram.Clear();

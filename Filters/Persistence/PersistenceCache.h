@@ -22,7 +22,7 @@ namespace isthmus
 
 /// The values as stored in memory. Throws std::invalid_argument for arrays that are not contiguous
 /// plain numbers.
-VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image);
+VolumeView MakeVolumeView(vtkDataArray* scalars, vtkImageData* image);
 
 /// Statistics and pairs of the last scalars. They do not depend on thresholds, so that threshold
 /// changes are instant; changed values, another sign or other levels recompute them.

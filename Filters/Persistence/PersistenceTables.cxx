@@ -64,12 +64,12 @@ private:
   vtkIdTypeArray* Joins;
 };
 
-int DimensionOf(const CubicalCell& cell)
+int GetDimension(const CubicalCell& cell)
 {
   return (cell.Step(0) != 0) + (cell.Step(1) != 0) + (cell.Step(2) != 0);
 }
 
-std::array<double, 3> PlaceOf(vtkImageData* image, std::int64_t node)
+std::array<double, 3> GetPosition(vtkImageData* image, std::int64_t node)
 {
   std::array<double, 3> place;
   image->GetPoint(static_cast<vtkIdType>(node), place.data());
@@ -144,11 +144,11 @@ void FillSaddles(const FeatureList& features, double end, vtkImageData* image,
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
     const auto at = static_cast<vtkIdType>(i);
-    places->SetPoint(at, PlaceOf(image, ends[i].second.Node()).data());
+    places->SetPoint(at, GetPosition(image, ends[i].second.Node()).data());
     vertices->InsertNextCell(1, &at);
     columns.Set(at, features, ends[i].first);
     value->SetValue(at, volume.Value(ends[i].second.Node()));
-    index->SetValue(at, DimensionOf(ends[i].second));
+    index->SetValue(at, GetDimension(ends[i].second));
   }
   points->SetPoints(places);
   points->SetVerts(vertices);
@@ -170,7 +170,7 @@ void FillCycles(const FeatureList& features, const std::vector<CubicalCycle>& cy
     loops->InsertNextCell(static_cast<int>(cycles[i].Nodes.size() + 1));
     for (const std::int64_t node : cycles[i].Nodes)
     {
-      loops->InsertCellPoint(places->InsertNextPoint(PlaceOf(image, node).data()));
+      loops->InsertCellPoint(places->InsertNextPoint(GetPosition(image, node).data()));
     }
     loops->InsertCellPoint(first);
     const auto at = static_cast<vtkIdType>(i);

@@ -47,10 +47,10 @@ public:
   /// By any number of threads. Threads write only new numbers, of which there are soon none.
   void Add(std::int64_t number)
   {
-    auto& word = this->PageOf(number).Words[WordOf(number)];
-    if ((word.load(std::memory_order_relaxed) & BitOf(number)) == 0)
+    auto& word = this->GetPage(number).Words[WordIndex(number)];
+    if ((word.load(std::memory_order_relaxed) & BitMask(number)) == 0)
     {
-      word.fetch_or(BitOf(number), std::memory_order_relaxed);
+      word.fetch_or(BitMask(number), std::memory_order_relaxed);
     }
   }
 
@@ -69,7 +69,7 @@ public:
         for (std::uint64_t bits = page->Words[w].load(); bits != 0; bits &= bits - 1)
         {
           visit(static_cast<std::int64_t>(
-            (p * wordsOfPage + w) * 64 + CountOf((bits & (~bits + 1)) - 1)));
+            (p * wordsOfPage + w) * 64 + CountBits((bits & (~bits + 1)) - 1)));
           ++total;
         }
       }
@@ -78,12 +78,12 @@ public:
 
   /// The count of smaller numbers in the set.
   /// @pre `number` is in the set, Rank() was called, and the set has fewer than 2^32 numbers.
-  std::uint32_t RankOf(std::int64_t number) const
+  std::uint32_t FindRank(std::int64_t number) const
   {
     const Page& page = *this->Pages[number / numbersOfPage].load(std::memory_order_relaxed);
-    const std::uint64_t word = page.Words[WordOf(number)].load(std::memory_order_relaxed);
-    return page.Before[WordOf(number)] +
-      static_cast<std::uint32_t>(CountOf(word & (BitOf(number) - 1)));
+    const std::uint64_t word = page.Words[WordIndex(number)].load(std::memory_order_relaxed);
+    return page.Before[WordIndex(number)] +
+      static_cast<std::uint32_t>(CountBits(word & (BitMask(number) - 1)));
   }
 
 private:
@@ -96,17 +96,17 @@ private:
     std::array<std::uint32_t, wordsOfPage> Before{}; ///< numbers before each word
   };
 
-  static std::size_t WordOf(std::int64_t number)
+  static std::size_t WordIndex(std::int64_t number)
   {
     return static_cast<std::size_t>(number) / 64 % wordsOfPage;
   }
-  static std::uint64_t BitOf(std::int64_t number)
+  static std::uint64_t BitMask(std::int64_t number)
   {
     return std::uint64_t{ 1 } << (static_cast<std::uint64_t>(number) & 63U);
   }
-  static std::size_t CountOf(std::uint64_t bits) { return std::bitset<64>(bits).count(); }
+  static std::size_t CountBits(std::uint64_t bits) { return std::bitset<64>(bits).count(); }
 
-  Page& PageOf(std::int64_t number)
+  Page& GetPage(std::int64_t number)
   {
     std::atomic<Page*>& place = this->Pages[number / numbersOfPage];
     Page* page = place.load(std::memory_order_acquire);

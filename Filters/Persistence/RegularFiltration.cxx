@@ -41,29 +41,29 @@ constexpr double RegularFlatnessLimit = 1e-5;
 constexpr double Doubtful = 1e-11;
 
 template <typename K>
-typename K::Weighted_point_3 BallOf(const RegularFiltration& f, SimplexId id)
+typename K::Weighted_point_3 GetBall(const RegularFiltration& f, SimplexId id)
 {
   const Point3& p = f.Complex.Points[At(id)];
   const double r = f.Radii[At(id)];
   return typename K::Weighted_point_3(typename K::Point_3(p[0], p[1], p[2]), r * r);
 }
 
-double WeightOf(const RegularFiltration& f, SimplexId id)
+double GetWeight(const RegularFiltration& f, SimplexId id)
 {
   return f.Radii[At(id)] * f.Radii[At(id)];
 }
 
-void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& radii)
+void CheckBalls(const std::vector<Point3>& centers, const std::vector<double>& radii)
 {
   // Powers are products of two lengths, orientations of three: beyond this they lose all digits.
   constexpr double largest = 1e9;
-  if (centres.size() != radii.size())
+  if (centers.size() != radii.size())
   {
     throw std::invalid_argument("There must be one radius for each ball.");
   }
-  for (std::size_t i = 0; i < centres.size(); ++i)
+  for (std::size_t i = 0; i < centers.size(); ++i)
   {
-    const Point3& p = centres[i];
+    const Point3& p = centers[i];
     if (!(std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) < largest))
     {
       throw std::invalid_argument("Ball " + std::to_string(i) +
@@ -78,13 +78,13 @@ void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& r
   }
 }
 
-Orthosphere OrthosphereOf(const RegularFiltration& f, const std::array<SimplexId, 4>& t)
+Orthosphere ComputeOrthosphere(const RegularFiltration& f, const std::array<SimplexId, 4>& t)
 {
   const auto& p = f.Complex.Points;
   const Point3 a = p[At(t[1])] - p[At(t[0])];
   const Point3 b = p[At(t[2])] - p[At(t[0])];
   const Point3 c = p[At(t[3])] - p[At(t[0])];
-  const double w = WeightOf(f, t[0]);
+  const double w = GetWeight(f, t[0]);
   const Point3 bc = Cross(b, c);
   const double det = Dot(a, bc);
   const double aa = Dot(a, a);
@@ -93,12 +93,12 @@ Orthosphere OrthosphereOf(const RegularFiltration& f, const std::array<SimplexId
   if (det * det <= RegularFlatnessLimit * RegularFlatnessLimit * aa * bb * cc)
   {
     return ExactOrthosphere({ p[At(t[0])], p[At(t[1])], p[At(t[2])], p[At(t[3])] },
-      { w, WeightOf(f, t[1]), WeightOf(f, t[2]), WeightOf(f, t[3]) });
+      { w, GetWeight(f, t[1]), GetWeight(f, t[2]), GetWeight(f, t[3]) });
   }
-  const Point3 centre = (0.5 / det) *
-    ((aa + w - WeightOf(f, t[1])) * bc + (bb + w - WeightOf(f, t[2])) * Cross(c, a) +
-      (cc + w - WeightOf(f, t[3])) * Cross(a, b));
-  return { p[At(t[0])] + centre, Dot(centre, centre) - w };
+  const Point3 center = (0.5 / det) *
+    ((aa + w - GetWeight(f, t[1])) * bc + (bb + w - GetWeight(f, t[2])) * Cross(c, a) +
+      (cc + w - GetWeight(f, t[3])) * Cross(a, b));
+  return { p[At(t[0])] + center, Dot(center, center) - w };
 }
 
 double TrianglePower(const RegularFiltration& f, const std::array<SimplexId, 3>& t)
@@ -108,26 +108,26 @@ double TrianglePower(const RegularFiltration& f, const std::array<SimplexId, 3>&
   const Point3 b = p[At(t[2])] - p[At(t[0])];
   const Point3 n = Cross(a, b);
   const double nn = Dot(n, n);
-  const double w = WeightOf(f, t[0]);
+  const double w = GetWeight(f, t[0]);
   if (nn <= RegularFlatnessLimit * RegularFlatnessLimit * Dot(a, a) * Dot(b, b))
   {
     return CGAL::to_double(CGAL::squared_radius_smallest_orthogonal_sphere(
-      BallOf<ExactKernel>(f, t[0]), BallOf<ExactKernel>(f, t[1]), BallOf<ExactKernel>(f, t[2])));
+      GetBall<ExactKernel>(f, t[0]), GetBall<ExactKernel>(f, t[1]), GetBall<ExactKernel>(f, t[2])));
   }
-  const Point3 centre = (0.5 / nn) *
-    ((Dot(a, a) + w - WeightOf(f, t[1])) * Cross(b, n) +
-      (Dot(b, b) + w - WeightOf(f, t[2])) * Cross(n, a));
-  return Dot(centre, centre) - w;
+  const Point3 center = (0.5 / nn) *
+    ((Dot(a, a) + w - GetWeight(f, t[1])) * Cross(b, n) +
+      (Dot(b, b) + w - GetWeight(f, t[2])) * Cross(n, a));
+  return Dot(center, center) - w;
 }
 
-/// Power of the edge's smallest orthogonal sphere, and where its centre lies from the first end.
+/// Power of the edge's smallest orthogonal sphere, and where its center lies from the first end.
 Orthosphere EdgeOrthosphere(const RegularFiltration& f, const std::array<SimplexId, 2>& e)
 {
   const auto& p = f.Complex.Points;
   const Point3 d = p[At(e[1])] - p[At(e[0])];
   const double dd = Dot(d, d);
-  const double t = 0.5 * (dd + WeightOf(f, e[0]) - WeightOf(f, e[1])) / dd;
-  return { p[At(e[0])] + t * d, t * t * dd - WeightOf(f, e[0]) };
+  const double t = 0.5 * (dd + GetWeight(f, e[0]) - GetWeight(f, e[1])) / dd;
+  return { p[At(e[0])] + t * d, t * t * dd - GetWeight(f, e[0]) };
 }
 
 void Triangulate(const RegularFiltration& f, Regular& triangulation,
@@ -161,8 +161,8 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
     }
     const auto id = static_cast<SimplexId>(order[i]);
     const auto vertex = hint == Regular::Vertex_handle()
-      ? triangulation.insert(BallOf<Kernel>(f, id))
-      : triangulation.insert(BallOf<Kernel>(f, id), hint->cell());
+      ? triangulation.insert(GetBall<Kernel>(f, id))
+      : triangulation.insert(GetBall<Kernel>(f, id), hint->cell());
     // A hidden ball gets no vertex; the vertex of the hint may later be hidden as well.
     hint = vertex;
     if (vertex != Regular::Vertex_handle())
@@ -179,7 +179,7 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
 /// Of all ids of a kind. Blocks are so small that progress moves where each body needs exact
 /// arithmetic, as that of flat simplices does.
 template <typename Id>
-void ForAll(
+void ForEachId(
   std::size_t n, const std::function<void(Id)>& body, const ProgressCallback& progress = {})
 {
   ParallelFor(
@@ -208,9 +208,9 @@ double TriangleValue(const RegularFiltration& f, TriangleId triangle)
     }
     lowest = std::min(lowest, complex.TetrahedronValue[cell]);
     attached = attached ||
-      Kernel().power_side_of_bounded_power_sphere_3_object()(BallOf<Kernel>(f, t[0]),
-        BallOf<Kernel>(f, t[1]), BallOf<Kernel>(f, t[2]),
-        BallOf<Kernel>(f, complex.Opposite(cell, t))) == CGAL::ON_BOUNDED_SIDE;
+      Kernel().power_side_of_bounded_power_sphere_3_object()(GetBall<Kernel>(f, t[0]),
+        GetBall<Kernel>(f, t[1]), GetBall<Kernel>(f, t[2]),
+        GetBall<Kernel>(f, complex.Opposite(cell, t))) == CGAL::ON_BOUNDED_SIDE;
   }
   return attached ? lowest : std::min(lowest, TrianglePower(f, t));
 }
@@ -219,16 +219,16 @@ double TriangleValue(const RegularFiltration& f, TriangleId triangle)
 bool CutsInto(const RegularFiltration& f, const std::array<SimplexId, 2>& edge,
   const Orthosphere& sphere, SimplexId third)
 {
-  const Point3 d = f.Complex.Points[At(third)] - sphere.Centre;
+  const Point3 d = f.Complex.Points[At(third)] - sphere.Center;
   const double dd = Dot(d, d);
-  const double power = dd - WeightOf(f, third) - sphere.Power;
-  const double scale = dd + WeightOf(f, third) + std::fabs(sphere.Power) + WeightOf(f, edge[0]);
+  const double power = dd - GetWeight(f, third) - sphere.Power;
+  const double scale = dd + GetWeight(f, third) + std::fabs(sphere.Power) + GetWeight(f, edge[0]);
   if (std::fabs(power) > Doubtful * scale)
   {
     return power < 0.0;
   }
-  return Kernel().power_side_of_bounded_power_sphere_3_object()(BallOf<Kernel>(f, edge[0]),
-           BallOf<Kernel>(f, edge[1]), BallOf<Kernel>(f, third)) == CGAL::ON_BOUNDED_SIDE;
+  return Kernel().power_side_of_bounded_power_sphere_3_object()(GetBall<Kernel>(f, edge[0]),
+           GetBall<Kernel>(f, edge[1]), GetBall<Kernel>(f, third)) == CGAL::ON_BOUNDED_SIDE;
 }
 
 /// The neighbours in the link decide whether an edge is attached, as for Gabriel edges.
@@ -237,7 +237,7 @@ void ValueEdges(RegularFiltration& f, const ProgressCallback& progress)
   CellFiltration& c = f.Complex;
   c.EdgeValue.assign(c.Edges.size(), HUGE_VAL);
   HandleVector<EdgeId, Orthosphere> spheres(c.Edges.size());
-  ForAll<EdgeId>(c.Edges.size(), [&](EdgeId e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
+  ForEachId<EdgeId>(c.Edges.size(), [&](EdgeId e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
   HandleVector<EdgeId, char> attached(c.Edges.size(), 0);
   const auto count = static_cast<double>(c.TriangleCount());
   for (const TriangleId t : c.Triangles())
@@ -266,7 +266,7 @@ void ValueEdges(RegularFiltration& f, const ProgressCallback& progress)
   }
 }
 
-/// A vertex is attached where a neighbour's ball, shrunk as much, still holds its centre.
+/// A vertex is attached where a neighbour's ball, shrunk as much, still holds its center.
 void ValueVertices(RegularFiltration& f)
 {
   const CellFiltration& c = f.Complex;
@@ -280,7 +280,7 @@ void ValueVertices(RegularFiltration& f)
       const SimplexId v = c.Edges[e][k];
       const SimplexId other = c.Edges[e][1 - k];
       f.VertexValue[At(v)] = std::min(f.VertexValue[At(v)], c.EdgeValue[e]);
-      if (Dot(d, d) < WeightOf(f, other) - WeightOf(f, v))
+      if (Dot(d, d) < GetWeight(f, other) - GetWeight(f, v))
       {
         attached[At(v)] = 1;
       }
@@ -290,19 +290,19 @@ void ValueVertices(RegularFiltration& f)
   {
     if (!attached[v] && f.VertexValue[v] < HUGE_VAL)
     {
-      f.VertexValue[v] = std::min(f.VertexValue[v], -WeightOf(f, static_cast<SimplexId>(v)));
+      f.VertexValue[v] = std::min(f.VertexValue[v], -GetWeight(f, static_cast<SimplexId>(v)));
     }
   }
 }
 
 }
 
-RegularFiltration MakeRegularFiltration(std::vector<Point3> centres, std::vector<double> radii,
+RegularFiltration MakeRegularFiltration(std::vector<Point3> centers, std::vector<double> radii,
   const ProgressCallback& progress, const std::function<void(double)>& predicted)
 {
-  CheckBalls(centres, radii);
+  CheckBalls(centers, radii);
   RegularFiltration f;
-  f.Complex.Points = std::move(centres);
+  f.Complex.Points = std::move(centers);
   f.Radii = std::move(radii);
   {
     Regular triangulation;
@@ -314,19 +314,19 @@ RegularFiltration MakeRegularFiltration(std::vector<Point3> centres, std::vector
   }
   CellFiltration& c = f.Complex;
   c.Connect(Between(progress, 0.55, 0.7));
-  f.Centres.resize(c.Tetrahedra.size());
+  f.Centers.resize(c.Tetrahedra.size());
   c.TetrahedronValue.resize(c.Tetrahedra.size());
-  ForAll<TetrahedronId>(
+  ForEachId<TetrahedronId>(
     c.Tetrahedra.size(),
     [&](TetrahedronId cell)
     {
-      const Orthosphere sphere = OrthosphereOf(f, c.Tetrahedra[cell]);
-      f.Centres[cell] = sphere.Centre;
+      const Orthosphere sphere = ComputeOrthosphere(f, c.Tetrahedra[cell]);
+      f.Centers[cell] = sphere.Center;
       c.TetrahedronValue[cell] = sphere.Power;
     },
     Between(progress, 0.7, 0.8));
   c.TriangleValue.resize(c.TriangleCount());
-  ForAll<TriangleId>(
+  ForEachId<TriangleId>(
     c.TriangleCount(), [&](TriangleId t) { c.TriangleValue[t] = TriangleValue(f, t); },
     Between(progress, 0.8, 0.9));
   ValueEdges(f, Between(progress, 0.9, 0.97));

@@ -29,14 +29,14 @@ struct RegularFiltration
   CellFiltration Complex;                      ///< not yet ordered: call Order() for persistence
   std::vector<double> Radii;                   ///< of the balls, by point
   std::vector<double> VertexValue;             ///< -R^2, or more where attached; HUGE_VAL: hidden
-  HandleVector<TetrahedronId, Point3> Centres; ///< of each tetrahedron's orthogonal sphere
+  HandleVector<TetrahedronId, Point3> Centers; ///< of each tetrahedron's orthogonal sphere
 
   /// False for balls whose power cell is empty: they touch no simplex.
   bool IsUsed(std::size_t ball) const { return this->VertexValue[ball] < HUGE_VAL; }
 };
 
 /**
- * Triangulates balls (centres and radii, all finite, radii not negative).
+ * Triangulates balls (centers and radii, all finite, radii not negative).
  *
  * Predicates are exact. Values have a relative accuracy of 1e-9, and are computed with rational
  * numbers where doubles are not accurate enough. Any number and position of balls is allowed; fewer
@@ -50,7 +50,7 @@ struct RegularFiltration
  * number of threads.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT RegularFiltration MakeRegularFiltration(
-  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {},
+  std::vector<Point3> centers, std::vector<double> radii, const ProgressCallback& progress = {},
   const std::function<void(double seconds)>& predicted = {});
 
 }

@@ -74,9 +74,9 @@ double AboveLargestGap(const std::vector<ScalarFeature>& features)
 
 /// How many of `sorted places` are at or before each level, and the sum of (level - place) of
 /// those.
-struct Passed
+struct CountsBelow
 {
-  explicit Passed(const std::vector<double>& levels)
+  explicit CountsBelow(const std::vector<double>& levels)
     : Levels(levels)
     , Counts(levels.size() + 1, 0)
     , Offsets(levels.size() + 1, 0.0)
@@ -120,8 +120,8 @@ void Count(const FeatureList& features, std::size_t used, int dimension, double 
   const std::vector<double>& levels, std::vector<std::int64_t>& counts,
   std::vector<double>& integrals)
 {
-  Passed born(levels);
-  Passed dead(levels);
+  CountsBelow born(levels);
+  CountsBelow dead(levels);
   for (std::size_t i = 0; i < used; ++i)
   {
     const ScalarFeature& feature = features.Features[i];

@@ -46,7 +46,7 @@ std::array<std::uint8_t, 27> MakeCells()
 }
 
 /// The facets of a cell that have the node as a corner, as bits.
-std::uint32_t FacetsOf(std::size_t cell)
+std::uint32_t FindFacets(std::size_t cell)
 {
   const auto steps = MakeSteps();
   const auto cells = MakeCells();
@@ -69,7 +69,7 @@ std::array<std::uint32_t, 27> MakeFacets()
   std::array<std::uint32_t, 27> facets{};
   for (std::size_t cell = 0; cell < 27; ++cell)
   {
-    facets[cell] = FacetsOf(cell);
+    facets[cell] = FindFacets(cell);
   }
   return facets;
 }
@@ -104,7 +104,7 @@ std::uint32_t Closed(std::uint32_t present, std::size_t first, std::size_t last)
   std::uint32_t cells = 0;
   for (std::size_t cell = first; cell < last; ++cell)
   {
-    const std::uint32_t facets = FacetsOf(cell);
+    const std::uint32_t facets = FindFacets(cell);
     cells |= (facets & present) == facets ? 1U << cell : 0U;
   }
   return cells;
@@ -168,7 +168,7 @@ bool Expand(StarMatching& matching, std::uint32_t& open)
 namespace Star
 {
 const std::array<std::array<int, 3>, 27> Steps = MakeSteps();
-const std::array<std::uint8_t, 27> CellOf = MakeCells();
+const std::array<std::uint8_t, 27> GetCellId = MakeCells();
 const std::array<std::int8_t, 27> DirectionOf = MakeDirections();
 const std::array<std::array<std::uint8_t, 2>, 12> FaceEdges = MakeFaceEdges();
 const std::array<std::uint32_t, 64> FacesOfEdges = MakeFacesOfEdges();

@@ -33,7 +33,7 @@ constexpr std::uint8_t Absent = 255;
 /// Step from the node to the opposite corner, by cell.
 extern const std::array<std::array<int, 3>, 27> Steps;
 /// Cell of a direction (see CubicalCell): inverse of Steps.
-extern const std::array<std::uint8_t, 27> CellOf;
+extern const std::array<std::uint8_t, 27> GetCellId;
 /// Direction of a cell.
 extern const std::array<std::int8_t, 27> DirectionOf;
 /// The two edges of a face, at [face - FirstFace]: along its first and its second axis.

@@ -61,7 +61,7 @@ double DistanceGrid::At(const Point3& p) const
   return value;
 }
 
-DistanceGrid GridOfDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
+DistanceGrid ComputeDistanceGrid(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
   const ProgressCallback& progress)
 {
   DistanceGrid grid;
@@ -73,9 +73,9 @@ DistanceGrid GridOfDistances(const SurfaceView& surface, const Bounds3& box, std
     grid.Dimensions[a] = static_cast<std::int64_t>(std::ceil(size[a] / grid.Spacing - 1e-9)) + 1;
     grid.Dimensions[a] = std::max<std::int64_t>(grid.Dimensions[a], 2);
   }
-  const std::vector<Point3> points = PointsFrom(grid.Origin, surface);
-  grid.Values =
-    DistanceToSurface({ points, surface.Triangles }, ShapeOf(grid), 2.0 * grid.Spacing, progress);
+  const std::vector<Point3> points = TranslatedPoints(grid.Origin, surface);
+  grid.Values = DistanceToSurface(
+    { points, surface.Triangles }, GetGridShape(grid), 2.0 * grid.Spacing, progress);
   return grid;
 }
 

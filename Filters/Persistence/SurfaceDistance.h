@@ -31,7 +31,7 @@ struct DistanceGrid
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT double At(const Point3& p) const;
 };
 
-inline GridShape ShapeOf(const DistanceGrid& grid)
+inline GridShape GetGridShape(const DistanceGrid& grid)
 {
   return { grid.Dimensions, { grid.Spacing, grid.Spacing, grid.Spacing } };
 }
@@ -44,7 +44,7 @@ inline GridShape ShapeOf(const DistanceGrid& grid)
  * away too large by at most about h^2 / (2 distance), which is also the possible error of trilinear
  * interpolation.
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid ComputeDistanceGrid(const SurfaceView& surface,
   const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
 
 }

@@ -56,7 +56,7 @@ struct FirstIndex
 };
 
 template <typename T>
-Extremes ExtremesOf(const T* values, std::int64_t count)
+Extremes FindExtremes(const T* values, std::int64_t count)
 {
   return ParallelReduce(count, Block, Extremes{},
     [&](Extremes& part, std::int64_t first, std::int64_t last)
@@ -76,7 +76,7 @@ Extremes ExtremesOf(const T* values, std::int64_t count)
 
 /// `half`: values, minimum and width are halved, for a width beyond the range of doubles.
 template <typename T>
-Moments MomentsOf(const T* values, std::int64_t count, double minimum, double width, bool half)
+Moments ComputeMoments(const T* values, std::int64_t count, double minimum, double width, bool half)
 {
   const double scale = half ? 0.5 : 1.0;
   return ParallelReduce(count, Block, Moments{},
@@ -149,7 +149,7 @@ VolumeStatistics MeasureVolume(const VolumeView& volume)
 {
   RejectNaN(volume);
   const Extremes range = WithTypedValues(
-    volume, [&](const auto* values) { return ExtremesOf(values, volume.NodeCount()); });
+    volume, [&](const auto* values) { return FindExtremes(values, volume.NodeCount()); });
   VolumeStatistics statistics;
   if (range.Count == 0)
   {
@@ -166,7 +166,7 @@ VolumeStatistics MeasureVolume(const VolumeView& volume)
     // Relative to the lowest value and in units of the width, so that nothing overflows or cancels.
     const Moments moments = WithTypedValues(volume,
       [&](const auto* values)
-      { return MomentsOf(values, volume.NodeCount(), scale * range.Minimum, width, half); });
+      { return ComputeMoments(values, volume.NodeCount(), scale * range.Minimum, width, half); });
     const auto count = static_cast<double>(range.Count);
     const double mean = moments.Sum / count;
     statistics.Mean = (scale * range.Minimum + mean * width) / scale;

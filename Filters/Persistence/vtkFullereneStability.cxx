@@ -32,7 +32,7 @@ namespace
 using isthmus::Point3;
 
 /// Positions and, for the points of a vtkPointSet, their data.
-std::vector<Point3> AtomsOf(vtkDataObject* input, vtkDataSetAttributes*& data)
+std::vector<Point3> ReadAtoms(vtkDataObject* input, vtkDataSetAttributes*& data)
 {
   vtkPoints* points = nullptr;
   if (auto* set = vtkPointSet::SafeDownCast(input))
@@ -53,7 +53,7 @@ std::vector<Point3> AtomsOf(vtkDataObject* input, vtkDataSetAttributes*& data)
   return atoms;
 }
 
-std::vector<double> RadiiOf(vtkDataSetAttributes* data, std::size_t atoms)
+std::vector<double> ReadRadii(vtkDataSetAttributes* data, std::size_t atoms)
 {
   vtkDataArray* radii = data ? data->GetArray("Radius") : nullptr;
   if (!radii || radii->GetNumberOfComponents() != 1 ||
@@ -85,15 +85,15 @@ void FillMolecules(const std::vector<MoleculeRow>& rows, vtkTable* table)
   vtkFieldData* const data = table->GetRowData();
   const auto add = [&](const char* name, double (*value)(const Row&, double))
   {
-    isthmus::AddColumnOf<vtkDoubleArray>(data, name, rows,
+    isthmus::AddComputedColumn<vtkDoubleArray>(data, name, rows,
       [value](const MoleculeRow& row)
       { return value(row.Stability, static_cast<double>(row.Stability.Atoms)); });
   };
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Molecule", rows, [](const MoleculeRow& row) { return row.Molecule; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Atoms", rows, [](const MoleculeRow& row) { return row.Stability.Atoms; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Bars", rows, [](const MoleculeRow& row) { return row.Stability.Bars; });
   add("Integral", [](const Row& row, double) { return row.Integral; });
   add("FilteredIntegral", [](const Row& row, double) { return row.FilteredIntegral; });
@@ -125,13 +125,13 @@ void FillBars(const std::vector<MoleculeRow>& rows, vtkTable* table)
   using Bar = isthmus::DistanceBar;
   isthmus::AddColumn<vtkIdTypeArray>(data, "Molecule", molecules);
   isthmus::AddColumn<vtkIdTypeArray>(data, "FeatureId", features);
-  isthmus::AddColumnOf<vtkIntArray>(
+  isthmus::AddComputedColumn<vtkIntArray>(
     data, "Dimension", bars, [](const Bar& bar) { return bar.Dimension; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     data, "Birth", bars, [](const Bar& bar) { return bar.Birth; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     data, "Death", bars, [](const Bar& bar) { return bar.Death; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     data, "Persistence", bars, [](const Bar& bar) { return bar.Length(); });
 }
 
@@ -190,7 +190,7 @@ isthmus::FullereneStability vtkFullereneStability::Analyse(
   vtkDataObject* input, std::vector<isthmus::DistanceBar>& bars)
 {
   vtkDataSetAttributes* data = nullptr;
-  const std::vector<Point3> atoms = AtomsOf(input, data);
+  const std::vector<Point3> atoms = ReadAtoms(input, data);
   if (atoms.empty())
   {
     return {};
@@ -201,18 +201,18 @@ isthmus::FullereneStability vtkFullereneStability::Analyse(
   {
     theta = parameters.Theta;
     const auto scales =
-      parameters.ScaleByRadius ? RadiiOf(data, atoms.size()) : std::vector<double>();
-    bars = isthmus::GridBars(atoms, scales, parameters, isthmus::ProgressOf(this));
+      parameters.ScaleByRadius ? ReadRadii(data, atoms.size()) : std::vector<double>();
+    bars = isthmus::GridBars(atoms, scales, parameters, isthmus::MakeProgress(this));
   }
   else
   {
-    bars = isthmus::AlphaBars(atoms, isthmus::ProgressOf(this));
+    bars = isthmus::AlphaBars(atoms, isthmus::MakeProgress(this));
   }
   const isthmus::FullereneStability row =
     isthmus::ComputeStability(atoms, bars, parameters.FilterDelta, theta);
   if (const auto all = static_cast<std::int64_t>(atoms.size()); row.Atoms < all)
   {
-    vtkWarningMacro(<< isthmus::TextOf(all - row.Atoms, " of ", all,
+    vtkWarningMacro(<< isthmus::JoinText(all - row.Atoms, " of ", all,
                       " atoms lie exactly where another one lies and count once. Is the molecule "
                       "there twice, for instance in several models?"));
   }
@@ -225,7 +225,7 @@ int vtkFullereneStability::RequestData(
   vtkTable* rows = vtkTable::GetData(outputVector, 0);
   vtkTable* bars = vtkTable::GetData(outputVector, 1);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::Check(this->Parameters);

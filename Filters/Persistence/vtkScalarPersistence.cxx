@@ -197,7 +197,7 @@ void vtkScalarPersistence::FindPairs(vtkInternals& work)
     parameters.Levels = isthmus::EvenLevels(low, high, this->NumberOfLevels);
   }
   const auto& diagram = this->Cache->Pairs(
-    work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
+    work.Volume, parameters, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.7));
   work.Levels = parameters.Levels;
   work.EulerNumbers = diagram.EulerNumbers;
   isthmus::FeatureParameters wanted = this->Parameters;
@@ -211,7 +211,7 @@ void vtkScalarPersistence::FindPairs(vtkInternals& work)
 
 void vtkScalarPersistence::FillTables(const vtkInternals& work, vtkInformationVector* outputVector)
 {
-  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.7, 0.9);
+  const auto progress = isthmus::Between(isthmus::MakeProgress(this), 0.7, 0.9);
   isthmus::FillCurves(isthmus::CountBetti(work.Features, this->Parameters.Superlevel, work.Levels),
     work.EulerNumbers, vtkTable::GetData(outputVector, CurvesPort));
   isthmus::FillDiagram(work.Features, work.End, vtkTable::GetData(outputVector, DiagramPort));
@@ -234,7 +234,7 @@ void vtkScalarPersistence::FillSimplified(
   const auto values = isthmus::ArrayOfType(
     work.Scalars->GetDataType(), work.Scalars->GetName(), work.Scalars->GetNumberOfTuples());
   isthmus::SimplifyScalar(work.Volume, work.Features, this->Parameters.Superlevel,
-    values->GetVoidPointer(0), isthmus::Between(isthmus::ProgressOf(this), 0.9, 1.0));
+    values->GetVoidPointer(0), isthmus::Between(isthmus::MakeProgress(this), 0.9, 1.0));
   vtkImageData* output = vtkImageData::GetData(outputVector, SimplifiedPort);
   output->ShallowCopy(work.Image);
   if (values->GetName())
@@ -247,10 +247,10 @@ void vtkScalarPersistence::FillSimplified(
     output->GetPointData()->SetScalars(values);
   }
   vtkInformation* info = outputVector->GetInformationObject(SimplifiedPort);
-  const isthmus::Extent asked = isthmus::ExtentOf(info, Pipeline::UPDATE_EXTENT());
+  const isthmus::Extent asked = isthmus::ReadExtent(info, Pipeline::UPDATE_EXTENT());
   if (!isthmus::IsEmpty(asked))
   {
-    isthmus::CropTo(output, isthmus::PieceOf(info, asked));
+    isthmus::CropTo(output, isthmus::GetPieceExtent(info, asked));
   }
 }
 
@@ -258,7 +258,7 @@ int vtkScalarPersistence::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
@@ -273,7 +273,7 @@ int vtkScalarPersistence::RequestData(
       if (isFirst || this->Simplify)
       {
         work.Scalars = isthmus::ChosenScalars(this, work.Image);
-        work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
+        work.Volume = isthmus::MakeVolumeView(work.Scalars, work.Image);
         this->FindPairs(work);
       }
       if (isFirst)

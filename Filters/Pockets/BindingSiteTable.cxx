@@ -31,7 +31,7 @@ struct NearResidue
 /// Residues by their identity.
 using NearResidues = std::map<std::tuple<std::string, int, std::string, std::string>, NearResidue>;
 
-std::string ListOf(const NearResidues& residues, const MoleculeAtoms& atoms)
+std::string JoinResidueNames(const NearResidues& residues, const MoleculeAtoms& atoms)
 {
   std::vector<NearResidue> sorted;
   for (const auto& [key, residue] : residues)
@@ -56,7 +56,7 @@ std::string ListOf(const NearResidues& residues, const MoleculeAtoms& atoms)
   return text;
 }
 
-const char* NameOfClass(int kind)
+const char* SiteClassLabel(int kind)
 {
   static const char* const names[] = { "none", "for - proteins", "for - ligands", "for + proteins",
     "for + ligands" };
@@ -65,8 +65,8 @@ const char* NameOfClass(int kind)
 
 }
 
-std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::vector<int>& labels,
-  std::size_t sites, const MoleculeAtoms& atoms)
+std::vector<std::string> FindSiteResidues(const SurfaceView& surface,
+  const std::vector<int>& labels, std::size_t sites, const MoleculeAtoms& atoms)
 {
   std::vector<Point3> places;
   std::vector<std::size_t> siteOf;
@@ -98,7 +98,7 @@ std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::
   texts.reserve(near.size());
   for (const NearResidues& residues : near)
   {
-    texts.push_back(ListOf(residues, atoms));
+    texts.push_back(JoinResidueNames(residues, atoms));
   }
   return texts;
 }
@@ -109,19 +109,19 @@ void FillSiteTable(
   const std::vector<BindingSite>& sites = result.Sites;
   const auto real = [&](const char* name, double BindingSite::*member)
   {
-    AddColumnOf<vtkDoubleArray>(
+    AddComputedColumn<vtkDoubleArray>(
       table->GetRowData(), name, sites.size(), [&](std::size_t i) { return sites[i].*member; });
   };
-  AddColumnOf<vtkIntArray>(table->GetRowData(), "Rank", sites.size(),
+  AddComputedColumn<vtkIntArray>(table->GetRowData(), "Rank", sites.size(),
     [](std::size_t i) { return static_cast<int>(i) + 1; });
   real("Score", &BindingSite::Score);
-  AddColumnOf<vtkIntArray>(table->GetRowData(), "SiteClass", sites.size(),
+  AddComputedColumn<vtkIntArray>(table->GetRowData(), "SiteClass", sites.size(),
     [&](std::size_t i) { return int{ sites[i].Kind }; });
-  AddColumnOf<vtkStringArray>(table->GetRowData(), "Class", sites.size(),
-    [&](std::size_t i) { return NameOfClass(sites[i].Kind); });
+  AddComputedColumn<vtkStringArray>(table->GetRowData(), "Class", sites.size(),
+    [&](std::size_t i) { return SiteClassLabel(sites[i].Kind); });
   if (!residues.empty())
   {
-    AddColumnOf<vtkStringArray>(
+    AddComputedColumn<vtkStringArray>(
       table->GetRowData(), "Residues", sites.size(), [&](std::size_t i) { return residues[i]; });
   }
   if (std::any_of(
@@ -132,13 +132,13 @@ void FillSiteTable(
   real("Area", &BindingSite::Area);
   real("MeanDepth", &BindingSite::MeanDepth);
   real("MeanPotential", &BindingSite::MeanPotential);
-  const char* const centre[] = { "CenterX", "CenterY", "CenterZ" };
+  const char* const center[] = { "CenterX", "CenterY", "CenterZ" };
   for (std::size_t a = 0; a < 3; ++a)
   {
-    AddColumnOf<vtkDoubleArray>(table->GetRowData(), centre[a], sites.size(),
-      [&](std::size_t i) { return sites[i].Centre[a]; });
+    AddComputedColumn<vtkDoubleArray>(table->GetRowData(), center[a], sites.size(),
+      [&](std::size_t i) { return sites[i].Center[a]; });
   }
-  AddColumnOf<vtkIdTypeArray>(
+  AddComputedColumn<vtkIdTypeArray>(
     table->GetRowData(), "Points", sites.size(), [&](std::size_t i) { return sites[i].Points; });
   AddColumn<vtkDoubleArray>(table->GetFieldData(), "Threshold", { result.Threshold });
 }

@@ -16,7 +16,7 @@ class vtkTable;
 namespace isthmus
 {
 
-/// An atom belongs to a site if its centre is within this distance of one of the site's points, in
+/// An atom belongs to a site if its center is within this distance of one of the site's points, in
 /// angstrom: the range of contacts between heavy atoms.
 constexpr double SiteReach = 4.0;
 
@@ -26,8 +26,8 @@ constexpr double SiteReach = 4.0;
  * atoms. Residues with the most atoms come first, then in the order of the file; atoms without
  * residue names are only counted ("12 atoms"). O(n log n) plus the number of pairs within reach.
  */
-std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::vector<int>& labels,
-  std::size_t sites, const MoleculeAtoms& atoms);
+std::vector<std::string> FindSiteResidues(const SurfaceView& surface,
+  const std::vector<int>& labels, std::size_t sites, const MoleculeAtoms& atoms);
 
 /// Columns Rank, Score, SiteClass and, in words, Class; Residues and Volume if there are any; Area
 /// and the other measures. The field array Threshold.

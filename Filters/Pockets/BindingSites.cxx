@@ -20,18 +20,18 @@ namespace isthmus
 namespace
 {
 
-bool TakesPart(const SiteFields& fields, std::size_t i)
+bool IsIncluded(const SiteFields& fields, std::size_t i)
 {
   return fields.Kind[i] != 0 && fields.Amplitude[i] > 0.0; // false for NaN
 }
 
 /// The least amplitude such that at most 1 - quantile of the area has more.
-double QuantileOf(const SiteFields& fields, const std::vector<double>& areas, double quantile)
+double ComputeQuantile(const SiteFields& fields, const std::vector<double>& areas, double quantile)
 {
   std::vector<std::pair<double, std::size_t>> order(areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i)
   {
-    order[i] = { TakesPart(fields, i) ? fields.Amplitude[i] : 0.0, i };
+    order[i] = { IsIncluded(fields, i) ? fields.Amplitude[i] : 0.0, i };
   }
   std::sort(order.begin(), order.end());
   const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
@@ -64,7 +64,7 @@ public:
     std::size_t done = 0;
     for (const vtkIdType point : selected)
     {
-      const Cell home = this->CellOf(point);
+      const Cell home = this->FindCell(point);
       for (std::int64_t n = 0; n < 27; ++n)
       {
         const Cell near{ home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1 };
@@ -99,7 +99,7 @@ private:
     }
   };
 
-  Cell CellOf(vtkIdType point) const
+  Cell FindCell(vtkIdType point) const
   {
     Cell cell{};
     for (std::size_t a = 0; a < 3; ++a)
@@ -152,7 +152,7 @@ void JoinEdges(
   }
 }
 
-double RankOf(const BindingSite& site, SiteRanking ranking)
+double RankingValue(const BindingSite& site, SiteRanking ranking)
 {
   switch (ranking)
   {
@@ -189,12 +189,12 @@ BindingSite Measure(const std::vector<vtkIdType>& points, const SurfaceView& mes
     }
     for (std::size_t a = 0; a < 3; ++a)
     {
-      site.Centre[a] += areas[i] * mesh.Point(point)[a];
+      site.Center[a] += areas[i] * mesh.Point(point)[a];
     }
   }
   site.MeanDepth /= site.Area;
   site.MeanPotential /= potentialArea; // NaN where there is none
-  for (double& x : site.Centre)
+  for (double& x : site.Center)
   {
     x /= site.Area;
   }
@@ -223,7 +223,7 @@ std::vector<double> Depths(
 using Patches = std::map<vtkIdType, std::vector<vtkIdType>>;
 
 /// Selected points of one kind that edges join, or that are no farther apart than `mergeDistance`.
-Patches PatchesOf(const SurfaceView& mesh, const std::vector<unsigned char>& kinds,
+Patches FindPatches(const SurfaceView& mesh, const std::vector<unsigned char>& kinds,
   const std::vector<vtkIdType>& selected, double mergeDistance, const ProgressCallback& progress)
 {
   DisjointSets<vtkIdType> sets(mesh.NumberOfPoints());
@@ -260,15 +260,15 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
   const auto count = mesh.Points.size();
   result.Labels.assign(count, 0);
   const std::vector<double> areas = PointAreas(mesh);
-  result.Threshold =
-    options.AutomaticThreshold ? QuantileOf(fields, areas, options.Quantile) : options.Threshold;
+  result.Threshold = options.AutomaticThreshold ? ComputeQuantile(fields, areas, options.Quantile)
+                                                : options.Threshold;
   Report(progress, 0.1);
 
   std::vector<unsigned char> kinds(count, 0);
   std::vector<vtkIdType> selected;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (TakesPart(fields, i) && fields.Amplitude[i] > result.Threshold && areas[i] > 0.0)
+    if (IsIncluded(fields, i) && fields.Amplitude[i] > result.Threshold && areas[i] > 0.0)
     {
       kinds[i] = fields.Kind[i];
       selected.push_back(static_cast<vtkIdType>(i));
@@ -279,7 +279,7 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
     return result;
   }
   const Patches patches =
-    PatchesOf(mesh, kinds, selected, options.MergeDistance, Between(progress, 0.1, 0.4));
+    FindPatches(mesh, kinds, selected, options.MergeDistance, Between(progress, 0.1, 0.4));
   const std::vector<double> depths = Depths(mesh, selected, Between(progress, 0.4, 1.0));
   std::vector<std::pair<BindingSite, const std::vector<vtkIdType>*>> ranked;
   for (const auto& [root, points] : patches)
@@ -292,7 +292,7 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
   }
   std::stable_sort(ranked.begin(), ranked.end(),
     [&](const auto& a, const auto& b)
-    { return RankOf(a.first, options.RankBy) > RankOf(b.first, options.RankBy); });
+    { return RankingValue(a.first, options.RankBy) > RankingValue(b.first, options.RankBy); });
   for (const auto& [site, points] : ranked)
   {
     result.Sites.push_back(site);

@@ -9,13 +9,13 @@
  *
  * **Measures**, with A_i the area of point i (a third of its triangles):
  * - Score = sum of A_i x amplitude_i, the integral over the patch;
- * - Area = sum of A_i; Centre and MeanPotential: means weighted by A_i;
+ * - Area = sum of A_i; Center and MeanPotential: means weighted by A_i;
  * - MeanDepth: the mean distance of a point to the convex hull of the surface, depth(x) = min over
  *   unit vectors n of (max over surface points p of n.p) - n.x, over 1000 directions: HullDepth.h
  *   states by how much this is too large (about 0.2 angstrom for proteins). The hull needs no probe
  *   radius and no grid; a cavity's depth is its distance to the outside.
  *
- * A patch lines a pocket, so its Centre, the mean of points on the wall, lies within the pocket.
+ * A patch lines a pocket, so its Center, the mean of points on the wall, lies within the pocket.
  */
 #ifndef isthmus_BindingSites_h
 #define isthmus_BindingSites_h
@@ -67,7 +67,7 @@ struct BindingSite
   double Volume = 0.0; ///< of the pocket, length^3; 0: a patch
   double MeanDepth = 0.0;
   double MeanPotential = 0.0;
-  std::array<double, 3> Centre{ 0.0, 0.0, 0.0 };
+  std::array<double, 3> Center{ 0.0, 0.0, 0.0 };
   vtkIdType Points = 0;
 };
 

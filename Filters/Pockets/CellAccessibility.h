@@ -11,7 +11,7 @@ namespace isthmus
 {
 
 /**
- * *Clearance*: the radius of the largest ball that touches no atom, centred at the centre of the
+ * *Clearance*: the radius of the largest ball that touches no atom, centered at the center of the
  * orthogonal sphere of a tetrahedron or triangle (for an attached triangle, that of its latest
  * coface). It is sqrt(a + R^2) - r for the value a of the simplex and the radius r of its largest
  * atom, with R = r + probe.

@@ -12,13 +12,13 @@ namespace isthmus
 namespace
 {
 
-Ball BallOf(const RegularFiltration& f, SimplexId id)
+Ball GetBall(const RegularFiltration& f, SimplexId id)
 {
   return { f.Complex.Points[At(id)], f.Radii[At(id)] };
 }
 
 /// The corner of `cell` that is point `p`.
-std::size_t CornerOf(const std::array<SimplexId, 4>& cell, SimplexId p)
+std::size_t FindCorner(const std::array<SimplexId, 4>& cell, SimplexId p)
 {
   std::size_t k = 0;
   while (cell[k] != p)
@@ -28,14 +28,14 @@ std::size_t CornerOf(const std::array<SimplexId, 4>& cell, SimplexId p)
   return k;
 }
 
-double VolumeOf(const std::array<Point3, 4>& p)
+double ComputeVolume(const std::array<Point3, 4>& p)
 {
   return std::fabs(Dot(p[1] - p[0], Cross(p[2] - p[0], p[3] - p[0]))) / 6.0;
 }
 
 /// Intersections of three balls are halved by the plane of their triangle: each side's tetrahedron
 /// gets its half.
-void TakeThrees(const RegularFiltration& f, const std::array<TriangleId, 4>& faces,
+void SubtractTriples(const RegularFiltration& f, const std::array<TriangleId, 4>& faces,
   const std::array<SimplexId, 4>& cell, EmptyCell& empty)
 {
   for (const TriangleId face : faces)
@@ -46,17 +46,17 @@ void TakeThrees(const RegularFiltration& f, const std::array<TriangleId, 4>& fac
     }
     const auto t = f.Complex.TrianglePoints(face);
     const Overlap<3> half =
-      HalfTripleIntersection(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
+      HalfTripleIntersection(GetBall(f, t[0]), GetBall(f, t[1]), GetBall(f, t[2]));
     empty.Volume -= half.Volume;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      empty.Area[CornerOf(cell, t[k])] += half.Area[k];
+      empty.Area[FindCorner(cell, t[k])] += half.Area[k];
     }
   }
 }
 
 /// Intersections of two balls, in proportion to the dihedral angle at their edge.
-void TakeLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell,
+void SubtractLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell,
   const std::array<Point3, 4>& p, EmptyCell& empty)
 {
   constexpr std::size_t pairs[6][4] = { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 3, 1, 2 },
@@ -69,7 +69,7 @@ void TakeLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell
       continue;
     }
     const double slice = DihedralAngle(p[i], p[j], p[k], p[l]);
-    const Overlap<2> lens = Lens(BallOf(f, cell[i]), BallOf(f, cell[j]));
+    const Overlap<2> lens = Lens(GetBall(f, cell[i]), GetBall(f, cell[j]));
     empty.Volume += slice * lens.Volume;
     empty.Area[i] -= slice * lens.Area[0];
     empty.Area[j] -= slice * lens.Area[1];
@@ -144,7 +144,7 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum, const ProgressCal
   {
     if (share.HullVertex[v] && f.VertexValue[v] <= 0.0)
     {
-      const Overlap<1> ball = WholeBall(BallOf(f, static_cast<SimplexId>(v)));
+      const Overlap<1> ball = WholeBall(GetBall(f, static_cast<SimplexId>(v)));
       sum.Volume += share.OfVertex[v] * ball.Volume;
       sum.Area += share.OfVertex[v] * ball.Area[0];
     }
@@ -155,7 +155,7 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum, const ProgressCal
     ReportCells(edges, e.Index(), c.Edges.size());
     if (share.HullEdge[e] && c.EdgeValue[e] <= 0.0)
     {
-      const Overlap<2> lens = Lens(BallOf(f, c.Edges[e][0]), BallOf(f, c.Edges[e][1]));
+      const Overlap<2> lens = Lens(GetBall(f, c.Edges[e][0]), GetBall(f, c.Edges[e][1]));
       sum.Volume -= share.OfEdge[e] * lens.Volume;
       sum.Area -= share.OfEdge[e] * (lens.Area[0] + lens.Area[1]);
     }
@@ -170,7 +170,7 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum, const ProgressCal
     {
       const auto t = c.TrianglePoints(triangle);
       const Overlap<3> half =
-        HalfTripleIntersection(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
+        HalfTripleIntersection(GetBall(f, t[0]), GetBall(f, t[1]), GetBall(f, t[2]));
       sum.Volume += half.Volume;
       sum.Area += half.Area[0] + half.Area[1] + half.Area[2];
     }
@@ -204,7 +204,8 @@ FacesByCell FacesOfCells(const CellFiltration& complex)
   return faces;
 }
 
-EmptyCell EmptySpaceOf(const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell)
+EmptyCell MeasureEmptySpace(
+  const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell)
 {
   const auto& corners = f.Complex.Tetrahedra[cell];
   std::array<Point3, 4> p;
@@ -213,19 +214,19 @@ EmptyCell EmptySpaceOf(const RegularFiltration& f, const FacesByCell& faces, Tet
     p[k] = f.Complex.Points[At(corners[k])];
   }
   EmptyCell empty;
-  empty.Volume = VolumeOf(p);
+  empty.Volume = ComputeVolume(p);
   for (std::size_t k = 0; k < 4; ++k)
   {
     if (f.VertexValue[At(corners[k])] <= 0.0)
     {
       const double sector = SolidAngle(p[k], p[(k + 1) % 4], p[(k + 2) % 4], p[(k + 3) % 4]);
-      const Overlap<1> ball = WholeBall(BallOf(f, corners[k]));
+      const Overlap<1> ball = WholeBall(GetBall(f, corners[k]));
       empty.Volume -= sector * ball.Volume;
       empty.Area[k] += sector * ball.Area[0];
     }
   }
-  TakeLenses(f, corners, p, empty);
-  TakeThrees(f, faces[cell], corners, empty);
+  SubtractLenses(f, corners, p, empty);
+  SubtractTriples(f, faces[cell], corners, empty);
   return empty;
 }
 
@@ -316,7 +317,7 @@ double DiscTriangle::AlongCircle(std::size_t k) const
     return 0.0;
   }
   std::vector<double> breaks{ -Pi, Pi };
-  // Where the circle meets the line at a distance from its centre, in the direction of an angle.
+  // Where the circle meets the line at a distance from its center, in the direction of an angle.
   const auto add = [&](double direction, double distance)
   {
     if (std::abs(distance) < r)
@@ -359,7 +360,7 @@ double DiscTriangle::AlongCircle(std::size_t k) const
 
 }
 
-double OpenAreaOf(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii)
+double MeasureOpenArea(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii)
 {
   const Point3 u = corners[1] - corners[0];
   const Point3 v = corners[2] - corners[0];
@@ -389,7 +390,7 @@ UnionMeasure MeasureUnion(const RegularFiltration& f,
   {
     ReportCells(cells, id.Index(), empty.size());
     const auto& cell = f.Complex.Tetrahedra[id];
-    sum.Volume += VolumeOf({ f.Complex.Points[At(cell[0])], f.Complex.Points[At(cell[1])],
+    sum.Volume += ComputeVolume({ f.Complex.Points[At(cell[0])], f.Complex.Points[At(cell[1])],
                     f.Complex.Points[At(cell[2])], f.Complex.Points[At(cell[3])] }) -
       empty[id].Volume;
     for (const double area : empty[id].Area)
@@ -402,15 +403,15 @@ UnionMeasure MeasureUnion(const RegularFiltration& f,
 }
 
 UnionMeasure MeasureFlatUnion(
-  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress)
+  std::vector<Point3> centers, std::vector<double> radii, const ProgressCallback& progress)
 {
   UnionMeasure sum;
-  if (centres.empty())
+  if (centers.empty())
   {
     return sum;
   }
-  Bounds3 box{ centres.front(), centres.front() };
-  for (const Point3& p : centres)
+  Bounds3 box{ centers.front(), centers.front() };
+  for (const Point3& p : centers)
   {
     box.Add(p);
   }
@@ -420,18 +421,18 @@ UnionMeasure MeasureFlatUnion(
   const double outside = 1.0 + box.Diagonal() + 2.0 * *std::max_element(radii.begin(), radii.end());
   for (const double along : { -outside, outside })
   {
-    centres.push_back(middle + Point3{ along, 0.0, 0.0 });
-    centres.push_back(middle + Point3{ 0.0, along, 0.0 });
-    centres.push_back(middle + Point3{ 0.0, 0.0, along });
+    centers.push_back(middle + Point3{ along, 0.0, 0.0 });
+    centers.push_back(middle + Point3{ 0.0, along, 0.0 });
+    centers.push_back(middle + Point3{ 0.0, 0.0, along });
   }
-  radii.resize(centres.size(), 0.0);
-  const RegularFiltration f = MakeRegularFiltration(std::move(centres), std::move(radii), progress);
+  radii.resize(centers.size(), 0.0);
+  const RegularFiltration f = MakeRegularFiltration(std::move(centers), std::move(radii), progress);
   const CellFiltration& c = f.Complex;
   for (std::size_t v = 0; v < c.Points.size(); ++v)
   {
     if (f.VertexValue[v] <= 0.0)
     {
-      const Overlap<1> ball = WholeBall(BallOf(f, static_cast<SimplexId>(v)));
+      const Overlap<1> ball = WholeBall(GetBall(f, static_cast<SimplexId>(v)));
       sum.Volume += ball.Volume;
       sum.Area += ball.Area[0];
     }
@@ -440,7 +441,7 @@ UnionMeasure MeasureFlatUnion(
   {
     if (c.EdgeValue[e] <= 0.0)
     {
-      const Overlap<2> lens = Lens(BallOf(f, c.Edges[e][0]), BallOf(f, c.Edges[e][1]));
+      const Overlap<2> lens = Lens(GetBall(f, c.Edges[e][0]), GetBall(f, c.Edges[e][1]));
       sum.Volume -= lens.Volume;
       sum.Area -= lens.Area[0] + lens.Area[1];
     }
@@ -451,7 +452,7 @@ UnionMeasure MeasureFlatUnion(
     {
       const auto t = c.TrianglePoints(triangle);
       const Overlap<3> half =
-        HalfTripleIntersection(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
+        HalfTripleIntersection(GetBall(f, t[0]), GetBall(f, t[1]), GetBall(f, t[2]));
       sum.Volume += 2.0 * half.Volume;
       sum.Area += 2.0 * (half.Area[0] + half.Area[1] + half.Area[2]);
     }

@@ -36,7 +36,8 @@ using FacesByCell = HandleVector<TetrahedronId, std::array<TriangleId, 4>>;
 
 /// The empty space of tetrahedron `cell`, which must not belong to K (its value is above 0). About
 /// 3 us.
-EmptyCell EmptySpaceOf(const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
+EmptyCell MeasureEmptySpace(
+  const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
 
 FacesByCell FacesOfCells(const CellFiltration& complex);
 
@@ -45,7 +46,7 @@ FacesByCell FacesOfCells(const CellFiltration& complex);
  * exact also where a disc reaches across the opposite edge or contains another one. In the square
  * of the unit of `corners` and `radii`; a radius of 0 is no disc. Constant time.
  */
-double OpenAreaOf(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);
+double MeasureOpenArea(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);
 
 /// Volume and surface of the union of all balls.
 struct UnionMeasure
@@ -55,20 +56,20 @@ struct UnionMeasure
 };
 
 /**
- * The union of the balls of `f`; `empty` holds EmptySpaceOf() each tetrahedron (zeros for those of
- * K). Needs at least one tetrahedron. @throws Cancelled
+ * The union of the balls of `f`; `empty` holds MeasureEmptySpace() each tetrahedron (zeros for
+ * those of K). Needs at least one tetrahedron. @throws Cancelled
  */
 UnionMeasure MeasureUnion(const RegularFiltration& f,
   const HandleVector<TetrahedronId, EmptyCell>& empty, const ProgressCallback& progress = {});
 
 /**
- * The union of any number of balls that have no tetrahedron, since their centres lie in one plane
+ * The union of any number of balls that have no tetrahedron, since their centers lie in one plane
  * or line or are fewer than four: the alternating sum over the dual complex, which contains no
  * tetrahedra. The triangulation includes six balls of radius 0 far away, which add nothing to the
  * union. @throws Cancelled
  */
 UnionMeasure MeasureFlatUnion(
-  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});
+  std::vector<Point3> centers, std::vector<double> radii, const ProgressCallback& progress = {});
 
 }
 

@@ -30,25 +30,25 @@ namespace
 
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
-vtkDataArray* NumbersOf(vtkDataSetAttributes* data, const std::string& name)
+vtkDataArray* FindNumbers(vtkDataSetAttributes* data, const std::string& name)
 {
   return vtkDataArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
 }
 
-double ValueOf(vtkDataArray* array, vtkIdType i)
+double ReadValue(vtkDataArray* array, vtkIdType i)
 {
   return array ? array->GetComponent(i, 0) : Unknown;
 }
 
 /// A number of a list of words; -1 without one.
-int WordOf(vtkDataArray* array, vtkIdType i)
+int ReadInteger(vtkDataArray* array, vtkIdType i)
 {
-  const double value = ValueOf(array, i);
+  const double value = ReadValue(array, i);
   return std::isfinite(value) ? static_cast<int>(value) : -1;
 }
 
 /// The items of a list separated by commas, sorted.
-std::vector<std::string> NamesIn(const std::string& list)
+std::vector<std::string> SplitNames(const std::string& list)
 {
   std::vector<std::string> names;
   for (std::size_t at = 0; at < list.size();)
@@ -61,17 +61,17 @@ std::vector<std::string> NamesIn(const std::string& list)
   return names;
 }
 
-std::vector<InputFeature> RowsOf(vtkTable* table)
+std::vector<InputFeature> ReadRows(vtkTable* table)
 {
   std::vector<InputFeature> features;
   vtkDataSetAttributes* data = table->GetRowData();
-  vtkDataArray* number = NumbersOf(data, "PoreId");
+  vtkDataArray* number = FindNumbers(data, "PoreId");
   for (const char* prefix : { "Center", "Bottleneck" })
   {
     vtkDataArray* at[3];
     for (std::size_t k = 0; k < 3; ++k)
     {
-      at[k] = NumbersOf(data, std::string(prefix) + static_cast<char>('X' + k));
+      at[k] = FindNumbers(data, std::string(prefix) + static_cast<char>('X' + k));
     }
     if (!at[0] || !at[1] || !at[2])
     {
@@ -79,20 +79,22 @@ std::vector<InputFeature> RowsOf(vtkTable* table)
     }
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
-      const double radius = ValueOf(NumbersOf(data, "Radius"), row);
+      const double radius = ReadValue(FindNumbers(data, "Radius"), row);
       for (vtkDataArray* const coordinate : at)
       {
         if (!std::isfinite(coordinate->GetComponent(row, 0)))
         {
-          throw std::invalid_argument(TextOf("Row ", row, " of the table has the ",
+          throw std::invalid_argument(JoinText("Row ", row, " of the table has the ",
             coordinate->GetName(), " ", coordinate->GetComponent(row, 0),
             ", which is not finite: a feature without a position cannot be tracked. Remove it."));
         }
       }
-      features.push_back({ { { ValueOf(at[0], row), ValueOf(at[1], row), ValueOf(at[2], row) },
-                             radius, {}, -1, -1 },
-        { radius, ValueOf(NumbersOf(data, "Volume"), row), ValueOf(NumbersOf(data, "Score"), row) },
-        number ? static_cast<std::int64_t>(ValueOf(number, row)) : row + 1 });
+      features.push_back(
+        { { { ReadValue(at[0], row), ReadValue(at[1], row), ReadValue(at[2], row) }, radius, {}, -1,
+            -1 },
+          { radius, ReadValue(FindNumbers(data, "Volume"), row),
+            ReadValue(FindNumbers(data, "Score"), row) },
+          number ? static_cast<std::int64_t>(ReadValue(number, row)) : row + 1 });
     }
     return features;
   }
@@ -123,16 +125,16 @@ Owner OwnerIn(vtkPointSet* input)
     for (auto* data :
       std::initializer_list<vtkDataSetAttributes*>{ input->GetPointData(), input->GetCellData() })
     {
-      if (vtkDataArray* array = NumbersOf(data, whole))
+      if (vtkDataArray* array = FindNumbers(data, whole))
       {
-        return { data, array, NumbersOf(data, part), whole == names[1].first };
+        return { data, array, FindNumbers(data, part), whole == names[1].first };
       }
     }
   }
   return {};
 }
 
-Point3 CentreOf(vtkPointSet* input, vtkIdType cell)
+Point3 CellCenter(vtkPointSet* input, vtkIdType cell)
 {
   vtkNew<vtkIdList> corners;
   input->GetCellPoints(cell, corners);
@@ -192,20 +194,20 @@ struct FeatureSum
   }
 };
 
-std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
+std::vector<InputFeature> ReadGroups(vtkPointSet* input, const Owner& owner)
 {
   const bool isOfCells = owner.Data == input->GetCellData();
-  vtkDataArray* room = NumbersOf(owner.Data, "EmptyVolume");
-  vtkDataArray* atoms = NumbersOf(owner.Data, "Burial");
-  vtkDataArray* width = NumbersOf(owner.Data, "Radius");
-  width = width ? width : NumbersOf(owner.Data, "Clearance");
-  vtkDataArray* kind = NumbersOf(owner.Data, "Kind");
-  vtkDataArray* side = NumbersOf(owner.Data, "Side");
+  vtkDataArray* room = FindNumbers(owner.Data, "EmptyVolume");
+  vtkDataArray* atoms = FindNumbers(owner.Data, "Burial");
+  vtkDataArray* width = FindNumbers(owner.Data, "Radius");
+  width = width ? width : FindNumbers(owner.Data, "Clearance");
+  vtkDataArray* kind = FindNumbers(owner.Data, "Kind");
+  vtkDataArray* side = FindNumbers(owner.Data, "Side");
   std::map<std::pair<double, double>, FeatureSum> groups;
   for (vtkIdType i = 0; i < owner.Whole->GetNumberOfTuples(); ++i)
   {
-    const std::pair<double, double> key{ ValueOf(owner.Whole, i),
-      owner.Part ? ValueOf(owner.Part, i) : 0.0 };
+    const std::pair<double, double> key{ ReadValue(owner.Whole, i),
+      owner.Part ? ReadValue(owner.Part, i) : 0.0 };
     if (!std::isfinite(key.first) || !std::isfinite(key.second) ||
       (isOfCells && input->GetCellSize(i) == 0))
     {
@@ -215,7 +217,7 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
     Point3 place;
     if (isOfCells)
     {
-      place = CentreOf(input, i);
+      place = CellCenter(input, i);
     }
     else
     {
@@ -223,18 +225,18 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
     }
     if (owner.IsPore)
     {
-      group.AddNarrow(place, ValueOf(width, i));
+      group.AddNarrow(place, ReadValue(width, i));
       continue;
     }
     const bool isRoom = room && atoms;
-    const double n = ValueOf(atoms, i);
-    group.Kind = WordOf(kind, i);
-    group.Side = WordOf(side, i);
-    group.Add(
-      place, isRoom ? std::max(0.0, ValueOf(room, i)) * BurialWeight(n) : 1.0, ValueOf(width, i));
+    const double n = ReadValue(atoms, i);
+    group.Kind = ReadInteger(kind, i);
+    group.Side = ReadInteger(side, i);
+    group.Add(place, isRoom ? std::max(0.0, ReadValue(room, i)) * BurialWeight(n) : 1.0,
+      ReadValue(width, i));
     if (isRoom)
     {
-      group.AddRoom(ValueOf(room, i), n);
+      group.AddRoom(ReadValue(room, i), n);
     }
   }
   std::vector<InputFeature> features;
@@ -248,7 +250,7 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
   return features;
 }
 
-std::vector<InputFeature> PointsOf(vtkPointSet* input)
+std::vector<InputFeature> ReadPoints(vtkPointSet* input)
 {
   std::vector<InputFeature> features(static_cast<std::size_t>(input->GetNumberOfPoints()));
   auto* names = vtkStringArray::SafeDownCast(input->GetPointData()->GetAbstractArray("Residues"));
@@ -260,13 +262,13 @@ std::vector<InputFeature> PointsOf(vtkPointSet* input)
     const char* values[] = { "Radius", "Volume", "Score" };
     for (std::size_t k = 0; k < feature.Values.size(); ++k)
     {
-      feature.Values[k] = ValueOf(NumbersOf(input->GetPointData(), values[k]), point);
+      feature.Values[k] = ReadValue(FindNumbers(input->GetPointData(), values[k]), point);
     }
     feature.Feature.Radius = feature.Values[0];
     feature.Number = point + 1;
     if (names)
     {
-      feature.Feature.Lining = NamesIn(names->GetValue(point));
+      feature.Feature.Lining = SplitNames(names->GetValue(point));
     }
   }
   return features;
@@ -275,8 +277,8 @@ std::vector<InputFeature> PointsOf(vtkPointSet* input)
 /// Assigns to each feature the residues listed under its number in the lining table.
 void AddLining(vtkTable* lining, std::vector<InputFeature>& features)
 {
-  vtkDataArray* owner = NumbersOf(lining->GetRowData(), "PocketId");
-  owner = owner ? owner : NumbersOf(lining->GetRowData(), "PoreId");
+  vtkDataArray* owner = FindNumbers(lining->GetRowData(), "PocketId");
+  owner = owner ? owner : FindNumbers(lining->GetRowData(), "PoreId");
   std::map<std::int64_t, TrackedFeature*> byNumber;
   for (InputFeature& feature : features)
   {
@@ -284,7 +286,7 @@ void AddLining(vtkTable* lining, std::vector<InputFeature>& features)
   }
   for (vtkIdType row = 0; owner && row < lining->GetNumberOfRows(); ++row)
   {
-    const auto at = byNumber.find(static_cast<std::int64_t>(ValueOf(owner, row)));
+    const auto at = byNumber.find(static_cast<std::int64_t>(ReadValue(owner, row)));
     if (at != byNumber.end())
     {
       std::string& name = at->second->Lining.emplace_back();
@@ -302,12 +304,12 @@ void AddLining(vtkTable* lining, std::vector<InputFeature>& features)
 
 }
 
-std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining)
+std::vector<InputFeature> ReadFeatures(vtkDataObject* input, vtkTable* lining)
 {
   auto* points = vtkPointSet::SafeDownCast(input);
   if (!points)
   {
-    auto features = RowsOf(vtkTable::SafeDownCast(input));
+    auto features = ReadRows(vtkTable::SafeDownCast(input));
     if (lining)
     {
       AddLining(lining, features);
@@ -321,10 +323,10 @@ std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining)
     vtkNew<vtkPolyData> all; // all points count, including those that no cell uses
     all->SetPoints(points->GetPoints());
     RequirePlaces(all, "the features");
-    return PointsOf(points);
+    return ReadPoints(points);
   }
   RequirePlaces(points, "the features");
-  auto features = GroupsOf(points, owner);
+  auto features = ReadGroups(points, owner);
   if (lining && !owner.Part)
   {
     AddLining(lining, features);

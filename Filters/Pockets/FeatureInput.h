@@ -40,7 +40,7 @@ struct InputFeature
  *
  * Throws std::invalid_argument for a table without positions.
  */
-std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining);
+std::vector<InputFeature> ReadFeatures(vtkDataObject* input, vtkTable* lining);
 
 }
 

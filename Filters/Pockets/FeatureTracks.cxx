@@ -43,7 +43,7 @@ struct OpenTrack
   bool WasSeenBefore(std::size_t frame) const { return this->Sightings.back().Frame + 1 == frame; }
 };
 
-double Common(const TrackedFeature& a, const TrackedFeature& b)
+double CountCommonAtoms(const TrackedFeature& a, const TrackedFeature& b)
 {
   std::vector<std::string> both;
   std::set_intersection(
@@ -51,16 +51,16 @@ double Common(const TrackedFeature& a, const TrackedFeature& b)
   return static_cast<double>(both.size());
 }
 
-bool IsPartOf(const TrackedFeature& part, const TrackedFeature& whole)
+bool IsContainedIn(const TrackedFeature& part, const TrackedFeature& whole)
 {
   return !part.Lining.empty() &&
-    2.0 * Common(part, whole) >= static_cast<double>(part.Lining.size());
+    2.0 * CountCommonAtoms(part, whole) >= static_cast<double>(part.Lining.size());
 }
 
 /// The share of common residues (Jaccard); 0 where they are not known.
-double Likeness(const TrackedFeature& a, const TrackedFeature& b)
+double Similarity(const TrackedFeature& a, const TrackedFeature& b)
 {
-  const double common = Common(a, b);
+  const double common = CountCommonAtoms(a, b);
   return common > 0.0 ? common / (static_cast<double>(a.Lining.size() + b.Lining.size()) - common)
                       : 0.0;
 }
@@ -71,7 +71,7 @@ double Cost(const TrackedFeature& a, const TrackedFeature& b, double furthest)
   const Point3 d = b.Place - a.Place;
   const double distance = Length(d) / furthest;
   const bool isKnown = !a.Lining.empty() && !b.Lining.empty();
-  const double likeness = Likeness(a, b);
+  const double likeness = Similarity(a, b);
   const bool isNear = distance <= 1.0 && (!isKnown || likeness > 0.0);
   const bool isOneKind = a.Kind == b.Kind && a.Side == b.Side;
   if (!std::isfinite(distance) || !isOneKind || !(isNear || likeness >= Alike))
@@ -104,13 +104,14 @@ public:
     this->Forget(frame);
     std::vector<int> columnOf =
       AssignAtLeastCost(this->Costs(frame), this->Frames[frame].size(), Alone);
-    this->OthersGiveWay(frame, columnOf);
+    this->ResolveConflicts(frame, columnOf);
     const std::vector<OpenTrack> before = this->Open;
     for (std::size_t i = 0; i < this->Open.size(); ++i)
     {
       if (columnOf[i] >= 0)
       {
-        this->See(this->Open[i], frame, FeaturePlace(static_cast<std::size_t>(columnOf[i])));
+        this->RecordSighting(
+          this->Open[i], frame, FeaturePlace(static_cast<std::size_t>(columnOf[i])));
       }
     }
     this->NameMerged(frame);
@@ -125,7 +126,7 @@ private:
     return this->Frames[seen.Frame][seen.Feature.Index()];
   }
 
-  void See(OpenTrack& track, std::size_t frame, FeaturePlace feature)
+  void RecordSighting(OpenTrack& track, std::size_t frame, FeaturePlace feature)
   {
     track.Sightings.push_back({ frame, feature });
     if (track.Sightings.size() > Remembered)
@@ -167,7 +168,7 @@ private:
   }
 
   /// `other` has split off from `track`, or was missing while `track` was not.
-  bool GoesBefore(const OpenTrack& track, const OpenTrack& other, std::size_t frame) const
+  bool HasPrecedence(const OpenTrack& track, const OpenTrack& other, std::size_t frame) const
   {
     return other.Whole == track.Number ||
       (track.WasSeenBefore(frame) && !other.WasSeenBefore(frame));
@@ -175,15 +176,15 @@ private:
 
   /// A track that takes precedence over another one takes over a similar feature of it rather than
   /// end.
-  void OthersGiveWay(std::size_t frame, std::vector<int>& columnOf) const
+  void ResolveConflicts(std::size_t frame, std::vector<int>& columnOf) const
   {
     for (std::size_t i = 0; i < this->Open.size(); ++i)
     {
       const TrackedFeature& last = this->At(this->Open[i].Sightings.back());
       for (std::size_t k = 0; k < this->Open.size() && columnOf[i] < 0; ++k)
       {
-        if (columnOf[k] >= 0 && this->GoesBefore(this->Open[i], this->Open[k], frame) &&
-          Likeness(last, this->Frames[frame][static_cast<std::size_t>(columnOf[k])]) >= Alike)
+        if (columnOf[k] >= 0 && this->HasPrecedence(this->Open[i], this->Open[k], frame) &&
+          Similarity(last, this->Frames[frame][static_cast<std::size_t>(columnOf[k])]) >= Alike)
         {
           std::swap(columnOf[i], columnOf[k]);
         }
@@ -201,7 +202,8 @@ private:
       int into = -1;
       for (std::size_t k = 0; k < trackOf.size() && into < 0 && track.WasSeenBefore(frame); ++k)
       {
-        if (trackOf[k] >= 0 && IsPartOf(this->At(track.Sightings.back()), this->Frames[frame][k]))
+        if (trackOf[k] >= 0 &&
+          IsContainedIn(this->At(track.Sightings.back()), this->Frames[frame][k]))
         {
           into = trackOf[k];
           this->Result.Events.push_back({ TrackEventKind::Merge, frame, track.Number, into });
@@ -223,14 +225,14 @@ private:
       OpenTrack track{ this->Result.NumberOfTracks++, -1, {} };
       for (const OpenTrack& old : before)
       {
-        if (old.WasSeenBefore(frame) && IsPartOf(features[k], this->At(old.Sightings.back())))
+        if (old.WasSeenBefore(frame) && IsContainedIn(features[k], this->At(old.Sightings.back())))
         {
           track.Whole = old.Number;
           this->Result.Events.push_back({ TrackEventKind::Split, frame, track.Number, old.Number });
           break;
         }
       }
-      this->See(track, frame, FeaturePlace(k));
+      this->RecordSighting(track, frame, FeaturePlace(k));
       this->Open.push_back(std::move(track));
     }
   }

@@ -67,7 +67,7 @@ struct FeatureTracks
  * the track's last four features, so that a pocket is recognised after a time step in which it was
  * merged with another one. A pair is possible within MaximumDistance if, where residues are known,
  * they have at least one in common; or at any distance if they have a third of them in common,
- * since the centre of a pocket that gains a chamber moves far. Pairs that cost more than 2 are
+ * since the center of a pocket that gains a chamber moves far. Pairs that cost more than 2 are
  * excluded, and so are pairs of different kind or side. A track that would otherwise end takes
  * precedence over one that has split off from it, or that was missing, for features that share at
  * least a third of its residues.

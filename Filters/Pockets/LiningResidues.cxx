@@ -47,7 +47,7 @@ std::vector<std::vector<vtkIdType>> BondedTo(vtkPointSet* input)
 }
 
 /// Residue, number and chain, as "ASP 52 A".
-std::string LabelOf(const NamedAtom& atom)
+std::string MakeResidueLabel(const NamedAtom& atom)
 {
   return atom.Residue + " " + std::to_string(atom.ResidueId) + atom.InsertionCode +
     (atom.Chain.empty() ? "" : " ") + atom.Chain;
@@ -67,7 +67,7 @@ vtkIdType LabelledPoint(const MoleculeAtoms& atoms, const std::vector<vtkIdType>
 
 }
 
-std::vector<LiningResidue> LiningResiduesOf(
+std::vector<LiningResidue> FindLiningResidues(
   const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms)
 {
   std::map<std::array<std::string, 4>, std::size_t> numbers;
@@ -91,7 +91,7 @@ std::vector<LiningResidue> LiningResiduesOf(
   return residues;
 }
 
-std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms)
+std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms)
 {
   if (!atoms.HasNames)
   {
@@ -102,7 +102,7 @@ std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& at
   std::string text;
   for (const LiningResidue& residue : residues)
   {
-    text += (text.empty() ? "" : ", ") + LabelOf(AtomAt(atoms, residue.Points.front()));
+    text += (text.empty() ? "" : ", ") + MakeResidueLabel(AtomAt(atoms, residue.Points.front()));
   }
   return text;
 }
@@ -128,18 +128,21 @@ void LiningTable::Fill(vtkTable* output) const
 {
   using R = const Row&;
   vtkFieldData* const data = output->GetRowData();
-  AddColumnOf<vtkIntArray>(data, this->FeatureName, this->Rows, [](R row) { return row.Feature; });
-  AddColumnOf<vtkStringArray>(data, "Chain", this->Rows, [](R row) { return row.First.Chain; });
-  AddColumnOf<vtkIntArray>(
+  AddComputedColumn<vtkIntArray>(
+    data, this->FeatureName, this->Rows, [](R row) { return row.Feature; });
+  AddComputedColumn<vtkStringArray>(
+    data, "Chain", this->Rows, [](R row) { return row.First.Chain; });
+  AddComputedColumn<vtkIntArray>(
     data, "ResidueId", this->Rows, [](R row) { return row.First.ResidueId; });
-  AddColumnOf<vtkStringArray>(
+  AddComputedColumn<vtkStringArray>(
     data, "InsertionCode", this->Rows, [](R row) { return row.First.InsertionCode; });
-  AddColumnOf<vtkStringArray>(
+  AddComputedColumn<vtkStringArray>(
     data, "ResidueName", this->Rows, [](R row) { return row.First.Residue; });
-  AddColumnOf<vtkStringArray>(data, "Atoms", this->Rows, [](R row) { return row.Names; });
-  AddColumnOf<vtkStringArray>(data, "AtomIds", this->Rows, [](R row) { return row.Ids; });
-  AddColumnOf<vtkIntArray>(data, "NumberOfAtoms", this->Rows, [](R row) { return row.Count; });
-  AddColumnOf<vtkDoubleArray>(data, "Area", this->Rows, [](R row) { return row.Area; });
+  AddComputedColumn<vtkStringArray>(data, "Atoms", this->Rows, [](R row) { return row.Names; });
+  AddComputedColumn<vtkStringArray>(data, "AtomIds", this->Rows, [](R row) { return row.Ids; });
+  AddComputedColumn<vtkIntArray>(
+    data, "NumberOfAtoms", this->Rows, [](R row) { return row.Count; });
+  AddComputedColumn<vtkDoubleArray>(data, "Area", this->Rows, [](R row) { return row.Area; });
 }
 
 ResidueAtoms::ResidueAtoms(const MoleculeAtoms& atoms, vtkPointSet* input, const char* featureName)
@@ -150,13 +153,13 @@ ResidueAtoms::ResidueAtoms(const MoleculeAtoms& atoms, vtkPointSet* input, const
 {
   for (const vtkIdType point : atoms.Points)
   {
-    this->OfResidue[KeyOf(AtomAt(atoms, point))].push_back(point);
+    this->OfResidue[MakeKey(AtomAt(atoms, point))].push_back(point);
   }
 }
 
 ResidueAtoms::~ResidueAtoms() = default;
 
-ResidueAtoms::Key ResidueAtoms::KeyOf(const NamedAtom& atom)
+ResidueAtoms::Key ResidueAtoms::MakeKey(const NamedAtom& atom)
 {
   return { atom.Chain, std::to_string(atom.ResidueId), atom.InsertionCode, atom.Residue };
 }
@@ -167,14 +170,15 @@ void ResidueAtoms::Add(int feature, const std::vector<LiningResidue>& residues)
   for (const LiningResidue& residue : residues)
   {
     const auto& whole = this->Atoms.HasNames
-      ? this->OfResidue.at(KeyOf(AtomAt(this->Atoms, residue.Points.front())))
+      ? this->OfResidue.at(MakeKey(AtomAt(this->Atoms, residue.Points.front())))
       : residue.Points;
     const vtkIdType named = LabelledPoint(this->Atoms, whole);
     for (const vtkIdType point : whole)
     {
       this->Points.push_back(point);
       this->Feature->InsertNextValue(feature);
-      this->Label->InsertNextValue(point == named ? LabelOf(AtomAt(this->Atoms, point)) : "");
+      this->Label->InsertNextValue(
+        point == named ? MakeResidueLabel(AtomAt(this->Atoms, point)) : "");
     }
   }
 }

@@ -33,12 +33,12 @@ struct LiningResidue
 };
 
 /// The residues in the order of the file.
-std::vector<LiningResidue> LiningResiduesOf(
+std::vector<LiningResidue> FindLiningResidues(
   const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms);
 
 /// Their names, those with the largest area first: "TRP 62 A, ASP 52 A"; empty if the atoms have no
 /// names.
-std::string NamesOf(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms);
+std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms);
 
 /// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names
 /// between blanks), AtomIds (points of the input), NumberOfAtoms, Area.
@@ -78,7 +78,7 @@ public:
 
 private:
   using Key = std::array<std::string, 4>;
-  static Key KeyOf(const NamedAtom& atom);
+  static Key MakeKey(const NamedAtom& atom);
 
   const MoleculeAtoms& Atoms;
   vtkPointSet* Input;

@@ -19,7 +19,7 @@ namespace isthmus
 /// triangulation is expected to take 5 seconds or more. The whole analysis takes two and a half
 /// times as long for molecules, and up to ten times for atoms on a cylinder, whose flat tetrahedra
 /// need exact arithmetic.
-inline std::function<void(double)> WarningOfLongTriangulation(vtkObject* filter)
+inline std::function<void(double)> WarnAboutLongTriangulation(vtkObject* filter)
 {
   return [filter](double seconds)
   {
@@ -27,7 +27,7 @@ inline std::function<void(double)> WarningOfLongTriangulation(vtkObject* filter)
     if (seconds >= least)
     {
       vtkWarningWithObjectMacro(filter,
-        << TextOf("The triangulation of the atoms will take about ", FormatNumber(seconds, 2),
+        << JoinText("The triangulation of the atoms will take about ", FormatNumber(seconds, 2),
              " s, and the whole analysis two to ten times as long (longest if the atoms lie in "
              "convex position, e.g. on a cylinder). To analyse fewer atoms, abort it."));
     }

@@ -89,7 +89,7 @@ PocketByCell PocketCores(
  * probe reaches from a pocket belong to the pocket with the widest path. A void therefore contains
  * all of its space. O(n log n).
  */
-PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
+PocketByCell AddCrevices(const CellFiltration& c, const FacesByCell& faces,
   const CellAccessibility& access, double outer, const PocketByCell& cores,
   const ProgressCallback& progress)
 {
@@ -142,7 +142,7 @@ double OpenArea(const RegularFiltration& f, TriangleId triangle)
     corners[k] = f.Complex.Points[At(t[k])];
     radii[k] = f.VertexValue[At(t[k])] <= 0.0 ? f.Radii[At(t[k])] : 0.0;
   }
-  return OpenAreaOf(corners, radii);
+  return MeasureOpenArea(corners, radii);
 }
 
 /// The open triangles of one pocket, in their order, with the group of each.
@@ -224,16 +224,17 @@ std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b)
     {
-      return atoms[a].Centre != atoms[b].Centre ? atoms[a].Centre < atoms[b].Centre
+      return atoms[a].Center != atoms[b].Center ? atoms[a].Center < atoms[b].Center
                                                 : atoms[a].Radius < atoms[b].Radius;
     });
   return order;
 }
 
-RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std::size_t>& order,
-  const PocketOptions& options, const ProgressCallback& progress)
+RegularFiltration EnlargedFiltration(const std::vector<Ball>& atoms,
+  const std::vector<std::size_t>& order, const PocketOptions& options,
+  const ProgressCallback& progress)
 {
-  std::vector<Point3> centres;
+  std::vector<Point3> centers;
   std::vector<double> radii;
   for (const std::size_t i : order)
   {
@@ -242,10 +243,10 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
         FormatNumber(atoms[i].Radius) + ", but a radius must not be negative.");
     }
-    centres.push_back(atoms[i].Centre);
+    centers.push_back(atoms[i].Center);
     radii.push_back(atoms[i].Radius + options.ProbeRadius);
   }
-  return MakeRegularFiltration(std::move(centres), std::move(radii), progress, options.Predicted);
+  return MakeRegularFiltration(std::move(centers), std::move(radii), progress, options.Predicted);
 }
 
 HandleVector<TetrahedronId, EmptyCell> EmptyCells(
@@ -260,7 +261,7 @@ HandleVector<TetrahedronId, EmptyCell> EmptyCells(
       {
         if (f.Complex.TetrahedronValue[cell] > 0.0)
         {
-          empty[cell] = EmptySpaceOf(f, faces, cell);
+          empty[cell] = MeasureEmptySpace(f, faces, cell);
         }
       }
     },
@@ -288,7 +289,7 @@ bool IsFlat(const CellFiltration& c, const std::array<SimplexId, 4>& t)
   return std::fabs(Dot(u, Cross(v, w))) < flat * Length(u) * Length(v) * Length(w);
 }
 
-double SizeOf(const CellFiltration& c, const std::array<SimplexId, 4>& t)
+double TetrahedronVolume(const CellFiltration& c, const std::array<SimplexId, 4>& t)
 {
   const Point3& p = c.Points[At(t[0])];
   return std::fabs(
@@ -306,8 +307,8 @@ void FillCells(const Space& space, std::vector<Pocket>& pockets)
     {
       const auto& t = c.Tetrahedra[cell];
       pockets[space.Labels[cell].Index()].Cells.push_back({ { t[0], t[1], t[2], t[3] },
-        space.Filtration.Centres[cell], space.Access.CellClearance[cell], space.Access.Access[cell],
-        space.Empty[cell].Volume, 0, SizeOf(c, t), IsFlat(c, t), 0.0 });
+        space.Filtration.Centers[cell], space.Access.CellClearance[cell], space.Access.Access[cell],
+        space.Empty[cell].Volume, 0, TetrahedronVolume(c, t), IsFlat(c, t), 0.0 });
     }
   }
 }
@@ -332,7 +333,7 @@ void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pock
       for (auto i = begin; i < end; ++i)
       {
         PocketCell& cell = *cells[static_cast<std::size_t>(i)];
-        bins.Near(cell.Centre, reach, [&](std::int64_t, double) { ++cell.Burial; });
+        bins.Near(cell.Center, reach, [&](std::int64_t, double) { ++cell.Burial; });
       }
     },
     progress);
@@ -368,7 +369,7 @@ void FillLining(
 }
 
 /// Atoms sorted by position.
-std::vector<SiteAtom> Sorted(std::vector<SiteAtom> atoms)
+std::vector<SiteAtom> SortAtoms(std::vector<SiteAtom> atoms)
 {
   std::stable_sort(atoms.begin(), atoms.end(),
     [](const SiteAtom& a, const SiteAtom& b) { return a.Place < b.Place; });
@@ -390,7 +391,7 @@ std::vector<SitePlace> FillSiteProbabilities(
       }
     }
   }
-  const SiteDescriptorTable table = DescribeSites(Sorted(*options.SiteAtoms),
+  const SiteDescriptorTable table = DescribeSites(SortAtoms(*options.SiteAtoms),
     { cells.begin(), cells.end() }, options.KeepDescriptors, Between(progress, 0.0, 0.8));
   const auto width = static_cast<std::int64_t>(SiteDescriptorNames().size());
   const auto residues = static_cast<std::int64_t>(SiteResidueNames().size());
@@ -405,7 +406,7 @@ std::vector<SitePlace> FillSiteProbabilities(
         SitePlace& place = places[static_cast<std::size_t>(i)];
         const float* row = table.Descriptors.data() + i * width;
         cell.SiteProbability = PlaceProbability(row);
-        place.Centre = cell.Centre;
+        place.Center = cell.Center;
         place.Probability = cell.SiteProbability;
         if (options.KeepDescriptors)
         {
@@ -427,7 +428,7 @@ struct CellPlace
 };
 
 /// Places of all tetrahedra but flat ones, in the order of the pockets' cells.
-std::vector<CellPlace> PlacesOf(const PocketByCell& labels, const std::vector<Pocket>& pockets)
+std::vector<CellPlace> CollectPlaces(const PocketByCell& labels, const std::vector<Pocket>& pockets)
 {
   std::vector<std::size_t> next(pockets.size(), 0);
   std::vector<CellPlace> places;
@@ -462,7 +463,7 @@ std::vector<std::size_t> LikelyPlaces(
 }
 
 /// The pocket to which most of these tetrahedra belong, if any.
-PocketNumber ParentOf(const std::vector<CellPlace>& places, const PocketByCell& pockets)
+PocketNumber FindParent(const std::vector<CellPlace>& places, const PocketByCell& pockets)
 {
   std::map<PocketNumber, std::size_t> counts;
   for (const CellPlace& place : places)
@@ -487,17 +488,17 @@ std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions
   std::vector<SitePlace>& judged, const ProgressCallback& progress)
 {
   judged = FillSiteProbabilities(options, regions, Between(progress, 0.0, 0.8));
-  const std::vector<CellPlace> places = PlacesOf(labels, regions);
-  std::vector<Point3> centres;
+  const std::vector<CellPlace> places = CollectPlaces(labels, regions);
+  std::vector<Point3> centers;
   std::vector<double> probabilities;
   for (const CellPlace& place : places)
   {
     const PocketCell& cell = regions[place.Pocket].Cells[place.Cell];
-    centres.push_back(cell.Centre);
+    centers.push_back(cell.Center);
     probabilities.push_back(cell.SiteProbability);
   }
   const std::vector<CopiedSite> found =
-    GroupCopies(Sorted(*options.SiteAtoms), FindSites(centres, probabilities));
+    GroupCopies(SortAtoms(*options.SiteAtoms), FindSites(centers, probabilities));
   double sum = 0.0;
   for (const CopiedSite& site : found)
   {
@@ -521,13 +522,13 @@ std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions
     {
       continue;
     }
-    const PocketNumber parent = ParentOf(own, pockets);
+    const PocketNumber parent = FindParent(own, pockets);
     if (parent.Exists())
     {
       site.Parent =
         parents.emplace(parent, static_cast<std::int64_t>(parents.size()) + 1).first->second;
     }
-    site.Centre = from.Centre;
+    site.Center = from.Center;
     site.Group = copied.Group;
     site.Chain = copied.Chain;
     site.Density = from.Density;
@@ -573,7 +574,7 @@ void MeasureWhole(const Space& space, PocketResult& result, const ProgressCallba
   for (const TetrahedronId cell : c.Tetrahedra.Keys())
   {
     ReportCells(sums, cell.Index(), c.Tetrahedra.size());
-    const double volume = SizeOf(c, c.Tetrahedra[cell]);
+    const double volume = TetrahedronVolume(c, c.Tetrahedra[cell]);
     result.HullVolume += volume;
     const double empty = space.Empty[cell].Volume;
     result.FullVolume += volume - empty;
@@ -606,7 +607,7 @@ PocketResult FindPockets(
   Check(options);
   const std::vector<std::size_t> order = CanonicalOrder(atoms);
   Space space;
-  space.Filtration = Enlarged(atoms, order, options, Between(progress, 0.0, 0.4));
+  space.Filtration = EnlargedFiltration(atoms, order, options, Between(progress, 0.0, 0.4));
   const CellFiltration& c = space.Filtration.Complex;
   PocketResult result;
   if (c.Tetrahedra.empty())
@@ -623,7 +624,7 @@ PocketResult FindPockets(
   Report(progress, 0.5);
   space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
   space.Cores = PocketCores(c, space.Access, options);
-  space.Labels = WithCrevices(
+  space.Labels = AddCrevices(
     c, faces, space.Access, options.OuterRadius, space.Cores, Between(progress, 0.8, 0.82));
   MeasureWhole(space, result, Between(progress, 0.82, 0.85));
   Report(progress, 0.85);
@@ -634,7 +635,7 @@ PocketResult FindPockets(
     PocketOptions region = options;
     region.InnerRadius = SiteInnerRadius;
     region.OuterRadius = SiteOuterRadius;
-    space.Labels = WithCrevices(c, faces, space.Access, SiteOuterRadius,
+    space.Labels = AddCrevices(c, faces, space.Access, SiteOuterRadius,
       PocketCores(c, space.Access, region), Between(progress, 0.85, 0.86));
   }
   const PocketNumber last = *std::max_element(space.Labels.begin(), space.Labels.end());

@@ -8,11 +8,11 @@
  * there, each assigned to the pocket with the widest path to it. If the inner ball cannot leave
  * through any triangle, the pocket is a void.
  *
- * **Volume, Area**: the part of it that the probe's centre can reach, and the part of the
+ * **Volume, Area**: the part of it that the probe's center can reach, and the part of the
  * accessible surface that faces it, as exact sums (EmptySpace.h). **Mouths**: triangles through
  * which the smaller ball can leave, grouped by shared edges.
  *
- * **Score, rank, centre**: PocketScore.h.
+ * **Score, rank, center**: PocketScore.h.
  */
 #ifndef isthmus_MolecularPockets_h
 #define isthmus_MolecularPockets_h

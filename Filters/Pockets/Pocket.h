@@ -22,7 +22,7 @@ struct SiteAtom;
 struct PocketOptions
 {
   double ProbeRadius =
-    1.4; ///< of water: volumes and areas are of the region that its centre can reach
+    1.4; ///< of water: volumes and areas are of the region that its center can reach
   double InnerRadius = 1.7; ///< of a ball that fits into a pocket: a united-atom carbon
   double OuterRadius = 3.1; ///< of a ball that does not fit into a pocket
   double BurialRadius = 10.0;
@@ -43,7 +43,7 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT void Check(const PocketOptions& options);
 struct PocketMouth
 {
   double Radius = 0.0;                                ///< of the largest ball that passes
-  double Area = 0.0;                                  ///< area accessible to the probe's centre
+  double Area = 0.0;                                  ///< area accessible to the probe's center
   std::vector<std::array<std::int64_t, 3>> Triangles; ///< of atoms
   std::vector<double> Clearance;                      ///< one for each triangle
 };
@@ -52,14 +52,14 @@ struct PocketMouth
 struct PocketCell
 {
   std::array<std::int64_t, 4> Atoms;
-  Point3 Centre; ///< of the sphere that is orthogonal to the four atoms enlarged by the probe
+  Point3 Center; ///< of the sphere that is orthogonal to the four atoms enlarged by the probe
   double Clearance = 0.0;  ///< radius of the largest ball there that touches no atom
   double Access = 0.0;     ///< radius of the largest ball that gets there from outside
   double Volume = 0.0;     ///< empty volume; only sums over voids are meaningful (EmptySpace.h)
-  std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
+  std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Center
   double Size = 0.0;       ///< volume of the tetrahedron
-  bool IsFlat = false; ///< its centre may lie anywhere, at a flat side of the hull even far outside
-  double SiteProbability = 0.0; ///< probability that a ligand's atom is near its centre
+  bool IsFlat = false; ///< its center may lie anywhere, at a flat side of the hull even far outside
+  double SiteProbability = 0.0; ///< probability that a ligand's atom is near its center
 };
 
 struct LiningAtom
@@ -82,7 +82,7 @@ struct Pocket
   double Area = 0.0;              ///< of a site: the sum over its lining
   double Radius = 0.0;            ///< the largest clearance
   double Access = 0.0;            ///< the largest access radius
-  Point3 Centre{ 0.0, 0.0, 0.0 }; ///< of a site: the mode of its density
+  Point3 Center{ 0.0, 0.0, 0.0 }; ///< of a site: the mode of its density
   std::vector<PocketCell> Cells;
   std::vector<PocketMouth> Mouths; ///< the widest first; a void has none
   std::vector<LiningAtom> Lining;  ///< in the order of the atoms
@@ -91,7 +91,7 @@ struct Pocket
 /// A place evaluated by the site model.
 struct SitePlace
 {
-  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Center{ 0.0, 0.0, 0.0 };
   double Probability = 0.0;       ///< probability that a ligand's atom is within 3 angstrom
   std::vector<float> Descriptors; ///< from which it was computed, if kept
 };

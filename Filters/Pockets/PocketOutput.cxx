@@ -51,7 +51,7 @@ public:
     if (isNew)
     {
       const auto i = static_cast<std::size_t>(atom);
-      this->Points->InsertNextPoint(this->Atoms.Balls[i].Centre.data());
+      this->Points->InsertNextPoint(this->Atoms.Balls[i].Center.data());
       this->Ids->InsertNextValue(this->Atoms.Points[i]);
     }
     return at->second;
@@ -64,7 +64,7 @@ private:
   std::map<std::int64_t, vtkIdType> Places;
 };
 
-int NumberOf(std::size_t pocket)
+int GetPocketId(std::size_t pocket)
 {
   return static_cast<int>(pocket) + 1;
 }
@@ -107,7 +107,7 @@ vtkIdType NumberOfCells(const PocketReport& report)
 }
 
 /// Of the places, if they were kept: with their descriptors, for training.
-vtkSmartPointer<vtkFloatArray> DescriptorsOf(const std::vector<SitePlace>& places)
+vtkSmartPointer<vtkFloatArray> MakeDescriptorArray(const std::vector<SitePlace>& places)
 {
   std::vector<std::string> names = SiteDescriptorNames();
   for (const std::string& residue : SiteResidueNames())
@@ -166,7 +166,7 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
         std::swap(corners[2], corners[3]);
       }
       cells->InsertNextCell(4, corners);
-      pocketId->InsertNextValue(NumberOf(i));
+      pocketId->InsertNextValue(GetPocketId(i));
       clearance->InsertNextValue(cell.Clearance);
       access->InsertNextValue(cell.Access);
       burial->InsertNextValue(cell.Burial);
@@ -190,18 +190,18 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   vtkFieldData* const data = output->GetRowData();
   const auto add = [&](const char* name, const auto& value)
   {
-    AddColumnOf<vtkDoubleArray>(data, name, report.Pockets.size(),
+    AddComputedColumn<vtkDoubleArray>(data, name, report.Pockets.size(),
       [&](std::size_t i) { return value(report.Pockets[i], i); });
   };
   const auto addCount = [&](const char* name, const auto& value)
-  { AddColumnOf<vtkIntArray>(data, name, report.Pockets, value); };
-  AddColumnOf<vtkIntArray>(data, "Rank", report.Pockets.size(), NumberOf);
+  { AddComputedColumn<vtkIntArray>(data, name, report.Pockets, value); };
+  AddComputedColumn<vtkIntArray>(data, "Rank", report.Pockets.size(), GetPocketId);
   using P = const Pocket&;
   add("Probability", [](P p, std::size_t) { return p.Probability; });
   add("Score", [](P p, std::size_t) { return p.Score; });
-  add("CenterX", [](P p, std::size_t) { return p.Centre[0]; });
-  add("CenterY", [](P p, std::size_t) { return p.Centre[1]; });
-  add("CenterZ", [](P p, std::size_t) { return p.Centre[2]; });
+  add("CenterX", [](P p, std::size_t) { return p.Center[0]; });
+  add("CenterY", [](P p, std::size_t) { return p.Center[1]; });
+  add("CenterZ", [](P p, std::size_t) { return p.Center[2]; });
   add("Volume", [](P p, std::size_t) { return p.Volume; });
   add("Area", [](P p, std::size_t) { return p.Area; });
   addCount("Mouths", [](P p) { return p.Mouths.size(); });
@@ -226,7 +226,7 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   std::map<std::int64_t, int> first; // rank of the first site of each group of copies
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
-    first.emplace(report.Pockets[i].Group, NumberOf(i));
+    first.emplace(report.Pockets[i].Group, GetPocketId(i));
   }
   addCount("CopyOf", [&](P p) { return std::isnan(p.Probability) ? 0 : first[p.Group]; });
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -234,8 +234,8 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   { return report.Means.empty() ? unknown : report.Means[i].*member; };
   add("MeanPotential", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Potential); });
   add("MeanPolarized", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Polarized); });
-  AddColumnOf<vtkStringArray>(data, "Residues", report.Pockets,
-    [&](P p) { return NamesOf(LiningResiduesOf(p.Lining, report.Atoms), report.Atoms); });
+  AddComputedColumn<vtkStringArray>(data, "Residues", report.Pockets,
+    [&](P p) { return JoinNames(FindLiningResidues(p.Lining, report.Atoms), report.Atoms); });
 }
 
 void FillMouths(const PocketReport& report, vtkPolyData* output)
@@ -258,8 +258,8 @@ void FillMouths(const PocketReport& report, vtkPolyData* output)
         const auto& atoms = mouths[m].Triangles[t];
         const vtkIdType corners[3] = { place(atoms[0]), place(atoms[1]), place(atoms[2]) };
         triangles->InsertNextCell(3, corners);
-        pocketId->InsertNextValue(NumberOf(i));
-        mouthId->InsertNextValue(NumberOf(m));
+        pocketId->InsertNextValue(GetPocketId(i));
+        mouthId->InsertNextValue(GetPocketId(m));
         clearance->InsertNextValue(mouths[m].Clearance[t]);
       }
     }
@@ -292,9 +292,9 @@ void FillAlphaBalls(const PocketReport& report, vtkPolyData* output)
   {
     for (const PocketCell& cell : report.Pockets[i].Cells)
     {
-      const vtkIdType id = points->InsertNextPoint(cell.Centre.data());
+      const vtkIdType id = points->InsertNextPoint(cell.Center.data());
       vertices->InsertNextCell(1, &id);
-      pocketId->InsertNextValue(NumberOf(i));
+      pocketId->InsertNextValue(GetPocketId(i));
       radius->InsertNextValue(cell.Clearance);
       access->InsertNextValue(cell.Access);
       burial->InsertNextValue(cell.Burial);
@@ -313,7 +313,8 @@ void FillLiningResidues(const PocketReport& report, vtkTable* output)
   LiningTable table("PocketId");
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
-    table.Add(NumberOf(i), LiningResiduesOf(report.Pockets[i].Lining, report.Atoms), report.Atoms);
+    table.Add(
+      GetPocketId(i), FindLiningResidues(report.Pockets[i].Lining, report.Atoms), report.Atoms);
   }
   table.Fill(output);
 }
@@ -329,7 +330,7 @@ void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& p
     vtkNew<vtkCellArray> vertices;
     for (const SitePlace& place : places)
     {
-      const vtkIdType id = points->InsertNextPoint(place.Centre.data());
+      const vtkIdType id = points->InsertNextPoint(place.Center.data());
       vertices->InsertNextCell(1, &id);
       probability->InsertNextValue(place.Probability);
     }
@@ -338,7 +339,7 @@ void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& p
     output->GetPointData()->SetScalars(probability);
     if (!places.empty() && !places.front().Descriptors.empty())
     {
-      output->GetPointData()->AddArray(DescriptorsOf(places));
+      output->GetPointData()->AddArray(MakeDescriptorArray(places));
     }
     return;
   }
@@ -356,9 +357,9 @@ void FillLiningAtoms(const PocketReport& report, vtkPointSet* input, int shown, 
   ResidueAtoms atoms(report.Atoms, input, "PocketId");
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
-    if (shown == 0 || shown == NumberOf(i))
+    if (shown == 0 || shown == GetPocketId(i))
     {
-      atoms.Add(NumberOf(i), LiningResiduesOf(report.Pockets[i].Lining, report.Atoms));
+      atoms.Add(GetPocketId(i), FindLiningResidues(report.Pockets[i].Lining, report.Atoms));
     }
   }
   atoms.Fill(output);

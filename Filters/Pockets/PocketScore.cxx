@@ -30,13 +30,13 @@ void ScorePocket(Pocket& pocket)
     const double share = cell.Volume * BurialWeight(static_cast<double>(cell.Burial));
     pocket.Volume += cell.Volume;
     pocket.Score += share;
-    sum = sum + share * cell.Centre;
+    sum = sum + share * cell.Center;
     pocket.Radius = std::max(pocket.Radius, cell.IsFlat ? 0.0 : cell.Clearance);
     pocket.Access = std::max(pocket.Access, cell.Access);
   }
   if (pocket.Score > 0.0)
   {
-    pocket.Centre = (1.0 / pocket.Score) * sum;
+    pocket.Center = (1.0 / pocket.Score) * sum;
     return;
   }
   // Only if the mouths take more volume than there is among many atoms: then the volume without
@@ -47,23 +47,23 @@ void ScorePocket(Pocket& pocket)
   {
     const double weight = std::max(0.0, cell.Volume);
     weights += weight;
-    pocket.Centre = pocket.Centre + weight * cell.Centre;
+    pocket.Center = pocket.Center + weight * cell.Center;
   }
-  pocket.Centre = (weights > 0.0 ? 1.0 / weights : 0.0) * pocket.Centre;
+  pocket.Center = (weights > 0.0 ? 1.0 / weights : 0.0) * pocket.Center;
 }
 
 /// A site has no walls towards the rest of its pocket, so sectors of distant balls may make its
 /// computed empty volume negative (EmptySpace.h: values of single tetrahedra may be).
 void ScoreSite(Pocket& site)
 {
-  const Point3 mode = site.Centre;
+  const Point3 mode = site.Center;
   for (PocketCell& cell : site.Cells)
   {
     cell.Volume = std::clamp(cell.Volume, 0.0, cell.Size);
   }
-  site.Centre = { 0.0, 0.0, 0.0 };
+  site.Center = { 0.0, 0.0, 0.0 };
   ScorePocket(site);
-  site.Centre = mode;
+  site.Center = mode;
 }
 
 void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sites)

@@ -4,7 +4,7 @@
  *
  * **Score**: sum over the tetrahedra of a pocket of empty volume x (n/100)^2, with the number n of
  * atoms within BurialRadius. Volume counts more the more of the protein surrounds it. **Rank**:
- * position in descending order of score. **Centre**: mean of the centres of the orthogonal spheres,
+ * position in descending order of score. **Center**: mean of the centers of the orthogonal spheres,
  * with the weights of the score.
  *
  * **Sites** are ranked by their probability. In their Volume and Score, the contribution of a
@@ -31,10 +31,10 @@ inline double BurialWeight(double atoms)
   return 1e-4 * atoms * atoms;
 }
 
-/// Fills in Score, Volume, Centre, Radius and Access of a pocket from its cells.
+/// Fills in Score, Volume, Center, Radius and Access of a pocket from its cells.
 void ScorePocket(Pocket& pocket);
 
-/// The same for a site, except for its centre, which is its mode; limits the volumes of its cells.
+/// The same for a site, except for its center, which is its mode; limits the volumes of its cells.
 void ScoreSite(Pocket& site);
 
 /// Chain, number, insertion code and name of a residue.

@@ -45,7 +45,7 @@ public:
     constexpr double rest = 1e-4; // angstrom
     constexpr double around = 1.5;
     Point3 gatheredAt = place;
-    std::vector<Weighted> near = this->Gathered(place, DensityReach + around);
+    std::vector<Weighted> near = this->GatherNear(place, DensityReach + around);
     std::vector<Point3> modes = ModesNear(place, sites, AtMode + around);
     Mean mean = MeanAt(place, near);
     for (int step = 0; step < limit && Distance(mean.Place, place) > rest; ++step)
@@ -60,7 +60,7 @@ public:
       if (Distance(place, gatheredAt) > 0.999 * around)
       {
         gatheredAt = place;
-        near = this->Gathered(place, DensityReach + around);
+        near = this->GatherNear(place, DensityReach + around);
         modes = ModesNear(place, sites, AtMode + around);
       }
       mean = MeanAt(place, near);
@@ -84,10 +84,10 @@ private:
     std::vector<Point3> modes;
     for (const PocketSite& site : sites)
     {
-      const Point3 d = site.Centre - place;
+      const Point3 d = site.Center - place;
       if (Dot(d, d) < reach * reach)
       {
-        modes.push_back(site.Centre);
+        modes.push_back(site.Center);
       }
     }
     return modes;
@@ -105,7 +105,7 @@ private:
     double Probability;
   };
 
-  std::vector<Weighted> Gathered(const Point3& place, double reach) const
+  std::vector<Weighted> GatherNear(const Point3& place, double reach) const
   {
     std::vector<Weighted> near;
     this->Near(place, reach,
@@ -140,13 +140,13 @@ private:
 /// Each place to the nearest site within SiteSpacing. O(places x sites near).
 void AddPlaces(const std::vector<Point3>& places, std::vector<PocketSite>& sites)
 {
-  std::vector<Point3> centres;
-  centres.reserve(sites.size());
+  std::vector<Point3> centers;
+  centers.reserve(sites.size());
   for (const PocketSite& site : sites)
   {
-    centres.push_back(site.Centre);
+    centers.push_back(site.Center);
   }
-  const PointBins bins(centres, SiteSpacing);
+  const PointBins bins(centers, SiteSpacing);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     double least = SiteSpacing * SiteSpacing;
@@ -203,7 +203,7 @@ std::vector<PocketSite> FindSites(
     const bool isNew = std::none_of(sites.begin(), sites.end(),
       [&](const PocketSite& site)
       {
-        const Point3 d = site.Centre - mode.Place;
+        const Point3 d = site.Center - mode.Place;
         return Dot(d, d) < 0.25 * SiteSpacing * SiteSpacing;
       });
     if (isNew)

@@ -22,7 +22,7 @@ namespace isthmus
 
 struct PocketSite
 {
-  Point3 Centre{ 0.0, 0.0, 0.0 }; ///< the mode
+  Point3 Center{ 0.0, 0.0, 0.0 }; ///< the mode
   double Density = 0.0;
   std::vector<std::size_t> Places; ///< ascending
 };

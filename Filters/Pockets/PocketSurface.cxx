@@ -51,7 +51,7 @@ std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(const SurfaceView& surface
     AreaSums sums;
     for (const PocketCell& cell : pockets[p].Cells)
     {
-      bins.Near(cell.Centre, cell.Clearance + reach,
+      bins.Near(cell.Center, cell.Clearance + reach,
         [&](std::int64_t id, double)
         {
           const auto point = static_cast<std::size_t>(id);
@@ -83,13 +83,13 @@ std::vector<double> SiteProbabilities(
   const SurfaceView& surface, const std::vector<SitePlace>& places)
 {
   constexpr double reach = 5.0;
-  std::vector<Point3> centres;
-  centres.reserve(places.size());
+  std::vector<Point3> centers;
+  centers.reserve(places.size());
   for (const SitePlace& place : places)
   {
-    centres.push_back(place.Centre);
+    centers.push_back(place.Center);
   }
-  const PointBins bins(centres, reach);
+  const PointBins bins(centers, reach);
   std::vector<double> values(surface.Points.size(), 0.0);
   ParallelFor(0, static_cast<std::int64_t>(values.size()), 1024,
     [&](std::int64_t begin, std::int64_t end)
@@ -119,7 +119,7 @@ std::vector<int> LabelPocketSurfaces(
   {
     for (const PocketCell& cell : pockets[p].Cells)
     {
-      bins.Near(cell.Centre, cell.Clearance + reach,
+      bins.Near(cell.Center, cell.Clearance + reach,
         [&](std::int64_t id, double)
         {
           int& label = labels[static_cast<std::size_t>(id)];

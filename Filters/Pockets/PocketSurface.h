@@ -30,7 +30,7 @@ struct PocketSurfaceFields
 };
 
 /**
- * Surface within `reach` of a pocket's alpha balls (centres and clearances of its cells) counts as
+ * Surface within `reach` of a pocket's alpha balls (centers and clearances of its cells) counts as
  * lining the pocket. One entry for each pocket. O(n log n + cells x points nearby).
  */
 std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(const SurfaceView& surface,

@@ -53,8 +53,8 @@ struct PolarizedPoint
   double PositiveKappa2;
   double NegativeKappa1;
   double NegativeKappa2;
-  double Combined; ///< Phi kappa_2
-  SiteClass Site;  ///< None if no amplitude is above `least`, and for NaN
+  double CombineSurfaces; ///< Phi kappa_2
+  SiteClass Site;         ///< None if no amplitude is above `least`, and for NaN
 };
 
 inline PolarizedPoint Polarize(double potential, double kappa1, double kappa2, double least)

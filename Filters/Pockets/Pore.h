@@ -35,9 +35,9 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT void Check(const PoreOptions& options);
 /// The largest ball in a plane across a pore.
 struct PoreSample
 {
-  Point3 Centre;
+  Point3 Center;
   double Radius = 0.0;
-  double ArcLength = 0.0; ///< along the centres
+  double ArcLength = 0.0; ///< along the centers
   std::int64_t NearestAtom = -1;
 };
 

@@ -78,46 +78,46 @@ Point3 OutwardNormal(const RegularFiltration& f, TriangleId exit)
 }
 
 /**
- * Centres along a path out, beginning with that of the triangle that closes the channel. Those of
+ * Centers along a path out, beginning with that of the triangle that closes the channel. Those of
  * flat tetrahedra at the border may lie anywhere outside: a step is no longer than five times the
  * channel's radius. Whether there are any of them at a flat side of the hull depends on the last
  * bits of the atoms' places, so a path that leaves through a triangle ends `beyond` it, measured
  * along its normal, in any case; if `beyond` is 0, in its plane and not farther.
  */
-std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& path, double radius,
+std::vector<Point3> CentersAlong(const RegularFiltration& f, const CellPath& path, double radius,
   const Point3& start, double beyond)
 {
   const double longest = 5.0 * radius;
-  std::vector<Point3> centres{ start };
+  std::vector<Point3> centers{ start };
   for (const TetrahedronId cell : path.Cells)
   {
-    Point3 centre = f.Centres[cell];
-    const Point3 step = centre - centres.back();
+    Point3 center = f.Centers[cell];
+    const Point3 step = center - centers.back();
     const double length = Length(step);
-    centre = length > longest ? centres.back() + (longest / length) * step : centre;
-    centres.push_back(centre);
+    center = length > longest ? centers.back() + (longest / length) * step : center;
+    centers.push_back(center);
   }
   if (path.Exit.Exists())
   {
     const Point3 normal = OutwardNormal(f, path.Exit);
     const Point3& on = f.Complex.Points[At(f.Complex.TrianglePoints(path.Exit)[0])];
     const auto height = [&](const Point3& p) { return Dot(p - on, normal); };
-    while (beyond == 0.0 && centres.size() > 1 && height(centres.back()) > 0.0)
+    while (beyond == 0.0 && centers.size() > 1 && height(centers.back()) > 0.0)
     {
-      centres.pop_back();
+      centers.pop_back();
     }
-    // The distance that the last centre lacks.
-    const double lacks = beyond - height(centres.back());
+    // The distance that the last center lacks.
+    const double lacks = beyond - height(centers.back());
     if (lacks > 0.0)
     {
-      centres.push_back(centres.back() + lacks * normal);
+      centers.push_back(centers.back() + lacks * normal);
     }
   }
-  return centres;
+  return centers;
 }
 
-/// The centre of the circle that is orthogonal to the balls of a triangle, in its plane.
-Point3 CentreOf(const RegularFiltration& f, TriangleId triangle)
+/// The center of the circle that is orthogonal to the balls of a triangle, in its plane.
+Point3 TriangleCenter(const RegularFiltration& f, TriangleId triangle)
 {
   const auto t = f.Complex.TrianglePoints(triangle);
   const Point3& a = f.Complex.Points[At(t[0])];
@@ -142,11 +142,11 @@ Channel Join(const RegularFiltration& f, TriangleId triangle, const CellPath& a,
 {
   Channel channel;
   channel.Radius = radius;
-  const Point3 start = CentreOf(f, triangle);
-  channel.Path = CentresAlong(f, a, radius, start, beyond);
+  const Point3 start = TriangleCenter(f, triangle);
+  channel.Path = CentersAlong(f, a, radius, start, beyond);
   std::reverse(channel.Path.begin(), channel.Path.end());
   channel.Narrowest = channel.From = channel.Path.size() - 1;
-  const auto rest = CentresAlong(f, b, radius, start, beyond);
+  const auto rest = CentersAlong(f, b, radius, start, beyond);
   channel.Path.insert(channel.Path.end(), rest.begin() + 1, rest.end());
   channel.Span = Length(channel.Path.front() - channel.Path.back());
   return channel;
@@ -158,9 +158,9 @@ TetrahedronId CellAt(
 {
   TetrahedronId best = TetrahedronId::None();
   double least = HUGE_VAL;
-  for (const TetrahedronId cell : f.Centres.Keys())
+  for (const TetrahedronId cell : f.Centers.Keys())
   {
-    const double distance = Length(f.Centres[cell] - place) - 0.5 * access.CellClearance[cell];
+    const double distance = Length(f.Centers[cell] - place) - 0.5 * access.CellClearance[cell];
     if (access.CellClearance[cell] > 0.0 && distance < least)
     {
       least = distance;
@@ -170,7 +170,7 @@ TetrahedronId CellAt(
   return best;
 }
 
-double FromLine(const Point3& p, const Point3& a, const Point3& b)
+double DistanceToLine(const Point3& p, const Point3& a, const Point3& b)
 {
   const Point3 d = b - a;
   const double t = std::clamp(Dot(p - a, d) / Dot(d, d), 0.0, 1.0);
@@ -251,7 +251,7 @@ Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
   const TetrahedronId start = CellAt(f, access, first);
   const TetrahedronId goal = CellAt(f, access, last);
   constexpr TetrahedronId unmet(-2);
-  HandleVector<TetrahedronId, TetrahedronId> from(f.Centres.size(), unmet);
+  HandleVector<TetrahedronId, TetrahedronId> from(f.Centers.size(), unmet);
   std::priority_queue<Step> steps;
   std::size_t reached = 0;
   if (start.Exists())
@@ -267,17 +267,17 @@ Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
       continue;
     }
     from[step.Cell] = step.From;
-    ReportCells(progress, reached++, f.Centres.size());
+    ReportCells(progress, reached++, f.Centers.size());
     for (const TriangleId face : faces[step.Cell])
     {
       const TetrahedronId next = f.Complex.Across(face, step.Cell);
       const double width = access.TriangleClearance[face];
       if (!next.Exists() || from[next] != unmet || width <= 0.0 ||
-        (next != goal && FromLine(f.Centres[next], first, last) > options.MaximumOffset))
+        (next != goal && DistanceToLine(f.Centers[next], first, last) > options.MaximumOffset))
       {
         continue;
       }
-      const double length = Length(f.Centres[next] - f.Centres[step.Cell]);
+      const double length = Length(f.Centers[next] - f.Centers[step.Cell]);
       steps.push({ step.Cost + (length + 1e-6) / (width * width), next, step.Cell });
     }
   }
@@ -291,7 +291,7 @@ Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
   Channel channel;
   for (TetrahedronId cell = goal; cell.Exists(); cell = from[cell])
   {
-    channel.Path.push_back(f.Centres[cell]);
+    channel.Path.push_back(f.Centers[cell]);
   }
   std::reverse(channel.Path.begin(), channel.Path.end());
   channel.Span = Length(first - last);

@@ -11,14 +11,14 @@
 namespace isthmus
 {
 
-/// A path through the tetrahedra, as the centres of orthogonal spheres from one end to the other.
+/// A path through the tetrahedra, as the centers of orthogonal spheres from one end to the other.
 struct Channel
 {
   std::vector<Point3> Path;
   double Radius = 0.0;       ///< radius at the triangle where it closes
   double Span = 0.0;         ///< distance between the ends
   bool IsWide = false;       ///< wider than EndRadius everywhere
-  std::size_t Narrowest = 0; ///< index of the centre of that triangle, or of the narrowest place
+  std::size_t Narrowest = 0; ///< index of the center of that triangle, or of the narrowest place
   std::size_t From =
     0; ///< index at which the planes begin: the same, or the first of two given points
 };

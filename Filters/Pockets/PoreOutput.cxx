@@ -35,7 +35,7 @@ constexpr double TwoWaters = 2.30;
 constexpr double Reach = 0.5;
 
 /// "TRP 23 A", or the known part of it.
-std::string ResidueOf(const MoleculeAtoms& atoms, std::int64_t ball)
+std::string GetResidueName(const MoleculeAtoms& atoms, std::int64_t ball)
 {
   if (ball < 0 || !atoms.HasNames)
   {
@@ -52,9 +52,9 @@ std::string ResiduesAround(
   const PoreSample& sample, const AtomField& field, const MoleculeAtoms& atoms)
 {
   std::set<std::string> names;
-  for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
+  for (const std::int64_t atom : field.Touching(sample.Center, sample.Radius + Reach))
   {
-    names.insert(ResidueOf(atoms, atom));
+    names.insert(GetResidueName(atoms, atom));
   }
   std::string list;
   for (const std::string& name : names)
@@ -75,13 +75,13 @@ public:
     this->ArcLength->InsertNextValue(sample.ArcLength);
     this->Nearest->InsertNextValue(
       sample.NearestAtom < 0 ? -1 : atoms.Points[static_cast<std::size_t>(sample.NearestAtom)]);
-    this->Residue->InsertNextValue(ResidueOf(atoms, sample.NearestAtom));
+    this->Residue->InsertNextValue(GetResidueName(atoms, sample.NearestAtom));
     this->WidthClass->InsertNextValue(
       sample.Radius < OneWater ? 0 : (sample.Radius < TwoWaters ? 1 : 2));
   }
 
   template <typename AddArray>
-  void Give(AddArray add) const
+  void ForEachArray(AddArray add) const
   {
     for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{ this->PoreId,
            this->ArcLength, this->Radius, this->WidthClass, this->Nearest, this->Residue })
@@ -126,14 +126,14 @@ void FillPoreLines(const PoreReport& report, vtkPolyData* output)
     poreId->InsertNextValue(PoreNumber(p));
     for (const PoreSample& sample : samples)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(sample.Centre.data()));
+      lines->InsertCellPoint(points->InsertNextPoint(sample.Center.data()));
       arrays.Add(PoreNumber(p), sample, report.Atoms);
     }
   }
   output->SetPoints(points);
   output->SetLines(lines);
   output->GetCellData()->AddArray(poreId);
-  arrays.Give([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
+  arrays.ForEachArray([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
   output->GetPointData()->SetActiveScalars("Radius");
 }
 
@@ -146,14 +146,14 @@ void FillPoreSamples(const PoreReport& report, vtkTable* output)
     for (const PoreSample& sample : report.Pores[p].Samples)
     {
       arrays.Add(PoreNumber(p), sample, report.Atoms);
-      places.push_back(sample.Centre);
+      places.push_back(sample.Center);
     }
   }
-  arrays.Give([&](vtkAbstractArray* array) { output->AddColumn(array); });
+  arrays.ForEachArray([&](vtkAbstractArray* array) { output->AddColumn(array); });
   const char* names[] = { "X", "Y", "Z" };
   for (std::size_t k = 0; k < 3; ++k)
   {
-    AddColumnOf<vtkDoubleArray>(
+    AddComputedColumn<vtkDoubleArray>(
       output->GetRowData(), names[k], places, [k](const Point3& place) { return place[k]; });
   }
 }
@@ -162,15 +162,15 @@ void FillPoreTable(const PoreReport& report, vtkTable* output)
 {
   vtkFieldData* const data = output->GetRowData();
   const auto add = [&](const char* name, const auto& of)
-  { AddColumnOf<vtkDoubleArray>(data, name, report.Pores, of); };
-  AddColumnOf<vtkIntArray>(data, "PoreId", report.Pores.size(), PoreNumber);
+  { AddComputedColumn<vtkDoubleArray>(data, name, report.Pores, of); };
+  AddComputedColumn<vtkIntArray>(data, "PoreId", report.Pores.size(), PoreNumber);
   add("Radius", [](const Pore& pore) { return Narrowest(pore).Radius; });
   add("Length", [](const Pore& pore) { return pore.Samples.back().ArcLength; });
   add("Span", [](const Pore& pore) { return pore.Span; });
-  add("BottleneckX", [](const Pore& pore) { return Narrowest(pore).Centre[0]; });
-  add("BottleneckY", [](const Pore& pore) { return Narrowest(pore).Centre[1]; });
-  add("BottleneckZ", [](const Pore& pore) { return Narrowest(pore).Centre[2]; });
-  AddColumnOf<vtkIntArray>(
+  add("BottleneckX", [](const Pore& pore) { return Narrowest(pore).Center[0]; });
+  add("BottleneckY", [](const Pore& pore) { return Narrowest(pore).Center[1]; });
+  add("BottleneckZ", [](const Pore& pore) { return Narrowest(pore).Center[2]; });
+  AddComputedColumn<vtkIntArray>(
     data, "Bottlenecks", report.Pores, [](const Pore& pore) { return pore.Bottlenecks.size(); });
 }
 
@@ -189,7 +189,7 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
     for (const std::size_t i : report.Pores[p].Bottlenecks)
     {
       const PoreSample& sample = report.Pores[p].Samples[i];
-      const vtkIdType id = points->InsertNextPoint(sample.Centre.data());
+      const vtkIdType id = points->InsertNextPoint(sample.Center.data());
       vertices->InsertNextCell(1, &id);
       rank->InsertNextValue(++number);
       residues->InsertNextValue(ResiduesAround(sample, field, report.Atoms));
@@ -198,7 +198,7 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
-  arrays.Give([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
+  arrays.ForEachArray([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
   output->GetPointData()->AddArray(rank);
   output->GetPointData()->AddArray(residues);
   output->GetPointData()->SetActiveScalars("Radius");
@@ -213,7 +213,7 @@ std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report)
     std::vector<char> lines(report.Atoms.Balls.size(), 0);
     for (const PoreSample& sample : pore.Samples)
     {
-      for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
+      for (const std::int64_t atom : field.Touching(sample.Center, sample.Radius + Reach))
       {
         lines[static_cast<std::size_t>(atom)] = 1;
       }
@@ -226,7 +226,7 @@ std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report)
         lining.push_back({ static_cast<std::int64_t>(atom), 0.0 });
       }
     }
-    residues.push_back(LiningResiduesOf(lining, report.Atoms));
+    residues.push_back(FindLiningResidues(lining, report.Atoms));
   }
   return residues;
 }

@@ -133,7 +133,7 @@ std::vector<PlaneBall> MarchAlong(const AtomField& atoms, const Course& course, 
     Report(progress,
       static_cast<double>(std::abs(i - static_cast<std::int64_t>(from))) / static_cast<double>(n));
     const Plane& plane = course.Planes[static_cast<std::size_t>(i)];
-    std::vector<Point3> starts{ Project(plane, ball.Centre) };
+    std::vector<Point3> starts{ Project(plane, ball.Center) };
     if (!course.Path.empty())
     {
       starts.push_back(Project(plane, course.Path[static_cast<std::size_t>(i)]));
@@ -162,17 +162,17 @@ void CheckPoint(const char* name, const Point3& p)
   }
 }
 
-RegularFiltration Enlarged(
+RegularFiltration EnlargeBalls(
   const std::vector<Ball>& atoms, const PoreOptions& options, const ProgressCallback& progress)
 {
-  std::vector<Point3> centres;
+  std::vector<Point3> centers;
   std::vector<double> radii;
   for (const Ball& atom : atoms)
   {
-    centres.push_back(atom.Centre);
+    centers.push_back(atom.Center);
     radii.push_back(atom.Radius + Probe);
   }
-  return MakeRegularFiltration(std::move(centres), std::move(radii), progress, options.Predicted);
+  return MakeRegularFiltration(std::move(centers), std::move(radii), progress, options.Predicted);
 }
 
 /// Samples from which the radius rises by `depth` on both sides before it falls below.
@@ -238,16 +238,16 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   double length = 0.0;
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
-    length += i > 0 ? Length(balls[i].Centre - balls[i - 1].Centre) : 0.0;
-    pore.Samples.push_back({ balls[i].Centre, balls[i].Radius, length,
-      atoms.At(balls[i].Centre, balls[i].Radius).Atom });
+    length += i > 0 ? Length(balls[i].Center - balls[i - 1].Center) : 0.0;
+    pore.Samples.push_back({ balls[i].Center, balls[i].Radius, length,
+      atoms.At(balls[i].Center, balls[i].Radius).Atom });
   }
   pore.Bottlenecks = Bottlenecks(pore.Samples);
-  pore.Span = Length(pore.Samples.back().Centre - pore.Samples.front().Centre);
+  pore.Span = Length(pore.Samples.back().Center - pore.Samples.front().Center);
   return pore;
 }
 
-Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& options,
+Pore MeasurePore(const AtomField& atoms, const Channel& channel, const PoreOptions& options,
   const ProgressCallback& progress)
 {
   // A path bends around each atom; averaging over three times the atom size gives the course of the
@@ -280,7 +280,7 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
 
 /// Wide channels one after another, since each takes long and reports its progress; the others in
 /// parallel.
-std::vector<Pore> PoresOf(const AtomField& atoms, const std::vector<Channel>& channels,
+std::vector<Pore> MeasurePores(const AtomField& atoms, const std::vector<Channel>& channels,
   const PoreOptions& options, const ProgressCallback& progress)
 {
   std::vector<Pore> pores(channels.size());
@@ -292,7 +292,7 @@ std::vector<Pore> PoresOf(const AtomField& atoms, const std::vector<Channel>& ch
       {
         if (!channels[i].IsWide)
         {
-          pores[i] = PoreOf(atoms, channels[i], options, {});
+          pores[i] = MeasurePore(atoms, channels[i], options, {});
         }
       }
     },
@@ -305,7 +305,7 @@ std::vector<Pore> PoresOf(const AtomField& atoms, const std::vector<Channel>& ch
       Between(progress, 0.5 + 0.5 * before / count, 0.5 + 0.5 * (before + 1.0) / count);
     if (channels[i].IsWide)
     {
-      pores[i] = PoreOf(atoms, channels[i], options, own);
+      pores[i] = MeasurePore(atoms, channels[i], options, own);
     }
   }
   return pores;
@@ -328,7 +328,7 @@ std::vector<Pore> FindPores(
   const std::vector<Ball>& atoms, const PoreOptions& options, const ProgressCallback& progress)
 {
   Check(options);
-  RegularFiltration f = Enlarged(atoms, options, Between(progress, 0.0, 0.3));
+  RegularFiltration f = EnlargeBalls(atoms, options, Between(progress, 0.0, 0.3));
   std::vector<Pore> pores;
   if (f.Complex.Tetrahedra.empty())
   {
@@ -338,7 +338,7 @@ std::vector<Pore> FindPores(
     FindAccess(f, FacesOfCells(f.Complex), Probe, Between(progress, 0.3, 0.35));
   const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.35, 0.7));
   std::vector<Pore> found =
-    PoresOf(AtomField(atoms), channels, options, Between(progress, 0.7, 1.0));
+    MeasurePores(AtomField(atoms), channels, options, Between(progress, 0.7, 1.0));
   for (Pore& pore : found)
   {
     if (!pore.Samples.empty() && pore.Span >= options.MinimumSpan)
@@ -361,7 +361,7 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
     throw std::invalid_argument("Point1 and Point2 are the same, or closer than Spacing: set them "
                                 "to the two ends of the pore.");
   }
-  const RegularFiltration f = Enlarged(atoms, options, Between(progress, 0.0, 0.4));
+  const RegularFiltration f = EnlargeBalls(atoms, options, Between(progress, 0.0, 0.4));
   if (f.Complex.Tetrahedra.empty())
   {
     throw std::runtime_error("There are fewer than four atoms, or all lie in one plane, so there "
@@ -381,7 +381,7 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
     channel.Narrowest = room > 0.0 && room < least ? i : channel.Narrowest;
     least = room > 0.0 ? std::min(least, room) : least;
   }
-  return PoreOf(field, channel, options, Between(progress, 0.6, 1.0));
+  return MeasurePore(field, channel, options, Between(progress, 0.6, 1.0));
 }
 
 Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3& direction,
@@ -404,8 +404,8 @@ Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3
   double high = 0.0;
   for (const Ball& atom : atoms)
   {
-    low = std::min(low, Dot(atom.Centre - point, along));
-    high = std::max(high, Dot(atom.Centre - point, along));
+    low = std::min(low, Dot(atom.Center - point, along));
+    high = std::max(high, Dot(atom.Center - point, along));
   }
   const auto before = static_cast<std::int64_t>((options.EndRadius - low) / options.Spacing);
   const auto after = static_cast<std::int64_t>((options.EndRadius + high) / options.Spacing);

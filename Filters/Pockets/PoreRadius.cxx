@@ -13,12 +13,12 @@ namespace isthmus
 namespace
 {
 
-std::vector<Point3> CentresOf(const std::vector<Ball>& atoms)
+std::vector<Point3> CollectCenters(const std::vector<Ball>& atoms)
 {
-  std::vector<Point3> centres(atoms.size());
+  std::vector<Point3> centers(atoms.size());
   std::transform(
-    atoms.begin(), atoms.end(), centres.begin(), [](const Ball& atom) { return atom.Centre; });
-  return centres;
+    atoms.begin(), atoms.end(), centers.begin(), [](const Ball& atom) { return atom.Center; });
+  return centers;
 }
 
 /// 4 angstrom for molecules; more for balls farther apart (another unit, coarse models), whose
@@ -32,8 +32,8 @@ double BinSizeFor(const std::vector<Ball>& atoms)
     std::transform(atoms.begin(), atoms.end(), bins.begin(),
       [size](const Ball& atom)
       {
-        return std::array<double, 3>{ std::floor(atom.Centre[0] / size),
-          std::floor(atom.Centre[1] / size), std::floor(atom.Centre[2] / size) };
+        return std::array<double, 3>{ std::floor(atom.Center[0] / size),
+          std::floor(atom.Center[1] / size), std::floor(atom.Center[2] / size) };
       });
     std::sort(bins.begin(), bins.end());
     const auto occupied = std::unique(bins.begin(), bins.end()) - bins.begin();
@@ -139,7 +139,7 @@ double ClearanceAt(const std::vector<Ball>& atoms, const Point3& place)
   double least = HUGE_VAL;
   for (const Ball& atom : atoms)
   {
-    least = std::min(least, Length(place - atom.Centre) - atom.Radius);
+    least = std::min(least, Length(place - atom.Center) - atom.Radius);
   }
   return least;
 }
@@ -153,7 +153,7 @@ std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place
   std::vector<Linear> models;
   for (const Ball& atom : atoms)
   {
-    const Point3 d = place - atom.Centre;
+    const Point3 d = place - atom.Center;
     const double length = Length(d);
     if (length - atom.Radius <= least + 2.0 * std::sqrt(2.0) * size && length > 0.0)
     {
@@ -172,7 +172,7 @@ std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place
 
 AtomField::AtomField(const std::vector<Ball>& atoms)
   : Atoms(atoms)
-  , Bins(CentresOf(atoms), BinSizeFor(atoms))
+  , Bins(CollectCenters(atoms), BinSizeFor(atoms))
 {
   for (const Ball& atom : atoms)
   {
@@ -283,11 +283,11 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   const PlaneBall first = best;
   const auto offer = [&](const Point3& start)
   {
-    // Climbs that end in one place differ by less: the first of them stays. A centre outside of the
+    // Climbs that end in one place differ by less: the first of them stays. A center outside of the
     // first ball is another place, of a wider vestibule or another pore.
-    rough.Clearance = first.Radius - Length(start - first.Centre);
+    rough.Clearance = first.Radius - Length(start - first.Center);
     const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
-    const bool here = Length(ball.Centre - first.Centre) <= std::max(first.Radius, 1.0);
+    const bool here = Length(ball.Center - first.Center) <= std::max(first.Radius, 1.0);
     best = here && ball.Radius > best.Radius + 1e-4 ? ball : best;
   };
   std::for_each(starts.begin() + 1, starts.end(), offer);
@@ -299,7 +299,7 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
     offer(starts.front() + r * std::cos(angle) * axes[0] + r * std::sin(angle) * axes[1]);
   }
   return best.Radius < enough
-    ? ClimbInPlane(field, plane, best.Centre, { rough.Reach, enough, 1e-11, best.Radius })
+    ? ClimbInPlane(field, plane, best.Center, { rough.Reach, enough, 1e-11, best.Radius })
     : best;
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file PoreRadius.h
- * @brief The radius of a pore: the largest ball between atoms with its centre in a plane across the
+ * @brief The radius of a pore: the largest ball between atoms with its center in a plane across the
  * pore.
  */
 #ifndef isthmus_PoreRadius_h
@@ -50,7 +50,7 @@ struct Plane
 
 struct PlaneBall
 {
-  Point3 Centre;
+  Point3 Center;
   double Radius;
 };
 

@@ -23,7 +23,7 @@ using Weights = std::map<Key, double>;
 using ChainResidue = std::pair<int, std::int64_t>;
 
 template <typename Key>
-double SumOf(const Weights<Key>& weights)
+double ComputeSum(const Weights<Key>& weights)
 {
   double sum = 0.0;
   for (const auto& one : weights)
@@ -34,7 +34,7 @@ double SumOf(const Weights<Key>& weights)
 }
 
 template <typename Key>
-double Likeness(const Weights<Key>& a, const Weights<Key>& b)
+double Similarity(const Weights<Key>& a, const Weights<Key>& b)
 {
   double common = 0.0;
   for (const auto& [key, weight] : a)
@@ -42,7 +42,7 @@ double Likeness(const Weights<Key>& a, const Weights<Key>& b)
     const auto same = b.find(key);
     common += same != b.end() ? std::min(weight, same->second) : 0.0;
   }
-  const double all = SumOf(a) + SumOf(b) - common;
+  const double all = ComputeSum(a) + ComputeSum(b) - common;
   return all > 0.0 ? common / all : 0.0;
 }
 
@@ -52,9 +52,9 @@ struct Surroundings
   Weights<std::int64_t> OfAll;
   int Chain = -1;
 
-  Surroundings(const std::vector<SiteAtom>& atoms, const PointBins& bins, const Point3& centre)
+  Surroundings(const std::vector<SiteAtom>& atoms, const PointBins& bins, const Point3& center)
   {
-    bins.Near(centre, AroundReach,
+    bins.Near(center, AroundReach,
       [&](std::int64_t id, double squared)
       {
         const SiteAtom& atom = atoms[static_cast<std::size_t>(id)];
@@ -80,16 +80,16 @@ struct Surroundings
     }
   }
 
-  bool IsCopyOf(const Surroundings& other) const
+  bool IsCopy(const Surroundings& other) const
   {
-    const double likeness = Likeness(this->OfAll, other.OfAll);
+    const double likeness = Similarity(this->OfAll, other.OfAll);
     return likeness >= LeastLikeness &&
-      Likeness(this->ByChain, other.ByChain) < MostOfSameChain * likeness;
+      Similarity(this->ByChain, other.ByChain) < MostOfSameChain * likeness;
   }
 };
 
 /// Numbers of the groups, each with its densest site in front.
-std::vector<std::vector<std::size_t>> GroupsOf(const std::vector<Surroundings>& around)
+std::vector<std::vector<std::size_t>> FindGroups(const std::vector<Surroundings>& around)
 {
   std::vector<std::vector<std::size_t>> groups;
   std::map<std::int64_t, std::vector<std::size_t>> groupsAt; // groups with a residue around
@@ -107,7 +107,7 @@ std::vector<std::vector<std::size_t>> GroupsOf(const std::vector<Surroundings>& 
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     const auto group = std::find_if(candidates.begin(), candidates.end(),
-      [&](std::size_t g) { return around[i].IsCopyOf(around[groups[g].front()]); });
+      [&](std::size_t g) { return around[i].IsCopy(around[groups[g].front()]); });
     if (group != candidates.end())
     {
       groups[*group].push_back(i);
@@ -138,11 +138,11 @@ std::vector<CopiedSite> GroupCopies(
   around.reserve(sites.size());
   for (const PocketSite& site : sites)
   {
-    around.emplace_back(atoms, bins, site.Centre);
+    around.emplace_back(atoms, bins, site.Center);
   }
   std::vector<CopiedSite> copied(sites.size());
   std::int64_t number = 0;
-  for (const auto& group : GroupsOf(around))
+  for (const auto& group : FindGroups(around))
   {
     double sum = 0.0;
     for (const std::size_t i : group)

@@ -7,7 +7,7 @@
  * those of the chain with the first name come first.
  *
  * Each residue around a site has the weight 1 - d/10, with the distance d in angstrom from the
- * site's centre to the residue's nearest heavy atom. The **similarity** of two sites is the sum
+ * site's center to the residue's nearest heavy atom. The **similarity** of two sites is the sum
  * over residues of the smaller weight divided by the sum of the larger weight. Two sites are copies
  * if their similarity is at least a half when residues are identified by number and name only, and
  * less than half of that when their chain is considered too. A site is compared with the densest

@@ -47,12 +47,12 @@ bool IsBackbone(const std::string& name)
 }
 
 /// Residue and atom as one word, "HIS ND1".
-bool IsOneOf(const std::string& word, const std::set<std::string>& words)
+bool IsInList(const std::string& word, const std::set<std::string>& words)
 {
   return words.count(word) > 0;
 }
 
-SiteAtomKind KindOf(int element, const std::string& residue, const std::string& name)
+SiteAtomKind ClassifySiteAtom(int element, const std::string& residue, const std::string& name)
 {
   static const std::set<std::string> rings{ "PHE CG", "PHE CD1", "PHE CD2", "PHE CE1", "PHE CE2",
     "PHE CZ", "TYR CG", "TYR CD1", "TYR CD2", "TYR CE1", "TYR CE2", "TYR CZ", "TRP CG", "TRP CD1",
@@ -65,7 +65,7 @@ SiteAtomKind KindOf(int element, const std::string& residue, const std::string& 
   static const std::set<std::string> polarCarbons{ "ASP CG", "GLU CD", "ASN CG", "GLN CD",
     "ARG CZ" };
   const std::string word = residue + " " + name;
-  if (IsOneOf(word, rings))
+  if (IsInList(word, rings))
   {
     return SiteAtomKind::Aromatic;
   }
@@ -91,19 +91,19 @@ SiteAtomKind KindOf(int element, const std::string& residue, const std::string& 
   };
   for (const auto& [words, kind] : polar)
   {
-    if (IsOneOf(word, *words))
+    if (IsInList(word, *words))
     {
       return kind;
     }
   }
-  const bool apolar = element == 6 && !IsBackbone(name) && !IsOneOf(word, polarCarbons);
+  const bool apolar = element == 6 && !IsBackbone(name) && !IsInList(word, polarCarbons);
   return apolar ? SiteAtomKind::Aliphatic : SiteAtomKind::Other;
 }
 
 constexpr std::size_t Lanes = 4; // sums at a time, so that compilers use wide instructions
 using LaneSums = std::array<double, Lanes>;
 
-double SumOf(const LaneSums& sums)
+double ComputeSum(const LaneSums& sums)
 {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -218,7 +218,7 @@ struct NearPoints
         counts[lane] += this->Squared[i + lane] < reach * reach ? 1.0 : 0.0;
       }
     }
-    return SumOf(counts);
+    return ComputeSum(counts);
   }
 
 private:
@@ -289,7 +289,7 @@ struct Directions
     }
     for (std::size_t k = 0; k < sums.size(); ++k)
     {
-      (k < 3 ? this->Sum[k] : this->Products[k - 3]) = SumOf(sums[k]);
+      (k < 3 ? this->Sum[k] : this->Products[k - 3]) = ComputeSum(sums[k]);
     }
   }
 
@@ -467,8 +467,8 @@ void WriteCellsAround(const std::vector<CellNear>& cells, Scratch& scratch, std:
         burialSums[lane] += burials[i + lane];
       }
     }
-    volume[k] = SumOf(volumeSums);
-    burial[k] = SumOf(burialSums);
+    volume[k] = ComputeSum(volumeSums);
+    burial[k] = ComputeSum(burialSums);
     counts[k] = static_cast<double>(count);
   }
   for (std::size_t k = 0; k < CellReaches.size(); ++k)
@@ -480,7 +480,7 @@ void WriteCellsAround(const std::vector<CellNear>& cells, Scratch& scratch, std:
   row.push_back(static_cast<float>(clearance));
 }
 
-std::vector<Point3> PlacesOf(const std::vector<SiteAtom>& atoms)
+std::vector<Point3> CollectPlaces(const std::vector<SiteAtom>& atoms)
 {
   std::vector<Point3> places;
   places.reserve(atoms.size());
@@ -493,7 +493,7 @@ std::vector<Point3> PlacesOf(const std::vector<SiteAtom>& atoms)
 
 /// The same, in another order.
 template <typename T>
-std::vector<T> Reordered(const std::vector<T>& values, const std::vector<std::int64_t>& order)
+std::vector<T> Reorder(const std::vector<T>& values, const std::vector<std::int64_t>& order)
 {
   std::vector<T> reordered;
   reordered.reserve(order.size());
@@ -506,7 +506,7 @@ std::vector<T> Reordered(const std::vector<T>& values, const std::vector<std::in
 
 }
 
-SiteAtom SiteAtomOf(
+SiteAtom MakeSiteAtom(
   const Point3& place, int element, const std::string& residue, const std::string& name)
 {
   const auto variant = Variants().find(residue);
@@ -518,7 +518,7 @@ SiteAtom SiteAtomOf(
   {
     return atom;
   }
-  atom.Kind = KindOf(element, known, name);
+  atom.Kind = ClassifySiteAtom(element, known, name);
   atom.Residue = static_cast<int>(at - AminoAcids.begin()) + (IsBackbone(name) ? 0 : 20);
   atom.BindsMetals = atom.Kind == SiteAtomKind::Acid || atom.Kind == SiteAtomKind::Imidazole ||
     (known == "CYS" && name == "SG");
@@ -566,20 +566,21 @@ SiteDescriptorTable DescribeSites(const std::vector<SiteAtom>& atoms,
     return table;
   }
   // Neighbours in space become neighbours in memory: work item j is cell order[j].
-  std::vector<Point3> centres;
-  centres.reserve(cells.size());
+  std::vector<Point3> centers;
+  centers.reserve(cells.size());
   for (const PocketCell* cell : cells)
   {
-    centres.push_back(cell->Centre);
+    centers.push_back(cell->Center);
   }
-  const std::vector<std::int64_t> order = PointBins(centres, CellBin).Order();
-  centres = Reordered(centres, order);
-  const std::vector<const PocketCell*> ordered = Reordered(cells, order);
-  const std::vector<SiteAtom> near = Reordered(atoms, PointBins(PlacesOf(atoms), AtomBin).Order());
-  const PointBins atomBins(PlacesOf(near), AtomBin);
-  const PointBins cellBins(centres, CellBin);
-  const PointColumns atomColumns(PlacesOf(near));
-  const PointColumns cellColumns(centres);
+  const std::vector<std::int64_t> order = PointBins(centers, CellBin).Order();
+  centers = Reorder(centers, order);
+  const std::vector<const PocketCell*> ordered = Reorder(cells, order);
+  const std::vector<SiteAtom> near =
+    Reorder(atoms, PointBins(CollectPlaces(atoms), AtomBin).Order());
+  const PointBins atomBins(CollectPlaces(near), AtomBin);
+  const PointBins cellBins(centers, CellBin);
+  const PointColumns atomColumns(CollectPlaces(near));
+  const PointColumns cellColumns(centers);
   const auto each = [&](const ProgressCallback& part, const auto& work)
   {
     ParallelFor(
@@ -599,10 +600,10 @@ SiteDescriptorTable DescribeSites(const std::vector<SiteAtom>& atoms,
   each(Between(progress, 0.0, 0.6),
     [&](std::size_t j, std::size_t i, Scratch& scratch)
     {
-      scratch.All.Gather(atomBins, atomColumns, centres[j], BurialReaches.back());
+      scratch.All.Gather(atomBins, atomColumns, centers[j], BurialReaches.back());
       const AtomsAround around(near, scratch);
       rows[j].reserve(width);
-      around.Write(FrozenSiteModel().Propensity, rows[j]);
+      around.Write(GetSiteModel().Propensity, rows[j]);
       told[j] = { std::max(0.0, ordered[j]->Volume), around.Burial(), ordered[j]->Clearance };
       for (std::size_t k = 0; residues && k < NumberOfResidues; ++k)
       {
@@ -623,7 +624,7 @@ SiteDescriptorTable DescribeSites(const std::vector<SiteAtom>& atoms,
     [&](std::size_t j, std::size_t i, Scratch& scratch)
     {
       std::vector<float>& row = rows[j];
-      scratch.All.Gather(cellBins, cellColumns, centres[j], CellReaches.back());
+      scratch.All.Gather(cellBins, cellColumns, centers[j], CellReaches.back());
       WriteCellsAround(told, scratch, row);
       const PocketCell& cell = *ordered[j];
       row.push_back(static_cast<float>(cell.Clearance));

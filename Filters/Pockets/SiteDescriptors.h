@@ -67,7 +67,7 @@ struct SiteAtom
 
 /// Kind, Residue and BindsMetals from names; force-field variants and common modifications count as
 /// the amino acid from which they are derived. Unknown atoms are Other.
-SiteAtom SiteAtomOf(
+SiteAtom MakeSiteAtom(
   const Point3& place, int element, const std::string& residue, const std::string& name);
 
 /// Names of the descriptors, in their order.

@@ -17,12 +17,12 @@ double Logistic(double x)
 
 double SitePropensity(int residue)
 {
-  return FrozenSiteModel().Propensity[residue];
+  return GetSiteModel().Propensity[residue];
 }
 
 double PlaceProbability(const float* descriptors)
 {
-  const SiteModelTable& model = FrozenSiteModel();
+  const SiteModelTable& model = GetSiteModel();
   double odds = model.LogOdds;
   for (std::size_t tree = 0; tree < model.Trees; ++tree)
   {
@@ -40,7 +40,7 @@ double PlaceProbability(const float* descriptors)
 
 double SiteProbability(double density, double share)
 {
-  const double* c = FrozenSiteModel().Calibration;
+  const double* c = GetSiteModel().Calibration;
   constexpr double least = 1e-6;
   return Logistic(
     c[0] + c[1] * std::log(std::max(density, least)) + c[2] * std::log(std::max(share, least)));

@@ -40,7 +40,7 @@ struct SiteModelTable
   double Calibration[3];    ///< constant, factor of ln(density), factor of ln(share)
 };
 
-const SiteModelTable& FrozenSiteModel();
+const SiteModelTable& GetSiteModel();
 
 /// Enrichment of atoms of residue number `residue` (SiteAtom) around ligands compared with other
 /// places in pockets: natural logarithm of the ratio in the training set.
@@ -50,7 +50,7 @@ double SitePropensity(int residue);
 double PlaceProbability(const float* descriptors);
 
 /**
- * Probability that a site's centre is within 4 angstrom of the ligand: logistic in the logarithms
+ * Probability that a site's center is within 4 angstrom of the ligand: logistic in the logarithms
  * of the site's density and of its share of the densities of all sites of the molecule (Platt's
  * calibration, fitted on families left out of the training).
  */

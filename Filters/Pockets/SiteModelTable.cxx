@@ -728,7 +728,7 @@ const double Propensity[] = {
 
 }
 
-const SiteModelTable& FrozenSiteModel()
+const SiteModelTable& GetSiteModel()
 {
   static const SiteModelTable table{ Nodes, FirstNodes, FirstLeaves, Leaves, 160, 0.0, Propensity,
     { 2.4328237, -0.0910001149, 1.63591308 } };

@@ -39,7 +39,7 @@ void TrackedData::Add(vtkDataObject* features, vtkTable* lining)
   TrackFrame& frame = this->Frames.emplace_back();
   auto& values = this->Values.emplace_back();
   auto& numbers = this->Numbers.emplace_back();
-  for (InputFeature& feature : FeaturesOf(features, lining))
+  for (InputFeature& feature : ReadFeatures(features, lining))
   {
     frame.push_back(std::move(feature.Feature));
     values.push_back(feature.Values);
@@ -78,7 +78,7 @@ void TrackedData::FillTable(const Tracks& places, vtkTable* table) const
         side->InsertNextValue(this->Frames[place.Frame][place.Feature].Side);
       }
       track->InsertNextValue(static_cast<int>(n) + 1);
-      time->InsertNextValue(this->TimeOf(place.Frame));
+      time->InsertNextValue(this->GetTime(place.Frame));
       feature->InsertNextValue(static_cast<int>(this->Numbers[place.Frame][place.Feature]));
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -97,7 +97,7 @@ void TrackedData::FillChart(
   std::vector<double> times;
   for (std::size_t t = 0; t < this->Frames.size(); ++t)
   {
-    times.push_back(this->TimeOf(t));
+    times.push_back(this->GetTime(t));
   }
   add("Time", times);
   for (const std::size_t n : order)
@@ -129,7 +129,7 @@ void TrackedData::FillPaths(
       lines->InsertCellPoint(
         points->InsertNextPoint(this->Frames[place.Frame][place.Feature].Place.data()));
       track->InsertNextValue(static_cast<int>(n) + 1);
-      time->InsertNextValue(this->TimeOf(place.Frame));
+      time->InsertNextValue(this->GetTime(place.Frame));
       radius->InsertNextValue(this->Values[place.Frame][place.Feature][0]);
     }
   }
@@ -149,7 +149,7 @@ void TrackedData::FillEvents(const std::vector<TrackEvent>& events, vtkTable* ta
   for (const TrackEvent& event : events)
   {
     kind->InsertNextValue(event.Kind == TrackEventKind::Merge ? "merge" : "split");
-    time->InsertNextValue(this->TimeOf(event.Frame));
+    time->InsertNextValue(this->GetTime(event.Frame));
     track->InsertNextValue(event.Track + 1);
     other->InsertNextValue(event.Other + 1);
   }

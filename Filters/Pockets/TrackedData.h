@@ -40,7 +40,7 @@ struct TrackedData
   /// Removes all frames.
   void Clear();
 
-  double TimeOf(std::size_t frame) const { return this->Times.empty() ? 0.0 : this->Times[frame]; }
+  double GetTime(std::size_t frame) const { return this->Times.empty() ? 0.0 : this->Times[frame]; }
   void FillTable(const Tracks& places, vtkTable* table) const;
   void FillChart(const Tracks& places, const std::vector<std::size_t>& order, int charted,
     vtkTable* chart) const;

@@ -36,7 +36,7 @@ vtkStandardNewMacro(vtkBindingSites);
 namespace
 {
 
-double AmplitudeOf(double value, int mode)
+double ComputeAmplitude(double value, int mode)
 {
   if (std::isnan(value) || mode == vtkBindingSites::AbsoluteValue)
   {
@@ -126,7 +126,7 @@ int vtkBindingSites::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0]));
@@ -142,7 +142,7 @@ int vtkBindingSites::RequestData(
         std::optional<isthmus::MoleculeAtoms> chosen;
         if (atoms && atoms->GetNumberOfPoints() > 0)
         {
-          chosen = this->TakeAtoms(atoms);
+          chosen = this->PrepareAtoms(atoms);
           notes = chosen->Notes;
         }
         const isthmus::PolyDataTriangles triangles(surface);
@@ -153,7 +153,7 @@ int vtkBindingSites::RequestData(
         isthmus::AddColumn<vtkIntArray>(output->GetPointData(), "BindingSite", result.Labels);
         output->GetPointData()->SetActiveScalars("BindingSite");
         isthmus::FillSiteTable(result,
-          chosen ? isthmus::ResiduesOfSites(
+          chosen ? isthmus::FindSiteResidues(
                      triangles.View(), result.Labels, result.Sites.size(), *chosen)
                  : std::vector<std::string>(),
           table);
@@ -198,7 +198,7 @@ isthmus::SiteFields vtkBindingSites::Fields(vtkPolyData* surface)
   for (std::size_t i = 0; i < count; ++i)
   {
     const auto point = static_cast<vtkIdType>(i);
-    fields.Amplitude[i] = AmplitudeOf(values->GetComponent(point, 0), this->Amplitude);
+    fields.Amplitude[i] = ComputeAmplitude(values->GetComponent(point, 0), this->Amplitude);
     if (potential)
     {
       fields.Potential[i] = potential->GetComponent(point, 0);
@@ -224,10 +224,10 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
   options.AutomaticThreshold = this->AutomaticThreshold;
   options.Threshold = this->Threshold;
   isthmus::BindingSiteResult result =
-    isthmus::FindBindingSites(triangles, fields, options, isthmus::ProgressOf(this));
+    isthmus::FindBindingSites(triangles, fields, options, isthmus::MakeProgress(this));
   if (result.Sites.empty())
   {
-    vtkWarningMacro(<< isthmus::TextOf("No patch of at least ", options.MinimumArea,
+    vtkWarningMacro(<< isthmus::JoinText("No patch of at least ", options.MinimumArea,
                       " (unit of length squared) has values above the threshold of ",
                       result.Threshold,
                       ". Is the array constant, or zero at the points of the chosen classes? Lower "
@@ -236,9 +236,9 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
   return result;
 }
 
-isthmus::MoleculeAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input)
+isthmus::MoleculeAtoms vtkBindingSites::PrepareAtoms(vtkPointSet* input)
 {
-  isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, isthmus::PolymerOf("Radius", {}));
+  isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, isthmus::SelectPolymer("Radius", {}));
   for (const std::string& warning : atoms.Warnings)
   {
     vtkWarningMacro(<< warning);
@@ -250,7 +250,7 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
   vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::MoleculeAtoms& atoms)
 {
   auto pockets =
-    isthmus::FindPockets(atoms.Balls, {}, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.8))
+    isthmus::FindPockets(atoms.Balls, {}, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.8))
       .Pockets;
   isthmus::SiteFields fields = this->Fields(surface);
   std::vector<isthmus::PocketSurfaceMeans> means;
@@ -274,9 +274,9 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
     site.Score = pockets[i].Score;
     site.Area = means[i].Area;
     site.Volume = pockets[i].Volume;
-    site.MeanDepth = depth(pockets[i].Centre.data());
+    site.MeanDepth = depth(pockets[i].Center.data());
     site.MeanPotential = potential;
-    site.Centre = pockets[i].Centre;
+    site.Center = pockets[i].Center;
     site.Points = std::count(result.Labels.begin(), result.Labels.end(), static_cast<int>(i) + 1);
     result.Sites.push_back(site);
   }

@@ -169,7 +169,7 @@ private:
   vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* remedy);
   isthmus::SiteFields Fields(vtkPolyData* surface);
   isthmus::BindingSiteResult Patches(vtkPolyData* surface, const isthmus::SurfaceView& triangles);
-  isthmus::MoleculeAtoms TakeAtoms(vtkPointSet* input);
+  isthmus::MoleculeAtoms PrepareAtoms(vtkPointSet* input);
   isthmus::BindingSiteResult Pockets(vtkPolyData* surface, const isthmus::SurfaceView& triangles,
     const isthmus::MoleculeAtoms& atoms);
 };

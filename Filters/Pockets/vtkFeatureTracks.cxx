@@ -101,7 +101,7 @@ int vtkFeatureTracks::RequestData(
       this->Collected->Add(
         vtkDataObject::GetData(inputVector[0], 0), vtkTable::GetData(inputVector[1], 0));
       const double seen = static_cast<double>(this->Collected->Frames.size());
-      isthmus::Report(isthmus::ProgressOf(this),
+      isthmus::Report(isthmus::MakeProgress(this),
         0.9 * seen / std::max(seen, static_cast<double>(this->Collected->Times.size())));
       if (this->Collected->Frames.size() < this->Collected->Times.size())
       {
@@ -116,7 +116,7 @@ int vtkFeatureTracks::RequestData(
       {
         this->Finish(outputVector);
       }
-      isthmus::Report(isthmus::ProgressOf(this), 1.0);
+      isthmus::Report(isthmus::MakeProgress(this), 1.0);
       this->Collected->Clear();
     });
   if (!done)

@@ -39,7 +39,7 @@ namespace
 {
 
 /// The heavy atoms with their properties for binding; empty without names and elements.
-std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
+std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms)
 {
   std::vector<isthmus::SiteAtom> found;
   if (!atoms.HasNames || !atoms.HasElements)
@@ -63,7 +63,7 @@ std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
     if (named.Element > 1)
     {
       found.push_back(
-        isthmus::SiteAtomOf(atoms.Balls[i].Centre, named.Element, named.Residue, named.Name));
+        isthmus::MakeSiteAtom(atoms.Balls[i].Center, named.Element, named.Residue, named.Name));
       found.back().Chain = chains[named.Chain];
       found.back().Word =
         words
@@ -76,13 +76,13 @@ std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
 }
 
 /// The residues that line each site, those with most surface first.
-std::vector<isthmus::SiteName> NamesOf(
+std::vector<isthmus::SiteName> MakeSiteNames(
   const std::vector<isthmus::Pocket>& sites, const isthmus::MoleculeAtoms& atoms)
 {
   std::vector<isthmus::SiteName> names;
   for (const isthmus::Pocket& site : sites)
   {
-    std::vector<isthmus::LiningResidue> residues = isthmus::LiningResiduesOf(site.Lining, atoms);
+    std::vector<isthmus::LiningResidue> residues = isthmus::FindLiningResidues(site.Lining, atoms);
     std::stable_sort(residues.begin(), residues.end(),
       [](const isthmus::LiningResidue& a, const isthmus::LiningResidue& b)
       { return a.Area > b.Area; });
@@ -97,7 +97,7 @@ std::vector<isthmus::SiteName> NamesOf(
 }
 
 /// The numbers of a surface's point array; empty if it is missing and not required.
-std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, bool required)
+std::vector<double> ReadNumbers(const std::string& name, vtkPolyData* surface, bool required)
 {
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
@@ -146,20 +146,20 @@ const std::vector<isthmus::OutputArray>& vtkMolecularPockets::OutputArrayTable()
     { 0, ArrayPlace::Cells, "EmptyVolume", 1, "angstrom^3", ArrayChoice::None,
       "only sums are meaningful; at least 0 in a site" },
     { 0, ArrayPlace::Cells, "SiteProbability", 1, "", ArrayChoice::None,
-      "probability that a ligand's atom is within 3 angstrom of the ball's centre; 0 without "
+      "probability that a ligand's atom is within 3 angstrom of the ball's center; 0 without "
       "sites" },
     { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None, "what was dropped from the input" },
     { 1, ArrayPlace::Rows, "Rank", 1, "", ArrayChoice::None, "of the pocket; the best has 1" },
     { 1, ArrayPlace::Rows, "Probability", 1, "", ArrayChoice::None,
-      "that the centre is within 4 angstrom of a ligand; NaN without sites" },
+      "that the center is within 4 angstrom of a ligand; NaN without sites" },
     { 1, ArrayPlace::Rows, "Score", 1, "angstrom^3", ArrayChoice::None, "volume x (atoms/100)^2" },
-    { 1, ArrayPlace::Rows, "CenterX", 1, "angstrom", ArrayChoice::None, "centre of the pocket" },
-    { 1, ArrayPlace::Rows, "CenterY", 1, "angstrom", ArrayChoice::None, "centre of the pocket" },
-    { 1, ArrayPlace::Rows, "CenterZ", 1, "angstrom", ArrayChoice::None, "centre of the pocket" },
+    { 1, ArrayPlace::Rows, "CenterX", 1, "angstrom", ArrayChoice::None, "center of the pocket" },
+    { 1, ArrayPlace::Rows, "CenterY", 1, "angstrom", ArrayChoice::None, "center of the pocket" },
+    { 1, ArrayPlace::Rows, "CenterZ", 1, "angstrom", ArrayChoice::None, "center of the pocket" },
     { 1, ArrayPlace::Rows, "Volume", 1, "angstrom^3", ArrayChoice::None,
-      "accessible to the probe's centre" },
+      "accessible to the probe's center" },
     { 1, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None,
-      "accessible to the probe's centre" },
+      "accessible to the probe's center" },
     { 1, ArrayPlace::Rows, "Mouths", 1, "", ArrayChoice::None, "their number; 0: a void" },
     { 1, ArrayPlace::Rows, "MouthRadius", 1, "angstrom", ArrayChoice::None, "of the widest" },
     { 1, ArrayPlace::Rows, "MouthArea", 1, "angstrom^2", ArrayChoice::None, "of all mouths" },
@@ -283,7 +283,7 @@ int vtkMolecularPockets::RequestData(
   vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[1], 0);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       this->OutputArrays.Check();
@@ -292,7 +292,7 @@ int vtkMolecularPockets::RequestData(
       {
         this->Compute(atoms, surface, outputVector);
       }
-      isthmus::Report(isthmus::ProgressOf(this), 1.0);
+      isthmus::Report(isthmus::MakeProgress(this), 1.0);
     });
 }
 
@@ -305,13 +305,13 @@ void vtkMolecularPockets::Compute(
   keep.Ions = this->IncludeIons;
   keep.Ligands = this->IncludeLigands;
   keep.ProstheticGroups = this->IncludeProstheticGroups;
-  keep.Residues = isthmus::NamesIn(this->IncludeResidues);
+  keep.Residues = isthmus::SplitNames(this->IncludeResidues);
   isthmus::PocketOptions options = this->Parameters;
   isthmus::Check(options);
-  options.Predicted = isthmus::WarningOfLongTriangulation(this);
+  options.Predicted = isthmus::WarnAboutLongTriangulation(this);
   const isthmus::MoleculeAtoms atoms =
-    isthmus::ReadAtoms(input, isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep));
-  const std::vector<isthmus::SiteAtom> siteAtoms = SiteAtomsOf(atoms);
+    isthmus::ReadAtoms(input, isthmus::SelectPolymer(isthmus::InputArrayName(this, 0), keep));
+  const std::vector<isthmus::SiteAtom> siteAtoms = MakeSiteAtoms(atoms);
   if (this->FindSites && !siteAtoms.empty())
   {
     options.SiteAtoms = &siteAtoms;
@@ -319,7 +319,7 @@ void vtkMolecularPockets::Compute(
   }
   // Pockets of any volume are kept, so that changing the threshold of whole pockets is instant.
   const double least = std::exchange(options.MinimumVolume, 0.0);
-  const vtkInternals::Key key{ isthmus::StateOf(input), isthmus::InputArrayName(this, 0),
+  const vtkInternals::Key key{ isthmus::GetState(input), isthmus::InputArrayName(this, 0),
     { options.ProbeRadius, options.InnerRadius, options.OuterRadius, options.BurialRadius },
     { this->FindSites, options.KeepDescriptors, keep.Hydrogens, keep.Waters, keep.Ions,
       keep.Ligands, keep.ProstheticGroups },
@@ -328,7 +328,7 @@ void vtkMolecularPockets::Compute(
     [&]
     {
       return isthmus::FindPockets(
-        atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+        atoms.Balls, options, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.9));
     });
   if (!options.SiteAtoms)
   {
@@ -339,7 +339,7 @@ void vtkMolecularPockets::Compute(
   }
   if (options.SiteAtoms)
   {
-    isthmus::OrderTiedSites(NamesOf(result.Pockets, atoms), result.Pockets);
+    isthmus::OrderTiedSites(MakeSiteNames(result.Pockets, atoms), result.Pockets);
   }
   std::vector<isthmus::PocketSurfaceMeans> means;
   const bool hasSurface = surface && surface->GetNumberOfPoints() > 0;
@@ -348,8 +348,8 @@ void vtkMolecularPockets::Compute(
     (!options.SiteAtoms || surface->GetPointData()->HasArray(this->PolarizedArrayName.c_str())))
   {
     const isthmus::PolyDataTriangles triangles(surface);
-    const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArrayName, surface, true),
-      NumbersOf(this->PotentialArrayName, surface, false) };
+    const isthmus::PocketSurfaceFields fields{ ReadNumbers(this->PolarizedArrayName, surface, true),
+      ReadNumbers(this->PotentialArrayName, surface, false) };
     isthmus::WeightScoresByCurvature(
       triangles.View(), fields, !options.SiteAtoms, result.Pockets, means);
   }

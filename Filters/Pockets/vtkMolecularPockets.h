@@ -18,7 +18,7 @@
  * outside; the definitions are in MolecularPockets.h. The best pocket has the PocketId (and Rank)
  * 1.
  *
- * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms.
+ * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centers of atoms.
  * - **Output 1**, vtkTable: one row per pocket; unknown values are NaN.
  * - **Output 2**, vtkPolyData: triangles of the mouths.
  * - **Output 3**, vtkPolyData: alpha balls.
@@ -26,7 +26,7 @@
  * - **Output 5**, vtkPolyData: all atoms of those residues, with their bonds and the input's point
  *   arrays; for all pockets, or for ShownPocket only.
  * - **Output 6**, vtkPolyData: input 1 with the probability of a site (SiteProbabilities in
- *   PocketSurface.h); without input 1, the centres of the tetrahedra evaluated by the site model,
+ *   PocketSurface.h); without input 1, the centers of the tetrahedra evaluated by the site model,
  *   as points.
  *
  * OutputArrayTable() lists their arrays.
@@ -75,7 +75,7 @@ public:
   ///@}
 
   ///@{
-  /// Radius of the probe that defines the accessible volume and area: those that its centre can
+  /// Radius of the probe that defines the accessible volume and area: those that its center can
   /// reach. Default: 1.4 angstrom, water.
   ISTHMUS_PARAMETER(ProbeRadius, double);
   ///@}

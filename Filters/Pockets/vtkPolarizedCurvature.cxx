@@ -34,7 +34,7 @@ namespace
 /// `array` itself if it is a plain double array (or a vtkFloatArray), otherwise a copy of this
 /// type.
 template <typename Array>
-vtkSmartPointer<Array> Plain(vtkDataArray* array)
+vtkSmartPointer<Array> ToPlainArray(vtkDataArray* array)
 {
   auto plain = vtkSmartPointer<Array>::New();
   plain->ShallowCopy(array);
@@ -46,7 +46,7 @@ void SampleAs(vtkImageData* image, vtkDataArray* scalars, const double* points, 
   double* values, const isthmus::ProgressCallback& progress)
 {
   using T = typename Array::ValueType;
-  const auto plain = Plain<Array>(scalars);
+  const auto plain = ToPlainArray<Array>(scalars);
   isthmus::GridView<const T> grid;
   grid.Data = plain->GetPointer(0);
   isthmus::GridTransform toGrid{};
@@ -65,7 +65,7 @@ void SampleAs(vtkImageData* image, vtkDataArray* scalars, const double* points, 
 
 void AddSiteClassNames(vtkFieldData* fields)
 {
-  isthmus::AddColumnOf<vtkStringArray>(fields, "SiteClassNames", isthmus::NumberOfSiteClasses,
+  isthmus::AddComputedColumn<vtkStringArray>(fields, "SiteClassNames", isthmus::NumberOfSiteClasses,
     [](std::size_t site) { return isthmus::SiteClassName(static_cast<isthmus::SiteClass>(site)); });
 }
 
@@ -170,7 +170,7 @@ int vtkPolarizedCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
@@ -214,11 +214,11 @@ void vtkPolarizedCurvature::Sample(
   CheckScalar(scalars, image, "potential");
   isthmus::RequireUsualValues(scalars);
   const vtkIdType count = surface->GetNumberOfPoints();
-  const auto points = Plain<vtkDoubleArray>(surface->GetPoints()->GetData());
+  const auto points = ToPlainArray<vtkDoubleArray>(surface->GetPoints()->GetData());
   const auto sample =
     scalars->GetDataType() == VTK_FLOAT ? &SampleAs<vtkFloatArray> : &SampleAs<vtkDoubleArray>;
   sample(image, scalars, points->GetPointer(0), count, potential->GetPointer(0),
-    isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
+    isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.7));
   vtkIdType off = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -232,7 +232,7 @@ void vtkPolarizedCurvature::Sample(
   }
   if (off > 0)
   {
-    vtkWarningMacro(<< isthmus::TextOf(off, " of ", count,
+    vtkWarningMacro(<< isthmus::JoinText(off, " of ", count,
                       " points of the surface lie outside the grid of the potential (or at values "
                       "that are not finite): PotentialValid is 0 there and the products are NaN."));
   }
@@ -242,8 +242,10 @@ void vtkPolarizedCurvature::AddProducts(
   vtkPolyData* surface, vtkDoubleArray* potential, vtkPolyData* output)
 {
   const char* remedy = "run Surface Curvature or Hessian Curvature on the surface first.";
-  const auto kappa1 = Plain<vtkDoubleArray>(this->Scalar(0, surface, "maximum curvature", remedy));
-  const auto kappa2 = Plain<vtkDoubleArray>(this->Scalar(1, surface, "minimum curvature", remedy));
+  const auto kappa1 =
+    ToPlainArray<vtkDoubleArray>(this->Scalar(0, surface, "maximum curvature", remedy));
+  const auto kappa2 =
+    ToPlainArray<vtkDoubleArray>(this->Scalar(1, surface, "minimum curvature", remedy));
   output->GetPointData()->AddArray(potential);
   auto* positive1 = NewPointArray<vtkDoubleArray>(output, "PositivePotentialKappa1");
   auto* positive2 = NewPointArray<vtkDoubleArray>(output, "PositivePotentialKappa2");
@@ -263,13 +265,13 @@ void vtkPolarizedCurvature::AddProducts(
       positive2->SetValue(i, point.PositiveKappa2);
       negative1->SetValue(i, point.NegativeKappa1);
       negative2->SetValue(i, point.NegativeKappa2);
-      combined->SetValue(i, point.Combined);
+      combined->SetValue(i, point.CombineSurfaces);
       site->SetValue(i, static_cast<unsigned char>(point.Site));
       valid->SetValue(i, std::isnan(phi) ? 0 : 1);
     }
   };
   isthmus::ParallelFor(0, surface->GetNumberOfPoints(), 4096, body,
-    isthmus::Between(isthmus::ProgressOf(this), 0.7, 1.0));
+    isthmus::Between(isthmus::MakeProgress(this), 0.7, 1.0));
   output->GetPointData()->SetActiveScalars("PolarizedCurvature");
   AddSiteClassNames(output->GetFieldData());
 }

@@ -47,7 +47,7 @@ double LongestEdge(vtkPolyData* surface)
 }
 
 /// The requested pores.
-struct Ways
+struct PoreQuery
 {
   int Mode;
   const double* Point1;
@@ -56,7 +56,7 @@ struct Ways
   const double* Direction;
 };
 
-std::vector<isthmus::Pore> Find(const std::vector<isthmus::Ball>& balls, const Ways& ways,
+std::vector<isthmus::Pore> Find(const std::vector<isthmus::Ball>& balls, const PoreQuery& ways,
   const isthmus::PoreOptions& options, const isthmus::ProgressCallback& progress)
 {
   const auto point = [](const double* p) { return isthmus::Point3{ p[0], p[1], p[2] }; };
@@ -217,7 +217,7 @@ int vtkPoreProfile::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, input, "atoms");
@@ -225,7 +225,7 @@ int vtkPoreProfile::RequestData(
       {
         this->Compute(input, outputVector);
       }
-      isthmus::Report(isthmus::ProgressOf(this), 1.0);
+      isthmus::Report(isthmus::MakeProgress(this), 1.0);
     });
 }
 
@@ -238,11 +238,11 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   keep.Ions = this->IncludeIons;
   keep.Ligands = this->IncludeLigands;
   keep.ProstheticGroups = true;
-  isthmus::AtomOptions which = isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep);
+  isthmus::AtomOptions which = isthmus::SelectPolymer(isthmus::InputArrayName(this, 0), keep);
   which.SurfacePoints = true;
   isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
   isthmus::PoreOptions options = this->Parameters;
-  options.Predicted = isthmus::WarningOfLongTriangulation(this);
+  options.Predicted = isthmus::WarnAboutLongTriangulation(this);
   if (atoms.IsSurface)
   {
     const double longest = LongestEdge(vtkPolyData::SafeDownCast(input));
@@ -253,9 +253,9 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
         " apart: channels narrower than that are not found.");
     }
   }
-  const Ways ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };
+  const PoreQuery ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };
   const auto pores =
-    Find(atoms.Balls, ways, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.95));
+    Find(atoms.Balls, ways, options, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.95));
   Fill({ pores, atoms }, input, outputs);
   for (const std::string& warning : atoms.Warnings)
   {

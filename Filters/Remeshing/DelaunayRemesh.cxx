@@ -60,16 +60,16 @@ public:
 private:
   void Count() const
   {
-    if (++this->Asked % 256 == 0)
+    if (++this->Queries % 256 == 0)
     {
-      const auto asked = static_cast<double>(this->Asked);
+      const auto asked = static_cast<double>(this->Queries);
       Report(this->Progress, asked / (asked + this->Expected));
     }
   }
 
   double Expected;
   ProgressCallback Progress;
-  mutable std::int64_t Asked = 0;
+  mutable std::int64_t Queries = 0;
 };
 
 }
@@ -87,7 +87,7 @@ using DelaunayComplex = CGAL::Mesh_complex_3_in_triangulation_3<DelaunayTriangul
 using DelaunayCriteria = CGAL::Mesh_criteria_3<DelaunayTriangulation>;
 
 /// The triangles of one label, with their own points.
-TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int label)
+TriangleMesh ExtractPart(const SurfaceView& mesh, const std::vector<int>& labels, int label)
 {
   TriangleMesh part;
   std::vector<std::int64_t> ids(mesh.Points.size(), -1);
@@ -114,10 +114,10 @@ TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int
 }
 
 /// Orients one connected part like the old surface where `made` lies on it.
-TriangleMesh RefinedPart(const SurfaceView& part, const SurfaceRemeshParameters& parameters,
+TriangleMesh RefinePart(const SurfaceView& part, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
-  if (LiesInAPlane(part))
+  if (IsPlanar(part))
   {
     return PlanarRemesh(
       part, { parameters.EdgeLength, parameters.MinimumAngle, parameters.MaximumPoints }, progress);
@@ -144,14 +144,14 @@ TriangleMesh RefinedPart(const SurfaceView& part, const SurfaceRemeshParameters&
   }
   if (!isWithinLimit)
   {
-    RefuseManyPoints(parameters.MaximumPoints);
+    RejectManyPoints(parameters.MaximumPoints);
   }
   SurfaceMesh made;
   CGAL::facets_in_complex_3_to_triangle_mesh(complex, made);
   return cgal::FromSurfaceMesh(made);
 }
 
-Point3 NormalOf(const SurfaceView& mesh, const Triangle& t)
+Point3 ComputeNormal(const SurfaceView& mesh, const Triangle& t)
 {
   const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
   return Cross(at(1) - at(0), at(2) - at(0));
@@ -170,14 +170,14 @@ void Append(const RemeshedSurface& part, RemeshedSurface& whole)
 }
 
 /// Flips a part that is oriented against the old surface.
-void FaceAlike(const SurfaceView& old, RemeshedSurface& part)
+void AlignOrientation(const SurfaceView& old, RemeshedSurface& part)
 {
   double alike = 0.0;
   for (const Triangle& t : part.Mesh.Triangles)
   {
     const auto& under = old.Triangles[static_cast<std::size_t>(
       part.Locations[static_cast<std::size_t>(t[0])].Triangle)];
-    alike += Dot(NormalOf(part.Mesh, t), NormalOf(old, under));
+    alike += Dot(ComputeNormal(part.Mesh, t), ComputeNormal(old, under));
   }
   for (Triangle& t : part.Mesh.Triangles)
   {
@@ -197,7 +197,7 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
   defects.BoundaryTriangles.clear();
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + " Repair the surface before remeshing it.");
+    throw std::invalid_argument(defects.Message() + " Repair the surface before remeshing it.");
   }
   Check(parameters); // after the mesh, which the edge length may be derived from
   if (mesh.Triangles.empty())
@@ -218,7 +218,7 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
     SurfaceRemeshParameters scaled = parameters;
     scaled.EdgeLength *= scale.Factor();
     scaled.MaximumDistance *= scale.Factor();
-    TriangleMesh small = CopyOf(mesh);
+    TriangleMesh small = CopyMesh(mesh);
     scale.Apply(small.Points);
     RemeshedSurface result = DelaunayRemesh(small, scaled, progress);
     scale.Undo(result.Mesh.Points);
@@ -232,9 +232,9 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
       RemeshedSurface result;
       for (int label = 0; label < count; ++label)
       {
-        const TriangleMesh old = PartOf(mesh, labels, label);
+        const TriangleMesh old = ExtractPart(mesh, labels, label);
         RemeshedSurface part;
-        part.Mesh = RefinedPart(
+        part.Mesh = RefinePart(
           old, parameters, Between(progress, 1.0 * label / count, 1.0 * (label + 1) / count));
         if (part.Mesh.Triangles.empty() ||
           EulerCharacteristic(part.Mesh) != EulerCharacteristic(old))
@@ -244,7 +244,7 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
             " triangles loses its topology at this edge length: ask for a smaller one.");
         }
         part.Locations = LocateOn(mesh, part.Mesh.Points);
-        FaceAlike(mesh, part);
+        AlignOrientation(mesh, part);
         Append(part, result);
       }
       return result;

@@ -91,11 +91,11 @@ public:
   }
 
   double Height(const Point3& p) const { return Dot(p - this->Origin, this->Normal); }
-  Kernel::Point_2 Down(const Point3& p) const
+  Kernel::Point_2 Project(const Point3& p) const
   {
     return { Dot(p - this->Origin, this->X), Dot(p - this->Origin, this->Y) };
   }
-  Point3 Up(const Kernel::Point_2& p) const
+  Point3 Unproject(const Kernel::Point_2& p) const
   {
     return this->Origin + p.x() * this->X + p.y() * this->Y;
   }
@@ -105,7 +105,7 @@ private:
   Point3 Origin{}, X{}, Y{}, Normal{};
 };
 
-[[noreturn]] void RefuseFolded(const SurfaceView& part)
+[[noreturn]] void RejectFolded(const SurfaceView& part)
 {
   throw std::invalid_argument("A part of the surface with " +
     std::to_string(part.Triangles.size()) +
@@ -163,14 +163,14 @@ void MarkInside(Triangulation& triangulation)
   }
 }
 
-TriangleMesh InsideOf(const Triangulation& triangulation, const PlaneAxes& axes)
+TriangleMesh ExtractInside(const Triangulation& triangulation, const PlaneAxes& axes)
 {
   TriangleMesh mesh;
   std::map<Triangulation::Vertex_handle, std::int64_t> ids;
   for (const auto vertex : triangulation.finite_vertex_handles())
   {
     ids.emplace(vertex, static_cast<std::int64_t>(mesh.Points.size()));
-    mesh.Points.push_back(axes.Up(vertex->point()));
+    mesh.Points.push_back(axes.Unproject(vertex->point()));
   }
   for (const auto face : triangulation.finite_face_handles())
   {
@@ -185,13 +185,13 @@ TriangleMesh InsideOf(const Triangulation& triangulation, const PlaneAxes& axes)
 
 }
 
-void RefuseManyPoints(std::int64_t most)
+void RejectManyPoints(std::int64_t most)
 {
   throw std::runtime_error("Refinement passed " + std::to_string(most) +
     " points: ask for longer edges, a larger distance or a smaller angle.");
 }
 
-bool LiesInAPlane(const SurfaceView& part)
+bool IsPlanar(const SurfaceView& part)
 {
   const PlaneAxes axes(part);
   double size = 0.0, height = 0.0;
@@ -212,16 +212,16 @@ TriangleMesh PlanarRemesh(const SurfaceView& part, const PlanarRemeshParameters&
   {
     for (const auto& [a, b] : BoundaryEdges(part))
     {
-      triangulation.insert_constraint(axes.Down(part.Point(a)), axes.Down(part.Point(b)));
+      triangulation.insert_constraint(axes.Project(part.Point(a)), axes.Project(part.Point(b)));
     }
   }
   catch (const Triangulation::Intersection_of_constraints_exception&)
   {
-    RefuseFolded(part);
+    RejectFolded(part);
   }
   if (triangulation.dimension() < 2)
   {
-    RefuseFolded(part); // a closed part has no boundary
+    RejectFolded(part); // a closed part has no boundary
   }
   MarkInside(triangulation);
   const double sine = std::sin(parameters.Angle * Pi / 180.0);
@@ -239,13 +239,13 @@ TriangleMesh PlanarRemesh(const SurfaceView& part, const PlanarRemeshParameters&
     }
     if (static_cast<std::int64_t>(triangulation.number_of_vertices()) > parameters.MaximumPoints)
     {
-      RefuseManyPoints(parameters.MaximumPoints);
+      RejectManyPoints(parameters.MaximumPoints);
     }
   }
-  TriangleMesh refined = InsideOf(triangulation, axes);
+  TriangleMesh refined = ExtractInside(triangulation, axes);
   if (!(std::fabs(SurfaceArea(refined) - SurfaceArea(part)) <= 1e-6 * SurfaceArea(part)))
   {
-    RefuseFolded(part);
+    RejectFolded(part);
   }
   return refined;
 }

@@ -24,13 +24,13 @@ struct PlanarRemeshParameters
 };
 
 /// @throws std::runtime_error, which says what to change.
-[[noreturn]] void RefuseManyPoints(std::int64_t most);
+[[noreturn]] void RejectManyPoints(std::int64_t most);
 
 /// Whether all points lie in a plane, up to rounding (1e-11 of the size).
-bool LiesInAPlane(const SurfaceView& part);
+bool IsPlanar(const SurfaceView& part);
 
 /**
- * Delaunay refinement of a connected `part` that LiesInAPlane(), with the bounds of
+ * Delaunay refinement of a connected `part` that IsPlanar(), with the bounds of
  * DelaunayRemesh(), which refines tetrahedra and so has nothing to start from here. Points of
  * boundaries stay; their edges are split.
  *

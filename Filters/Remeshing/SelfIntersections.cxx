@@ -32,7 +32,7 @@ double DotError(const Point3& n, double reach)
 
 /// True if the plane through the origin with normal `n` surely has a, b strictly on one side and
 /// c, d strictly on the other.
-bool Parts(const Point3& n, const std::array<Point3, 4>& p, double reach)
+bool HasOnOneSide(const Point3& n, const std::array<Point3, 4>& p, double reach)
 {
   const double error = DotError(n, reach);
   const double a = Dot(n, p[0]);
@@ -45,7 +45,7 @@ bool Parts(const Point3& n, const std::array<Point3, 4>& p, double reach)
 
 /// True if `c` and `d` surely lie strictly on one side of the plane through a, b and the origin.
 /// 1e-14: six products of three factors, eight roundings each, doubled.
-bool BesidePlane(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+bool OnSameSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
 {
   const Point3 n = Cross(a, b);
   const double error = 1e-14 * Largest(a) * Largest(b);
@@ -76,13 +76,13 @@ bool MeetInOriginOnly(const std::array<Point3, 4>& p)
   const auto& [a, b, c, d] = p;
   const double reach = std::max({ Largest(a), Largest(b), Largest(c), Largest(d) });
   // The quickest first: between triangles of about the same size it is nearly always enough.
-  if (Parts(a + b - (c + d), p, reach) || BesidePlane(a, b, c, d) || BesidePlane(c, d, a, b))
+  if (HasOnOneSide(a + b - (c + d), p, reach) || OnSameSide(a, b, c, d) || OnSameSide(c, d, a, b))
   {
     return true;
   }
-  return Parts(Bisector(a, b) - Bisector(c, d), p, reach) || Parts(AcrossEdge(a, b), p, reach) ||
-    Parts(AcrossEdge(b, a), p, reach) || Parts(AcrossEdge(c, d), p, reach) ||
-    Parts(AcrossEdge(d, c), p, reach);
+  return HasOnOneSide(Bisector(a, b) - Bisector(c, d), p, reach) ||
+    HasOnOneSide(AcrossEdge(a, b), p, reach) || HasOnOneSide(AcrossEdge(b, a), p, reach) ||
+    HasOnOneSide(AcrossEdge(c, d), p, reach) || HasOnOneSide(AcrossEdge(d, c), p, reach);
 }
 
 using Corners = std::array<Point3, 3>;
@@ -99,7 +99,7 @@ bool Separates(const Point3& n, const Corners& p, const Corners& q, double reach
 }
 
 /// Triangles without a common point surely do not meet. Coordinates are relative to one of them.
-bool Apart(const Corners& p, const Corners& q)
+bool AreDisjoint(const Corners& p, const Corners& q)
 {
   double reach = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -181,7 +181,7 @@ private:
       this->Point(a[2]) - origin };
     const Corners q{ this->Point(b[0]) - origin, this->Point(b[1]) - origin,
       this->Point(b[2]) - origin };
-    return !Apart(p, q) && CGAL::do_intersect(this->Exact(a), this->Exact(b));
+    return !AreDisjoint(p, q) && CGAL::do_intersect(this->Exact(a), this->Exact(b));
   }
 
   /// Point 0 of both is the same.
@@ -219,7 +219,7 @@ private:
 };
 
 /// Those of the triangles in [0, count) that have no area: a flag each.
-std::vector<char> FlatOnes(const TrianglePairs& pairs, std::int64_t count)
+std::vector<char> FindDegenerate(const TrianglePairs& pairs, std::int64_t count)
 {
   std::vector<char> flat(At(count), 0);
   ParallelFor(0, count, Grain,
@@ -241,7 +241,7 @@ std::vector<std::int64_t> SelfIntersections(
   const UnitScale scale(mesh.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = CopyOf(mesh);
+    TriangleMesh scaled = CopyMesh(mesh);
     scale.Apply(scaled.Points);
     return SelfIntersections(scaled, progress);
   }
@@ -249,7 +249,8 @@ std::vector<std::int64_t> SelfIntersections(
   const TriangleBoxTree tree(mesh);
   Report(progress, 0.2);
   const TrianglePairs pairs(mesh);
-  const std::vector<char> flat = FlatOnes(pairs, static_cast<std::int64_t>(mesh.Triangles.size()));
+  const std::vector<char> flat =
+    FindDegenerate(pairs, static_cast<std::int64_t>(mesh.Triangles.size()));
   std::vector<std::int64_t> found;
   for (std::size_t t = 0; t < flat.size(); ++t)
   {
@@ -266,7 +267,7 @@ std::vector<std::int64_t> SelfIntersections(
       std::vector<std::int64_t> mine;
       for (std::int64_t group = begin; group < end; ++group)
       {
-        tree.ForPairs(group,
+        tree.ForEachPair(group,
           [&](std::int64_t a, std::int64_t b)
           {
             if (!flat[At(a)] && !flat[At(b)] && pairs.Meet(a, b))

@@ -44,19 +44,19 @@ public:
 
   void before_subface_creations(Face whole, SurfaceMesh& mesh)
   {
-    this->Current = this->Of(mesh)[whole].Tag;
+    this->Current = this->GetOrigins(mesh)[whole].Tag;
   }
   void after_subface_created(Face part, SurfaceMesh& mesh)
   {
-    this->Of(mesh)[part] = { this->Current, true };
+    this->GetOrigins(mesh)[part] = { this->Current, true };
   }
   void after_face_copy(Face from, const SurfaceMesh& source, Face to, SurfaceMesh& target)
   {
-    this->Of(target)[to] = { this->Of(source)[from].Tag, true };
+    this->GetOrigins(target)[to] = { this->GetOrigins(source)[from].Tag, true };
   }
 
 private:
-  Origins& Of(const SurfaceMesh& mesh)
+  Origins& GetOrigins(const SurfaceMesh& mesh)
   {
     return &mesh == this->First ? this->OfFirst : this->OfSecond;
   }
@@ -70,14 +70,14 @@ private:
 /// The origins of the faces of `mesh`, added where it has none. CGAL's search for a property
 /// returns a pair before CGAL 6 and an optional since; adding an existing one returns it in all
 /// versions.
-Origins OriginsOf(SurfaceMesh& mesh)
+Origins GetOrigins(SurfaceMesh& mesh)
 {
   return mesh.add_property_map<Face, Origin>("f:origin").first;
 }
 
 Origins SetOrigins(SurfaceMesh& mesh, const std::vector<int>& tags)
 {
-  Origins map = OriginsOf(mesh);
+  Origins map = GetOrigins(mesh);
   std::size_t i = 0;
   for (const Face f : mesh.faces())
   {
@@ -88,11 +88,11 @@ Origins SetOrigins(SurfaceMesh& mesh, const std::vector<int>& tags)
 
 /// The same surface, with edges numbered by its triangles. CGAL numbers the edges that it makes in
 /// an order that depends on addresses, and removes slivers in the order of edges.
-SurfaceMesh Renumbered(SurfaceMesh& mesh, const Origins& origins)
+SurfaceMesh RenumberFaces(SurfaceMesh& mesh, const Origins& origins)
 {
   const TriangleMesh triangles = cgal::FromSurfaceMesh(mesh);
   SurfaceMesh same = cgal::ToSurfaceMesh(triangles);
-  Origins copy = OriginsOf(same);
+  Origins copy = GetOrigins(same);
   auto to = same.faces().begin();
   for (const Face from : mesh.faces())
   {
@@ -116,7 +116,7 @@ void RemoveSlivers(SurfaceMesh& mesh, const Origins& origins, double finest)
 
 }
 
-TaggedSurface Combined(
+TaggedSurface CombineSurfaces(
   const TaggedSurface& a, const TaggedSurface& b, BooleanOperation operation, double finest)
 {
   return cgal::RethrowWithContext("joining two surfaces",
@@ -139,8 +139,8 @@ TaggedSurface Combined(
         throw std::runtime_error(
           "Two surfaces touch in such a way that their union is not a closed surface.");
       }
-      SurfaceMesh joined = Renumbered(first, origins);
-      const Origins ofJoined = OriginsOf(joined);
+      SurfaceMesh joined = RenumberFaces(first, origins);
+      const Origins ofJoined = GetOrigins(joined);
       RemoveSlivers(joined, ofJoined, finest);
       TaggedSurface result;
       result.Mesh = cgal::FromSurfaceMesh(joined);

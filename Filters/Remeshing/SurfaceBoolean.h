@@ -34,7 +34,7 @@ enum class BooleanOperation
  * @throws std::runtime_error with a message where the result is not manifold or CGAL fails.
  * O((n + m) log(n + m)).
  */
-VTKISTHMUSFILTERSREMESHING_EXPORT TaggedSurface Combined(
+VTKISTHMUSFILTERSREMESHING_EXPORT TaggedSurface CombineSurfaces(
   const TaggedSurface& a, const TaggedSurface& b, BooleanOperation operation, double finest);
 
 /// `mesh` with each component turned so that all of them together bound a volume.

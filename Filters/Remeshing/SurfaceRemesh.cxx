@@ -40,7 +40,7 @@ void RequireManifold(const SurfaceView& mesh)
   defects.BoundaryTriangles.clear();
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + " Repair the surface before remeshing it.");
+    throw std::invalid_argument(defects.Message() + " Repair the surface before remeshing it.");
   }
 }
 
@@ -96,7 +96,7 @@ double ExpectedTriangles(const SurfaceView& mesh, double length)
 
 /// Applies `remesh` to the mesh scaled to about 1, and scales the result back.
 template <typename Remesh>
-RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& remesh)
+RemeshedSurface RemeshAtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& remesh)
 {
   scale.Apply(mesh.Points);
   RemeshedSurface result = remesh(mesh);
@@ -166,7 +166,7 @@ private:
 };
 
 /// Every point of the new surface on the old one.
-RemeshedSurface Located(SurfaceMesh& remeshed, const OldSurface& old)
+RemeshedSurface LocatePoints(SurfaceMesh& remeshed, const OldSurface& old)
 {
   RemeshedSurface result;
   result.Mesh = cgal::FromSurfaceMesh(remeshed);
@@ -273,7 +273,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   {
     SurfaceRemeshParameters scaled = parameters;
     scaled.EdgeLength *= scale.Factor();
-    return AtUnitScale(CopyOf(mesh), scale,
+    return RemeshAtUnitScale(CopyMesh(mesh), scale,
       [&](const SurfaceView& small) { return RemeshSurface(small, scaled, progress); });
   }
   const double length = parameters.EdgeLength;
@@ -302,7 +302,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
           vertices(after), after, CGAL::parameters::edge_is_constrained_map(isFeature));
         projection.Project(isFeature, after);
       }
-      return Located(after, old);
+      return LocatePoints(after, old);
     });
 }
 
@@ -318,7 +318,7 @@ RemeshedSurface SimplifySurface(
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
-    return AtUnitScale(CopyOf(mesh), scale,
+    return RemeshAtUnitScale(CopyMesh(mesh), scale,
       [&](const SurfaceView& small) { return SimplifySurface(small, triangles, progress); });
   }
   return cgal::RethrowWithContext("simplifying the surface",
@@ -338,7 +338,7 @@ RemeshedSurface SimplifySurface(
         CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SurfaceMesh>())
           .get_placement(SMS::LindstromTurk_placement<SurfaceMesh>())
           .filter(SMS::Bounded_normal_change_filter<>()));
-      return Located(after, old);
+      return LocatePoints(after, old);
     });
 }
 

@@ -11,9 +11,9 @@
 #include "Remeshing/OrderedTraits.h"
 #include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMeasures.h"
-#include "Surfaces/SurfaceMending.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -43,7 +43,7 @@ struct Soup
 };
 
 /// The triangles of `mesh` that have finite, distinct points.
-Soup UsablePart(const SurfaceView& mesh, const SurfaceDefects& defects)
+Soup RemoveDefects(const SurfaceView& mesh, const SurfaceDefects& defects)
 {
   std::set<std::int64_t> badPoints(defects.InvalidPoints.begin(), defects.InvalidPoints.end());
   std::set<std::int64_t> badTriangles(
@@ -69,17 +69,18 @@ Soup UsablePart(const SurfaceView& mesh, const SurfaceDefects& defects)
 }
 
 /// The same with cracks between facets closed.
-Soup WithoutCracks(const SurfaceView& mesh, const SurfaceDefects& defects, SurfaceMending& mending)
+Soup CloseCracks(
+  const SurfaceView& mesh, const SurfaceDefects& defects, SurfaceCorrection& correction)
 {
   if (!defects.InvalidPoints.empty() || !defects.InvalidTriangles.empty() ||
     defects.BoundaryTriangles.empty())
   {
-    return UsablePart(mesh, defects);
+    return RemoveDefects(mesh, defects);
   }
   const std::vector<Triangle> merged = MergedCorners(mesh);
-  const std::vector<Triangle> joined = JoinCracks(SurfaceView(mesh.Points, merged), mending);
-  return UsablePart(
-    SurfaceView(mesh.Points, mending.Joined > 0 ? View<Triangle>(joined) : mesh.Triangles), {});
+  const std::vector<Triangle> joined = JoinCracks(SurfaceView(mesh.Points, merged), correction);
+  return RemoveDefects(
+    SurfaceView(mesh.Points, correction.Joined > 0 ? View<Triangle>(joined) : mesh.Triangles), {});
 }
 
 /// Number of holes filled; those that can't be stay open.
@@ -94,7 +95,7 @@ std::size_t FillHoles(SurfaceMesh& mesh)
   return filled;
 }
 
-SurfaceMesh AsSurface(Soup soup)
+SurfaceMesh ToSurface(Soup soup)
 {
   PMP::repair_polygon_soup(soup.Points, soup.Triangles);
   PMP::orient_polygon_soup(soup.Points, soup.Triangles);
@@ -110,7 +111,7 @@ SurfaceMesh AsSurface(Soup soup)
 constexpr int MostPasses = 3;
 
 /// Called by CGAL before each patch that it replaces; CGAL copies it, so it holds references only.
-struct RemovalWatch : PMP::experimental::Remove_self_intersection_default_visitor<SurfaceMesh>
+struct RemovalVisitor : PMP::experimental::Remove_self_intersection_default_visitor<SurfaceMesh>
 {
   const SurfaceMesh* Mesh = nullptr;
   const ProgressCallback* Progress = nullptr;
@@ -137,7 +138,7 @@ struct RemovalWatch : PMP::experimental::Remove_self_intersection_default_visito
 void RemoveSelfIntersections(SurfaceMesh& mesh, const ProgressCallback& progress)
 {
   int rounds = 0;
-  RemovalWatch watch;
+  RemovalVisitor watch;
   watch.Mesh = &mesh;
   watch.Progress = &progress;
   watch.Rounds = &rounds;
@@ -184,9 +185,9 @@ TriangleMesh OrientConsistently(const SurfaceView& mesh)
       const SurfaceDefects defects = FindDefects(mesh);
       if (defects.FlippedTriangles.empty())
       {
-        return CopyOf(mesh); // its parts may face inward: cavities do
+        return CopyMesh(mesh); // its parts may face inward: cavities do
       }
-      Soup soup = UsablePart(mesh, defects);
+      Soup soup = RemoveDefects(mesh, defects);
       PMP::repair_polygon_soup(soup.Points, soup.Triangles);
       PMP::orient_polygon_soup(soup.Points, soup.Triangles);
       TriangleMesh result;
@@ -211,7 +212,7 @@ void RequireCleanSurface(const SurfaceView& mesh, const ProgressCallback& progre
   const SurfaceDefects defects = FindDefects(mesh, Between(progress, 0.0, 0.3));
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + DescribeOpenBoundary(mesh, defects) + advice);
+    throw std::invalid_argument(defects.Message() + DescribeOpenBoundary(mesh, defects) + advice);
   }
   const std::vector<std::int64_t> crossing = SelfIntersections(mesh, Between(progress, 0.3, 1.0));
   if (!crossing.empty())
@@ -228,7 +229,7 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = CopyOf(mesh);
+    TriangleMesh scaled = CopyMesh(mesh);
     scale.Apply(scaled.Points);
     RepairedSurface result = RepairSurface(scaled, progress);
     scale.Undo(result.Mesh.Points);
@@ -238,14 +239,14 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
     [&]
     {
       const SurfaceDefects defects = FindDefects(mesh);
-      SurfaceMending mending;
-      SurfaceMesh surface = AsSurface(WithoutCracks(mesh, defects, mending));
+      SurfaceCorrection correction;
+      SurfaceMesh surface = ToSurface(CloseCracks(mesh, defects, correction));
       Report(progress, 0.3);
       const std::size_t holes = FillHoles(surface);
       if (surface.is_empty() || !CGAL::is_closed(surface))
       {
         throw std::invalid_argument("Nothing closed is left of the surface after repair: " +
-          (defects.None() ? std::string("it is empty.") : defects.Sentence()));
+          (defects.None() ? std::string("it is empty.") : defects.Message()));
       }
       Report(progress, 0.5);
       const bool crossings = PMP::does_self_intersect(surface);
@@ -274,9 +275,10 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
         result.OriginalPoints.push_back(found == original.end() ? -1 : found->second);
       }
       result.Changes = ChangesBetween(defects, mesh, result.Mesh, holes, crossings);
-      if (!mending.Message().empty())
+      if (!correction.Message().empty())
       {
-        result.Changes = mending.Message() + (result.Changes.empty() ? "" : " ") + result.Changes;
+        result.Changes =
+          correction.Message() + (result.Changes.empty() ? "" : " ") + result.Changes;
       }
       result.Changes += (topology.empty() ? "" : " ") + topology;
       return result;

@@ -65,14 +65,14 @@ std::vector<std::int64_t> ThinTriangles(const SurfaceView& mesh)
   return thin;
 }
 
-TriangleMesh WithoutThinTriangles(const SurfaceView& mesh)
+TriangleMesh RemoveThinTriangles(const SurfaceView& mesh)
 {
   const UnitScale scale(mesh.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = CopyOf(mesh);
+    TriangleMesh scaled = CopyMesh(mesh);
     scale.Apply(scaled.Points);
-    TriangleMesh result = WithoutThinTriangles(scaled);
+    TriangleMesh result = RemoveThinTriangles(scaled);
     scale.Undo(result.Points);
     return result;
   }

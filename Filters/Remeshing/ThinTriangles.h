@@ -22,7 +22,7 @@ VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<std::int64_t> ThinTriangles(const 
  *
  * @pre closed, manifold and oriented. O(n log n).
  */
-VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh WithoutThinTriangles(const SurfaceView& mesh);
+VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh RemoveThinTriangles(const SurfaceView& mesh);
 
 }
 

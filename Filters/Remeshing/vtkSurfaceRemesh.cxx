@@ -7,8 +7,8 @@
 #include "Core/RangeChecks.h"
 #include "Remeshing/DelaunayRemesh.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
-#include "Surfaces/SurfaceMending.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -116,25 +116,25 @@ int vtkSurfaceRemesh::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* after = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       this->CheckParameters();
       const auto before = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
-      const auto progress = isthmus::ProgressOf(this);
-      isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(before));
+      const auto progress = isthmus::MakeProgress(this);
+      isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::ToTriangleMesh(before));
       isthmus::TriangleMesh& mesh = taken.Mesh;
       if (mesh.Triangles.empty())
       {
         return;
       }
-      isthmus::SurfaceMending mending;
+      isthmus::SurfaceCorrection correction;
       if (!isthmus::FindDefects(mesh).FlippedTriangles.empty())
       {
-        mesh.Triangles = isthmus::TurnAlike(mesh, mending);
+        mesh.Triangles = isthmus::OrientAlike(mesh, correction);
       }
       std::string message = taken.Message + (taken.Message.empty() ? "" : " ");
-      message += mending.Message();
+      message += correction.Message();
       if (!message.empty())
       {
         vtkWarningMacro(<< message);

@@ -43,7 +43,7 @@ private:
   DisjointSets<std::int64_t> Sets;
 };
 
-constexpr const char* WayOut =
+constexpr const char* Suggestion =
   " Choose a smaller ProbeRadius, a larger LumenRadius (without a hole the membrane is closed), or "
   "move MembraneCenter and MembraneNormal to the channel's axis.";
 
@@ -95,7 +95,7 @@ ChannelPassage FindPassage(const TransportGrid& grid)
       return { place, d.AxialAndRadial(place)[0], static_cast<double>(distance(node)) };
     }
   }
-  throw std::runtime_error("The grid does not connect the two baths." + std::string(WayOut));
+  throw std::runtime_error("The grid does not connect the two baths." + std::string(Suggestion));
 }
 
 void RequireOpen(const ChannelPassage& passage)
@@ -108,9 +108,9 @@ void RequireOpen(const ChannelPassage& passage)
   throw std::runtime_error("The channel is not open from bath to bath: its widest way closes at (" +
     FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + "), " +
     FormatNumber(passage.Along) +
-    " angstrom along the normal from the membrane's centre, where atoms and membrane leave a "
+    " angstrom along the normal from the membrane's center, where atoms and membrane leave a "
     "radius of " +
-    FormatNumber(passage.Radius) + " angstrom." + WayOut);
+    FormatNumber(passage.Radius) + " angstrom." + Suggestion);
 }
 
 void CloseIsolatedPockets(TransportGrid& grid)
@@ -131,7 +131,7 @@ void CloseIsolatedPockets(TransportGrid& grid)
   {
     throw std::runtime_error(
       "The channel is narrower than the grid can resolve: choose a smaller Spacing." +
-      std::string(WayOut));
+      std::string(Suggestion));
   }
   for (std::int64_t node = 0; node < grid.Domain.Size(); ++node)
   {

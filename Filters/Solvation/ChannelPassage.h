@@ -17,7 +17,7 @@ namespace isthmus
 struct ChannelPassage
 {
   Point3 Bottleneck{ 0.0, 0.0, 0.0 };
-  double Along = 0.0;  ///< of the bottleneck, from the membrane's centre along its normal, angstrom
+  double Along = 0.0;  ///< of the bottleneck, from the membrane's center along its normal, angstrom
   double Radius = 0.0; ///< distance to the walls there, angstrom; negative: walls overlap
 };
 

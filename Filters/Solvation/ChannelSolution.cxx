@@ -35,10 +35,11 @@ std::vector<float> DistanceToClosed(const TransportDomain& domain, const Channel
   }
   vtkNew<vtkImageData> image;
   SetImageGeometry(domain, image);
-  const GridShape shape = ShapeOf(image);
+  const GridShape shape = GetGridShape(image);
   const auto inAxes = InGridAxes(surface, image);
   const PolyDataTriangles triangles(inAxes);
-  const std::vector<unsigned char> inside = NodesInside(triangles.View(), shape, WorldOf(image));
+  const std::vector<unsigned char> inside =
+    NodesInside(triangles.View(), shape, MakeWorldTransform(image));
   const std::vector<double> distance = DistanceToSurface(
     triangles.View(), shape, static_cast<double>(FlowGrid::Band) * domain.Spacing, progress);
   std::vector<float> to(distance.size());
@@ -59,7 +60,7 @@ std::vector<float> DistanceToClosed(const TransportDomain& domain, const Channel
   {
     for (const Ball& ball : problem.Balls)
     {
-      positions.push_back(ball.Centre);
+      positions.push_back(ball.Center);
     }
   }
   warning = CheckAtomsInside(image, to, positions, isCharged ? "charged atoms" : "atoms");

@@ -135,7 +135,7 @@ public:
     ++this->Counts[n];
   }
 
-  std::vector<float> Carried()
+  std::vector<float> PropagateValues()
   {
     while (!this->Front.empty())
     {
@@ -149,7 +149,7 @@ public:
       this->Front.clear();
       for (const std::int64_t node : from)
       {
-        this->Hand(node);
+        this->PassOn(node);
       }
     }
     return std::move(this->Values);
@@ -158,7 +158,7 @@ public:
 private:
   static constexpr unsigned char Done = 255;
 
-  void Hand(std::int64_t node)
+  void PassOn(std::int64_t node)
   {
     const auto& n = this->Grid.Dimensions();
     const std::int64_t steps[3] = { 1, this->Grid.Row(), this->Grid.Plane() };
@@ -206,7 +206,7 @@ std::vector<float> ExtendOffSurface(const SolverBox& box,
     layers.Add(nodeOf(crossing.Node), static_cast<float>(values[i]));
     layers.Add(nodeOf(next), static_cast<float>(values[i]));
   }
-  return layers.Carried();
+  return layers.PropagateValues();
 }
 
 }

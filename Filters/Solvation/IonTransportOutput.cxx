@@ -261,18 +261,18 @@ void FillSections(
   const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table)
 {
   std::vector<double> whole(profile.Along.size(), 0.0);
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Along", profile.Along, [](double along) { return along; });
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name,
+    AddComputedColumn<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name,
       profile.Currents[k], [](double x) { return x; });
     for (std::size_t i = 0; i < whole.size(); ++i)
     {
       whole[i] += profile.Currents[k][i];
     }
   }
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     table->GetRowData(), "Current", whole, [](double current) { return current; });
 }
 
@@ -307,18 +307,18 @@ void FillMotion(const MovingChannel& moving, const std::vector<TransportSpecies>
   AddColumn<vtkDoubleArray>(data, "ShownUpdate", { moving.GetShown() + 1 });
   vtkFieldData* const rows = table->GetRowData();
   const std::vector<ChannelUpdate>& updates = moving.GetUpdates();
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     rows, "Update", updates.size(), [](std::size_t row) { return row + 1; });
   for (const MotionColumn& column : MotionColumns)
   {
-    AddColumnOf<vtkDoubleArray>(rows, column.Name, updates, column.Value);
+    AddComputedColumn<vtkDoubleArray>(rows, column.Name, updates, column.Value);
   }
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumnOf<vtkDoubleArray>(rows, "Current_" + species[k].Name, updates,
+    AddComputedColumn<vtkDoubleArray>(rows, "Current_" + species[k].Name, updates,
       [k](const ChannelUpdate& u) { return u.Currents[k]; });
   }
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     rows, "Current", updates, [](const ChannelUpdate& u) { return u.Current(); });
 }
 

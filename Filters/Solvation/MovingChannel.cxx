@@ -49,7 +49,7 @@ std::vector<DispersionAtom> InAxes(const TransportDomain& room, std::vector<Disp
 {
   for (DispersionAtom& atom : atoms)
   {
-    atom.Centre = room.InAxes(atom.Centre);
+    atom.Center = room.InAxes(atom.Center);
   }
   return atoms;
 }
@@ -162,7 +162,7 @@ void MovingChannel::Solve(const ProgressCallback& progress)
     throw std::runtime_error("The moving surface has closed the channel at (" +
       FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + "), " +
       FormatNumber(this->Passage.Along) +
-      " angstrom along the normal from the membrane's centre, after " + FormatNumber(this->Time) +
+      " angstrom along the normal from the membrane's center, after " + FormatNumber(this->Time) +
       " square angstrom of flow: its tension is stronger there than pressure, field and ions. "
       "Choose a smaller SurfaceTension or a larger Pressure, or keep the surface fixed.");
   }

@@ -35,8 +35,8 @@ void CheckCharges(const SolvationAtoms& atoms)
   {
     const ChargedAtom& charge = atoms.Charges[i];
     const Ball& ball = atoms.Balls[nearest.At(charge.Position)];
-    const double distance = std::hypot(charge.Position[0] - ball.Centre[0],
-      charge.Position[1] - ball.Centre[1], charge.Position[2] - ball.Centre[2]);
+    const double distance = std::hypot(charge.Position[0] - ball.Center[0],
+      charge.Position[1] - ball.Center[1], charge.Position[2] - ball.Center[2]);
     if (charge.Charge != 0.0 && !(distance < ball.Radius))
     {
       throw std::invalid_argument("The charge of atom " + std::to_string(i) +

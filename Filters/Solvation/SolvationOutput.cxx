@@ -41,11 +41,11 @@ constexpr Column Columns[] = {
 void FillTable(const std::vector<SolvationUpdate>& updates, vtkTable* table)
 {
   vtkFieldData* const data = table->GetRowData();
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkDoubleArray>(
     data, "Update", updates.size(), [](std::size_t row) { return row + 1; });
   for (const Column& column : Columns)
   {
-    AddColumnOf<vtkDoubleArray>(data, column.Name, updates, column.Value);
+    AddComputedColumn<vtkDoubleArray>(data, column.Name, updates, column.Value);
   }
 }
 

@@ -13,7 +13,7 @@ namespace isthmus
 /// Currents in pA, positive along the membrane's normal.
 struct CurrentProfile
 {
-  std::vector<double> Along;                 ///< of the sections, angstrom from the centre
+  std::vector<double> Along;                 ///< of the sections, angstrom from the center
   std::vector<std::vector<double>> Currents; ///< by species, one for each section
 
   double Mean(std::size_t species) const;

@@ -114,7 +114,7 @@ TransportDomain DomainAround(
   double wide = membrane.LumenRadius;
   for (const Ball& ball : atoms)
   {
-    const auto [along, off] = d.AxialAndRadial(ball.Centre);
+    const auto [along, off] = d.AxialAndRadial(ball.Center);
     far = std::max(far, std::abs(along) + ball.Radius);
     wide = std::max(wide, off + ball.Radius);
   }
@@ -152,7 +152,7 @@ std::vector<float> DistanceToAtoms(const TransportDomain& domain, const std::vec
   std::vector<Ball> balls = atoms;
   for (Ball& ball : balls)
   {
-    ball.Centre = domain.InAxes(ball.Centre);
+    ball.Center = domain.InAxes(ball.Center);
   }
   std::vector<float> to(static_cast<std::size_t>(flow.NumberOfNodes()), FlowGrid::Band);
   if (probeRadius > 0.0)

@@ -3,10 +3,10 @@
  * @brief A channel in a membrane between two baths: the domain, and finite volumes around the nodes
  * of a grid.
  *
- * The domain is a cylinder around the channel's axis (through the membrane's centre, along its
+ * The domain is a cylinder around the channel's axis (through the membrane's center, along its
  * normal) that contains all atoms with a margin on all sides. The grid is the box around it, turned
  * so that one of its axes is the normal: the baths begin at planes of nodes, and the current does
- * not depend on how molecule and membrane lie in space. A node is in the membrane's centre, and a
+ * not depend on how molecule and membrane lie in space. A node is in the membrane's center, and a
  * layer of nodes beyond the cylinder. The baths are beyond the flat ends of the
  * cylinder; its side is impermeable. Inside, atoms and membrane are one region, and the rest is
  * water.
@@ -42,7 +42,7 @@ struct TransportDomain
   Point3 Center{ 0.0, 0.0, 0.0 };
   Point3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
   double Radius = 0.0;            ///< of the cylinder
-  double HalfLength = 0.0;        ///< from the centre to the baths, whole spacings
+  double HalfLength = 0.0;        ///< from the center to the baths, whole spacings
 
   std::int64_t Size() const
   {
@@ -70,7 +70,7 @@ struct TransportDomain
   Point3 Turned(const Point3& vector) const;
   /// A place relative to the first node along the axes of the grid, in angstrom.
   Point3 InAxes(const Point3& place) const;
-  /// Coordinates of a place: along the axis, from the centre of the membrane, and its distance from
+  /// Coordinates of a place: along the axis, from the center of the membrane, and its distance from
   /// the axis.
   std::array<double, 2> AxialAndRadial(const Point3& place) const;
 };

@@ -29,7 +29,7 @@ public:
     , Domain(solution.GetGrid().Domain)
     , Box(box)
     , Margin(margin)
-    , Inside(SidesOfNodes(level, box))
+    , Inside(ClassifyNodes(level, box))
   {
     const IonTransportParameters& p = solution.GetParameters();
     const double ratio = p.SoluteDielectric / p.SolventDielectric;

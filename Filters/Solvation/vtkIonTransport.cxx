@@ -88,7 +88,7 @@ public:
 
   isthmus::MoleculeAtoms Balls(vtkDataObject* input) const
   {
-    isthmus::AtomOptions options = isthmus::WholeMolecule(
+    isthmus::AtomOptions options = isthmus::SelectWholeMolecule(
       isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms);
     options.Missing = isthmus::MissingRadius::Refuse; // it has a charge
     return isthmus::ReadAtoms(input, options);
@@ -108,7 +108,7 @@ isthmus::ChannelProblem vtkIonTransport::vtkInternals::Problem(
   vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
   isthmus::ChannelProblem problem;
   problem.Balls = atoms.Balls;
-  problem.Charges = isthmus::ChargedAtomsOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
+  problem.Charges = isthmus::MakeChargedAtoms(input, atoms, isthmus::InputArrayName(this->Self, 1));
   problem.Surface = vtkPolyData::GetData(inputs[1], 0);
   problem.Transport = this->Self->Parameters;
   isthmus::NameSpecies(this->Self->SpeciesNames, problem.Transport.Species);
@@ -119,7 +119,7 @@ isthmus::ChannelProblem vtkIonTransport::vtkInternals::Problem(
 void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
   const isthmus::MoleculeAtoms& atoms, vtkInformationVector* outputs) const
 {
-  const auto progress = isthmus::ProgressOf(this->Self);
+  const auto progress = isthmus::MakeProgress(this->Self);
   const isthmus::ChannelProblem problem = this->Problem(inputs, atoms);
   isthmus::ChannelSolution channel(problem, isthmus::Between(progress, 0.0, 0.9));
   const isthmus::PoissonNernstPlanck& solution = channel.Get();
@@ -254,7 +254,7 @@ int vtkIonTransport::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       const vtkInternals internals(this);

@@ -54,7 +54,7 @@ void vtkIonTransportMovingSurface::CompleteProblem(
   vtkDataObject* input, const isthmus::MoleculeAtoms& atoms, isthmus::ChannelProblem& problem)
 {
   problem.Moves = true;
-  problem.Attracting = isthmus::DispersionAtomsOf(input, atoms);
+  problem.Attracting = isthmus::MakeDispersionAtoms(input, atoms);
   problem.Motion = this->Motion;
 }
 
@@ -68,7 +68,7 @@ std::string vtkIonTransportMovingSurface::FillMotion(
   {
     return {};
   }
-  return isthmus::TextOf("The surface has not converged after ", moving.GetUpdates().size(),
+  return isthmus::JoinText("The surface has not converged after ", moving.GetUpdates().size(),
     " updates: currents or lumen still changed by a fraction ", moving.LastChange(), ". Update ",
     moving.GetShown() + 1,
     ", which changed least, is returned, with Converged 0: choose more MaximumUpdates, a larger "

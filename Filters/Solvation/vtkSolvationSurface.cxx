@@ -39,7 +39,7 @@ public:
 
   isthmus::MoleculeAtoms Balls(vtkDataObject* input) const
   {
-    isthmus::AtomOptions options = isthmus::WholeMolecule(
+    isthmus::AtomOptions options = isthmus::SelectWholeMolecule(
       isthmus::InputArrayName(this->Self, 0), this->Self->IncludeWaters, this->Self->UnitedAtoms);
     options.Missing = isthmus::MissingRadius::Refuse; // it has a charge
     return isthmus::ReadAtoms(input, options);
@@ -56,7 +56,7 @@ std::vector<isthmus::ChargedAtom> vtkSolvationSurface::vtkInternals::Charges(
   vtkDataObject* input, const isthmus::MoleculeAtoms& atoms) const
 {
   std::vector<isthmus::ChargedAtom> charges =
-    isthmus::ChargedAtomsOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
+    isthmus::MakeChargedAtoms(input, atoms, isthmus::InputArrayName(this->Self, 1));
   if (std::all_of(charges.begin(), charges.end(),
         [](const isthmus::ChargedAtom& atom) { return atom.Charge == 0.0; }))
   {
@@ -80,7 +80,7 @@ void vtkSolvationSurface::vtkInternals::Warn(
   {
     const std::size_t n = flow.GetUpdates().size();
     vtkWarningWithObjectMacro(this->Self,
-      << isthmus::TextOf("The energy has not converged after ", n, " updates: the last one is ",
+      << isthmus::JoinText("The energy has not converged after ", n, " updates: the last one is ",
            last.Total(), " kcal/mol, the one before ", flow.GetUpdates()[n > 1 ? n - 2 : 0].Total(),
            ". The last surface is shown: choose more MaximumUpdates or a larger EnergyTolerance."));
   }
@@ -88,7 +88,7 @@ void vtkSolvationSurface::vtkInternals::Warn(
     atoms.Balls.size() > 1)
   {
     vtkWarningWithObjectMacro(this->Self,
-      << isthmus::TextOf("The field has pulled the surface onto the atoms (",
+      << isthmus::JoinText("The field has pulled the surface onto the atoms (",
            100.0 * last.OnObstacle,
            " % of it): it follows clefts that no water enters. Set a ProbeRadius, 1.4 for water."));
   }
@@ -200,7 +200,7 @@ int vtkSolvationSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       const vtkInternals internals(this);
@@ -212,9 +212,9 @@ int vtkSolvationSurface::RequestData(
       {
         return;
       }
-      const auto progress = isthmus::ProgressOf(this);
-      isthmus::SolvationFlow flow(
-        { atoms.Balls, isthmus::DispersionAtomsOf(input, atoms), internals.Charges(input, atoms) },
+      const auto progress = isthmus::MakeProgress(this);
+      isthmus::SolvationFlow flow({ atoms.Balls, isthmus::MakeDispersionAtoms(input, atoms),
+                                    internals.Charges(input, atoms) },
         this->Parameters);
       flow.Run(isthmus::Between(progress, 0.0, 0.9));
       isthmus::FillSolvation(flow, atoms.Notes,

@@ -36,7 +36,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> DistanceToSurface(const Sur
  * all triangles, found in a TriangleTree.
  *
  * Time: O(triangles log triangles) for the tree, then a search in it for each node, and more where
- * a large part of the surface is at the same distance (e.g. at the centre of a sphere). Memory: 8
+ * a large part of the surface is at the same distance (e.g. at the center of a sphere). Memory: 8
  * bytes for each node and 150 for each triangle. Parallel, bitwise the same on any number of
  * threads.
  * @throws Cancelled.

@@ -28,7 +28,7 @@
 namespace isthmus
 {
 
-GridShape ShapeOf(vtkImageData* image)
+GridShape GetGridShape(vtkImageData* image)
 {
   RequireSpacing(image);
   GridShape shape;
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
   return moved;
 }
 
-PlaceInWorld WorldOf(vtkImageData* grid)
+PlaceInWorld MakeWorldTransform(vtkImageData* grid)
 {
   return [grid](const Point3& place)
   {
@@ -83,14 +83,14 @@ PlaceInWorld WorldOf(vtkImageData* grid)
   };
 }
 
-bool BoxOfPolygons(vtkPolyData* surface, double box[6])
+bool ComputePolygonBounds(vtkPolyData* surface, double box[6])
 {
   const PolyDataTriangles triangles(surface);
   if (triangles.View().NumberOfTriangles() == 0)
   {
     return false;
   }
-  const Bounds3 bounds = BoundsOf(triangles.View());
+  const Bounds3 bounds = ComputeBounds(triangles.View());
   for (std::size_t a = 0; a < 3; ++a)
   {
     box[2 * a] = bounds.Min[a];
@@ -146,7 +146,7 @@ void AddFlags(vtkImageData* output, const char* name, const std::vector<unsigned
 void AddSignedDistance(vtkImageData* output, const std::vector<unsigned char>& inside,
   const std::vector<double>& distance)
 {
-  AddColumnOf<vtkDoubleArray>(output->GetPointData(), "SignedDistance", distance.size(),
+  AddComputedColumn<vtkDoubleArray>(output->GetPointData(), "SignedDistance", distance.size(),
     [&](std::size_t i) { return inside[i] ? -distance[i] : distance[i]; });
   output->GetPointData()->SetActiveScalars(
     "SignedDistance"); // SetScalars would drop a volume's own
@@ -193,10 +193,11 @@ void FillCrossings(
   output->SetVerts(vertices);
   vtkPointData* const data = output->GetPointData();
   data->SetNormals(normals);
-  AddColumnOf<vtkIdTypeArray>(
+  AddComputedColumn<vtkIdTypeArray>(
     data, "Node", crossings, [](const GridCrossing& c) { return c.Node; });
-  AddColumnOf<vtkIntArray>(data, "Axis", crossings, [](const GridCrossing& c) { return c.Axis; });
-  AddColumnOf<vtkDoubleArray>(
+  AddComputedColumn<vtkIntArray>(
+    data, "Axis", crossings, [](const GridCrossing& c) { return c.Axis; });
+  AddComputedColumn<vtkDoubleArray>(
     data, "Fraction", crossings, [](const GridCrossing& c) { return c.Fraction; });
 }
 

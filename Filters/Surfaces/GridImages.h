@@ -21,7 +21,7 @@ namespace isthmus
 
 /// @throws std::invalid_argument for spacings that are not positive and for a single layer of
 /// nodes.
-GridShape ShapeOf(vtkImageData* image);
+GridShape GetGridShape(vtkImageData* image);
 
 /// The surface with the coordinates of its points as lengths along the axes of the grid from its
 /// first node.
@@ -29,12 +29,12 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
 
 /// Transforms lengths along the axes of the grid from its first node to world coordinates; valid
 /// while `grid` exists.
-PlaceInWorld WorldOf(vtkImageData* grid);
+PlaceInWorld MakeWorldTransform(vtkImageData* grid);
 
 /// Box of the points that polygons of `surface` use: minimum and maximum of x, y and z. Points that
 /// no polygon uses, e.g. what other filters left over, do not count. @return false if there are
 /// none.
-bool BoxOfPolygons(vtkPolyData* surface, double box[6]);
+bool ComputePolygonBounds(vtkPolyData* surface, double box[6]);
 
 /// The isosurface of the image, in lengths along its axes from its first node. Scalars of any type.
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(

@@ -24,7 +24,7 @@ struct SortedFace
 
 /// Calls visit(SortedFace) for the faces of the tetrahedra of positive region.
 template <typename Visit>
-void ForFacesOfSolids(const TetrahedralMesh& mesh, Visit&& visit)
+void ForEachFaceOfSolids(const TetrahedralMesh& mesh, Visit&& visit)
 {
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
   {
@@ -55,7 +55,7 @@ struct Largest
 
 /// Square of the largest distance of corners, middles of sides and middle of triangle `t` of
 /// `from`.
-double SquaredDistanceOf(
+double ComputeSquaredDistance(
   const Triangle& t, const SurfaceView& from, const TriangleTree& to, std::int64_t& guess)
 {
   const auto at = [&](std::size_t c) { return from.Points[static_cast<std::size_t>(t[c])]; };
@@ -72,17 +72,17 @@ double SquaredDistanceOf(
 
 double LargestDistance(const SurfaceView& from, const TriangleTree& to)
 {
-  const Largest squared =
-    ParallelReduce(static_cast<std::int64_t>(from.Triangles.size()), 1024, Largest{},
-      [&](Largest& largest, std::int64_t first, std::int64_t last)
+  const Largest squared = ParallelReduce(static_cast<std::int64_t>(from.Triangles.size()), 1024,
+    Largest{},
+    [&](Largest& largest, std::int64_t first, std::int64_t last)
+    {
+      std::int64_t guess = -1;
+      for (std::int64_t i = first; i < last; ++i)
       {
-        std::int64_t guess = -1;
-        for (std::int64_t i = first; i < last; ++i)
-        {
-          largest +=
-            { SquaredDistanceOf(from.Triangles[static_cast<std::size_t>(i)], from, to, guess) };
-        }
-      });
+        largest +=
+          { ComputeSquaredDistance(from.Triangles[static_cast<std::size_t>(i)], from, to, guess) };
+      }
+    });
   return std::sqrt(squared.Value);
 }
 
@@ -92,10 +92,10 @@ TriangleMesh BoundarySurface(const TetrahedralMesh& mesh)
 {
   // Bucketed by their first corner; each bucket is sorted in place.
   std::vector<std::size_t> first(mesh.Points.size() + 2, 0);
-  ForFacesOfSolids(mesh, [&first](const SortedFace& face) { ++first[At(face.Corners[0]) + 2]; });
+  ForEachFaceOfSolids(mesh, [&first](const SortedFace& face) { ++first[At(face.Corners[0]) + 2]; });
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<SortedFace> faces(first.back());
-  ForFacesOfSolids(
+  ForEachFaceOfSolids(
     mesh, [&](const SortedFace& face) { faces[first[At(face.Corners[0]) + 1]++] = face; });
   TriangleMesh skin;
   skin.Points = mesh.Points;
@@ -136,7 +136,7 @@ std::vector<std::int64_t> TrianglesFartherThan(
         {
           const auto at = static_cast<std::size_t>(i);
           isFar[at] =
-            SquaredDistanceOf(a.Triangles[at], a, tree, guess) > distance * distance ? 1 : 0;
+            ComputeSquaredDistance(a.Triangles[at], a, tree, guess) > distance * distance ? 1 : 0;
         }
       });
   }

@@ -17,7 +17,7 @@ namespace isthmus
 VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh BoundarySurface(const TetrahedralMesh& mesh);
 
 /**
- * Largest distance of the points, midpoints of edges and centres of triangles of either surface
+ * Largest distance of the points, midpoints of edges and centers of triangles of either surface
  * from the other one. This approximates the Hausdorff distance, since places in between are not
  * sampled. Infinite when one of them is empty. @pre corners exist and are finite. O(n log n), in
  * parallel.

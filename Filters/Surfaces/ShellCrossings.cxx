@@ -131,7 +131,7 @@ public:
 
   std::optional<ShellCrossing> Find(const ProgressCallback& progress)
   {
-    if (const auto twice = this->DoubledTriangle())
+    if (const auto twice = this->FindDoubledTriangle())
     {
       return twice;
     }
@@ -139,15 +139,15 @@ public:
     {
       return {};
     }
-    this->Touch = TouchingPart * BoundsOf(this->Mesh).Diagonal();
-    if (const auto crossing = this->CrossingTriangles(progress))
+    this->Touch = TouchingPart * ComputeBounds(this->Mesh).Diagonal();
+    if (const auto crossing = this->FindCrossingTriangles(progress))
     {
       return crossing;
     }
     for (const auto& [shells, triangles] : this->Touching)
     {
       Report(progress, 0.9);
-      if (const auto crossing = this->ByWinding(shells.first, shells.second, triangles))
+      if (const auto crossing = this->FindByWinding(shells.first, shells.second, triangles))
       {
         return crossing;
       }
@@ -204,7 +204,7 @@ private:
   }
 
   /// Coinciding shells have the same points once these are merged, so they are one component.
-  std::optional<ShellCrossing> DoubledTriangle() const
+  std::optional<ShellCrossing> FindDoubledTriangle() const
   {
     std::vector<Triangle> sorted;
     for (const Shell& shell : this->Shells)
@@ -221,12 +221,12 @@ private:
     {
       return ShellCrossing{ Middle(this->Place(*same)), true };
     }
-    return this->DoubledTurned();
+    return this->FindReversedDouble();
   }
 
   /// A shell and the same one inside out. Single triangles that face each other are those of bodies
   /// that touch, and sheets with two sides have no inside: neither is one.
-  std::optional<ShellCrossing> DoubledTurned() const
+  std::optional<ShellCrossing> FindReversedDouble() const
   {
     for (const Shell& shell : this->Shells)
     {
@@ -259,7 +259,7 @@ private:
 
   static Point3 Middle(const Corners3& t) { return (1.0 / 3.0) * (t[0] + t[1] + t[2]); }
 
-  std::optional<ShellCrossing> CrossingTriangles(const ProgressCallback& progress)
+  std::optional<ShellCrossing> FindCrossingTriangles(const ProgressCallback& progress)
   {
     struct Found
     {
@@ -275,7 +275,7 @@ private:
         for (std::int64_t g = first; g < last; ++g)
         {
           Found& found = groups[static_cast<std::size_t>(g)];
-          tree.ForPairs(g,
+          tree.ForEachPair(g,
             [&](std::int64_t i, std::int64_t j)
             {
               const TriangleIds ids = std::minmax(i, j);
@@ -320,7 +320,7 @@ private:
   }
 
   /// Points and middles of the triangles where two shells touch, and of some more of each.
-  std::optional<ShellCrossing> ByWinding(
+  std::optional<ShellCrossing> FindByWinding(
     int first, int second, const std::vector<std::int64_t>& triangles)
   {
     const auto samplesOf = [&](int shell)
@@ -341,25 +341,25 @@ private:
       }
       return asked;
     };
-    const Sides ofFirst = this->SidesOf(samplesOf(first), second);
-    const Sides ofSecond = this->SidesOf(samplesOf(second), first);
+    const Sides ofFirst = this->FindSides(samplesOf(first), second);
+    const Sides ofSecond = this->FindSides(samplesOf(second), first);
     const bool coincide = !ofFirst.In && !ofFirst.Out && !ofSecond.In && !ofSecond.Out;
     if (coincide || (ofFirst.In && ofFirst.Out) || (ofSecond.In && ofSecond.Out))
     {
-      return ShellCrossing{ this->PlaceOfTouch(triangles), coincide };
+      return ShellCrossing{ this->FindTouch(triangles), coincide };
     }
     return {};
   }
 
   /// Of pairs of triangles: the middle of what the boxes of two share, where that is smallest.
-  Point3 PlaceOfTouch(const std::vector<std::int64_t>& pairs) const
+  Point3 FindTouch(const std::vector<std::int64_t>& pairs) const
   {
     Point3 place = this->Mesh.Point(this->Corners[At(pairs[0])][0]);
     double least = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
     {
-      const Bounds3 a = BoxOf(this->Place(this->Corners[At(pairs[i])]));
-      const Bounds3 b = BoxOf(this->Place(this->Corners[At(pairs[i + 1])]));
+      const Bounds3 a = ComputeBox(this->Place(this->Corners[At(pairs[i])]));
+      const Bounds3 b = ComputeBox(this->Place(this->Corners[At(pairs[i + 1])]));
       Bounds3 shared;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
@@ -375,7 +375,7 @@ private:
     return place;
   }
 
-  static Bounds3 BoxOf(const Corners3& t)
+  static Bounds3 ComputeBox(const Corners3& t)
   {
     Bounds3 box{ t[0], t[0] };
     box.Add(t[1]);
@@ -383,7 +383,7 @@ private:
     return box;
   }
 
-  Sides SidesOf(const std::vector<Triangle>& samples, int shell)
+  Sides FindSides(const std::vector<Triangle>& samples, int shell)
   {
     Shell& of = this->Shells[static_cast<std::size_t>(shell)];
     if (!of.Winding)

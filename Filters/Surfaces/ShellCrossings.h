@@ -47,7 +47,7 @@ struct ShellCrossing
  *
  * Shells cross if an edge of one passes through a triangle of the other by more than 1e-10 of the
  * diagonal. If there is no such edge but triangles touch (faces in the same plane, edges through
- * edges), the winding numbers of their points and centres decide. O(n log n + pairs of boxes),
+ * edges), the winding numbers of their points and centers decide. O(n log n + pairs of boxes),
  * parallel, the same result on any number of threads; almost free for a single shell.
  * @throws Cancelled.
  */

@@ -82,7 +82,7 @@ Point3 PointInside(const std::vector<SurfaceView>& walls)
   const std::size_t count = std::min(tries, largest.size());
   std::partial_sort(
     largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(count), largest.end());
-  const double tooThin = 1e-12 * BoundsOf(shell).Diagonal();
+  const double tooThin = 1e-12 * ComputeBounds(shell).Diagonal();
   double best = tooThin;
   Point3 inside{ 0, 0, 0 };
   for (std::size_t i = 0; i < count; ++i)
@@ -91,16 +91,16 @@ Point3 PointInside(const std::vector<SurfaceView>& walls)
     const Point3 &a = shell.Point(t[0]), &b = shell.Point(t[1]), &c = shell.Point(t[2]);
     const Point3 n = Cross(b - a, c - a);
     const Point3 inward = (-1.0 / Length(n)) * n;
-    const Point3 centre = (1.0 / 3.0) * (a + b + c);
+    const Point3 center = (1.0 / 3.0) * (a + b + c);
     double gap = std::numeric_limits<double>::infinity();
     for (const SurfaceView& wall : walls)
     {
-      gap = std::min(gap, Gap(wall, centre, inward, tooThin));
+      gap = std::min(gap, Gap(wall, center, inward, tooThin));
     }
     if (std::isfinite(gap) && gap > best)
     {
       best = gap;
-      inside = centre + (0.5 * gap) * inward;
+      inside = center + (0.5 * gap) * inward;
     }
   }
   if (best == tooThin)
@@ -168,7 +168,7 @@ void FindParents(const ShellNesting& nesting, std::vector<int>& parent, std::vec
   std::vector<Bounds3> bounds;
   for (const TriangleMesh& shell : nesting.Shells)
   {
-    bounds.push_back(BoundsOf(shell));
+    bounds.push_back(ComputeBounds(shell));
   }
   parent.assign(n, -1);
   depth.assign(n, 0);
@@ -195,7 +195,7 @@ void FindParents(const ShellNesting& nesting, std::vector<int>& parent, std::vec
 
 }
 
-Bounds3 BoundsOf(const SurfaceView& mesh)
+Bounds3 ComputeBounds(const SurfaceView& mesh)
 {
   constexpr double far = std::numeric_limits<double>::infinity();
   Bounds3 bounds{ { far, far, far }, { -far, -far, -far } };

@@ -50,7 +50,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT ShellNesting FindNesting(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 /// Bounding box of the points of `mesh` that triangles use.
-VTKISTHMUSFILTERSSURFACES_EXPORT Bounds3 BoundsOf(const SurfaceView& mesh);
+VTKISTHMUSFILTERSSURFACES_EXPORT Bounds3 ComputeBounds(const SurfaceView& mesh);
 
 }
 

@@ -4,8 +4,8 @@
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Surfaces/MeshEdges.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
-#include "Surfaces/SurfaceMending.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace
 
 constexpr int MostLayers = 16;
 
-void RemoveRepeated(std::vector<Triangle>& triangles)
+void RemoveDuplicates(std::vector<Triangle>& triangles)
 {
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
                     [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
@@ -41,12 +41,12 @@ public:
   }
 
   /// Whether any edge was flipped.
-  bool Exchange(const std::vector<std::int64_t>& flat)
+  bool FlipEdges(const std::vector<std::int64_t>& flat)
   {
     bool any = false;
     for (const std::int64_t triangle : flat)
     {
-      any = this->ExchangeOne(triangle) || any;
+      any = this->FlipEdge(triangle) || any;
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < this->Gone.size(); ++i)
@@ -89,7 +89,7 @@ private:
     return { t[(longest + 1) % 3], t[(longest + 2) % 3], t[longest] };
   }
 
-  bool ExchangeOne(std::int64_t flat)
+  bool FlipEdge(std::int64_t flat)
   {
     const auto [a, b, c] = this->LongestLast(this->Surface.Triangles[At(flat)]);
     const auto [first, last] = this->TrianglesAt(a, c);
@@ -129,11 +129,11 @@ private:
 
 TriangleMesh RemoveFlatTriangles(TriangleMesh surface)
 {
-  RemoveRepeated(surface.Triangles);
+  RemoveDuplicates(surface.Triangles);
   for (int layer = 0; layer < MostLayers; ++layer)
   {
     const std::vector<std::int64_t> flat = FindDefects(surface).DegenerateTriangles;
-    if (flat.empty() || !FlatLayer(surface).Exchange(flat))
+    if (flat.empty() || !FlatLayer(surface).FlipEdges(flat))
     {
       break;
     }
@@ -146,7 +146,7 @@ namespace
 
 /// A hash of a point's position (G. L. Steele, D. Lea,
 /// C. H. Flood, 2014: the finalizer of SplitMix).
-std::uint64_t HashOf(const Point3& p)
+std::uint64_t HashPoint(const Point3& p)
 {
   std::uint64_t hash = 0;
   for (const double x : p)
@@ -163,7 +163,7 @@ std::uint64_t HashOf(const Point3& p)
 }
 
 template <typename Point>
-std::vector<std::uint64_t> HashesOf(std::int64_t count, const Point& point)
+std::vector<std::uint64_t> HashPoints(std::int64_t count, const Point& point)
 {
   std::vector<std::uint64_t> hashes(At(count));
   ParallelFor(0, count, 1 << 14,
@@ -171,7 +171,7 @@ std::vector<std::uint64_t> HashesOf(std::int64_t count, const Point& point)
     {
       for (std::int64_t i = begin; i < end; ++i)
       {
-        hashes[At(i)] = HashOf(point(i));
+        hashes[At(i)] = HashPoint(point(i));
       }
     });
   return hashes;
@@ -182,7 +182,7 @@ std::vector<std::uint64_t> HashesOf(std::int64_t count, const Point& point)
 template <typename Point>
 std::vector<std::int64_t> FirstAtPlace(std::int64_t count, const Point& point)
 {
-  const std::vector<std::uint64_t> hashes = HashesOf(count, point);
+  const std::vector<std::uint64_t> hashes = HashPoints(count, point);
   std::size_t size = 1;
   while (size < 2 * At(count))
   {
@@ -214,7 +214,7 @@ std::vector<std::int64_t> FirstAtPlace(std::int64_t count, const Point& point)
 }
 
 /// The points that triangles use; others need not be finite.
-std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
+std::vector<std::int64_t> CollectIds(const std::vector<char>& used)
 {
   std::vector<std::int64_t> ids;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -228,7 +228,7 @@ std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
 }
 
 /// Which of the six faces of `box` a point lies on, one bit each.
-unsigned int FacesOf(const Point3& p, const Bounds3& box, double tolerance)
+unsigned int FindTouchedFaces(const Point3& p, const Bounds3& box, double tolerance)
 {
   unsigned int faces = 0;
   for (std::size_t a = 0; a < 3; ++a)
@@ -270,7 +270,7 @@ TriangleMesh MergePoints(const SurfaceView& surface, std::vector<std::int64_t>* 
       used[At(p)] = 1;
     }
   }
-  const std::vector<std::int64_t> ids = IdsOf(used);
+  const std::vector<std::int64_t> ids = CollectIds(used);
   const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
     [&](std::int64_t i) { return surface.Points[At(ids[At(i)])]; });
   TriangleMesh merged;
@@ -314,16 +314,16 @@ CleanedSurface CleanSurface(TriangleMesh surface)
     return taken;
   }
   taken.Mesh = MergePoints(surface, &taken.OriginalPoints);
-  SurfaceMending mending;
-  std::vector<Triangle> joined = JoinCracks(taken.Mesh, mending);
-  if (mending.Joined > 0)
+  SurfaceCorrection correction;
+  std::vector<Triangle> joined = JoinCracks(taken.Mesh, correction);
+  if (correction.Joined > 0)
   {
     std::vector<std::int64_t> used;
     taken.Mesh = MergePoints(SurfaceView(taken.Mesh.Points, joined), &used);
     std::transform(used.begin(), used.end(), used.begin(),
       [&taken](std::int64_t id) { return taken.OriginalPoints[At(id)]; });
     taken.OriginalPoints = std::move(used);
-    taken.Message = mending.Message();
+    taken.Message = correction.Message();
   }
   taken.Mesh = RemoveFlatTriangles(std::move(taken.Mesh));
   return taken;
@@ -339,7 +339,7 @@ std::vector<Triangle> MergedCorners(const SurfaceView& surface, std::vector<vtkI
       used[At(corner)] = 1;
     }
   }
-  const std::vector<std::int64_t> ids = IdsOf(used);
+  const std::vector<std::int64_t> ids = CollectIds(used);
   const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
     [&](std::int64_t i) { return surface.Point(ids[At(i)]); });
   std::vector<vtkIdType> place(used.size());
@@ -384,7 +384,7 @@ std::string DescribeOpenBoundary(const SurfaceView& surface, const SurfaceDefect
     unsigned int faces[3];
     for (std::size_t c = 0; c < 3; ++c)
     {
-      faces[c] = FacesOf(surface.Points[At(t[c])], box, tolerance);
+      faces[c] = FindTouchedFaces(surface.Points[At(t[c])], box, tolerance);
     }
     if ((faces[0] & faces[1]) == 0 && (faces[1] & faces[2]) == 0 && (faces[2] & faces[0]) == 0)
     {

@@ -36,9 +36,9 @@ struct CleanedSurface
 
 /**
  * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
- * (MergePoints), cracks closed (JoinCracks of SurfaceMending.h) and triangles without area removed.
- * Holes and other defects stay. If a corner is not a valid point, or a point is not finite, the
- * surface is not changed at all. O(n).
+ * (MergePoints), cracks closed (JoinCracks of SurfaceCorrection.h) and triangles without area
+ * removed. Holes and other defects stay. If a corner is not a valid point, or a point is not
+ * finite, the surface is not changed at all. O(n).
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT CleanedSurface CleanSurface(TriangleMesh surface);
 
@@ -51,7 +51,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> MergedCorners(
 /**
  * For a surface that FindDefects found to be open: if it is open only at the faces of its bounding
  * box, like a contour whose level leaves the map, a message with the reason and the remedy, to
- * append to SurfaceDefects::Sentence(). Else empty.
+ * append to SurfaceDefects::Message(). Else empty.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
   const SurfaceView& surface, const SurfaceDefects& defects);

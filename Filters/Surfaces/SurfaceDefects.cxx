@@ -34,7 +34,7 @@ std::string FirstIds(const std::vector<std::int64_t>& ids)
   return ids.size() > shown ? text + " and " + std::to_string(ids.size() - shown) + " more" : text;
 }
 
-std::string SurfaceDefects::Sentence() const
+std::string SurfaceDefects::Message() const
 {
   std::string text;
   const auto add = [&text](const std::vector<std::int64_t>& ids, const char* what)
@@ -122,7 +122,7 @@ public:
   {
   }
 
-  void Look(std::int64_t point)
+  void CheckPoint(std::int64_t point)
   {
     const std::size_t size = this->TheStars.Size(At(point));
     if (size == 0)
@@ -130,7 +130,7 @@ public:
       return;
     }
     this->Triangles = this->TheStars.Begin(At(point));
-    this->TakeSpokes(point, size);
+    this->CollectSpokes(point, size);
     this->Fan.resize(size);
     std::iota(this->Fan.begin(), this->Fan.end(), 0U);
     std::size_t fans = size;
@@ -143,7 +143,7 @@ public:
       }
       if (this->Spokes[i].Other > point) // each edge once
       {
-        this->LookAtEdge(this->Spokes.data() + i, this->Spokes.data() + end);
+        this->CheckEdge(this->Spokes.data() + i, this->Spokes.data() + end);
       }
       i = end;
     }
@@ -156,7 +156,7 @@ public:
   SurfaceDefects Found;
 
 private:
-  void TakeSpokes(std::int64_t point, std::size_t size)
+  void CollectSpokes(std::int64_t point, std::size_t size)
   {
     this->Spokes.clear();
     for (std::uint32_t place = 0; place < size; ++place)
@@ -190,7 +190,7 @@ private:
     return rootA != rootB;
   }
 
-  void LookAtEdge(const Spoke* first, const Spoke* end)
+  void CheckEdge(const Spoke* first, const Spoke* end)
   {
     const auto triangle = [this](const Spoke& spoke) { return this->Triangles[spoke.Place]; };
     const auto count = end - first;
@@ -258,7 +258,7 @@ static void FindStarDefects(
       StarCheck check(mesh, stars);
       for (std::int64_t point = begin; point < end; ++point)
       {
-        check.Look(point);
+        check.CheckPoint(point);
       }
       const std::lock_guard<std::mutex> lock(mutex);
       for (const auto kind : ListsOfStars)
@@ -303,7 +303,7 @@ enum class TriangleKind : char
   Invalid
 };
 
-TriangleKind KindOf(const SurfaceView& mesh, const Triangle& ids)
+TriangleKind ClassifyTriangle(const SurfaceView& mesh, const Triangle& ids)
 {
   const auto points = static_cast<std::int64_t>(mesh.Points.size());
   const bool inRange =
@@ -326,7 +326,7 @@ std::vector<char> CheckTriangles(const SurfaceView& mesh, SurfaceDefects& found)
     {
       for (std::int64_t t = begin; t < end; ++t)
       {
-        kinds[At(t)] = KindOf(mesh, mesh.Triangles[At(t)]);
+        kinds[At(t)] = ClassifyTriangle(mesh, mesh.Triangles[At(t)]);
       }
     });
   std::vector<char> skip(kinds.size());

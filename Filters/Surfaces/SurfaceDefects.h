@@ -37,7 +37,7 @@ struct SurfaceDefects
 
   /// Empty if there are no defects; otherwise one message with counts and the first few ids of each
   /// kind.
-  VTKISTHMUSFILTERSSURFACES_EXPORT std::string Sentence() const;
+  VTKISTHMUSFILTERSSURFACES_EXPORT std::string Message() const;
 };
 
 /// "3, 17, 20 and 4 more"

@@ -141,7 +141,7 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
 }
 
 /// A point near the surface, to measure from: far from the origin, digits would cancel.
-Vector3d Centre(const SurfaceView& mesh)
+Vector3d Center(const SurfaceView& mesh)
 {
   Vector3d sum = Vector3d::Zero();
   for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
@@ -154,13 +154,13 @@ Vector3d Centre(const SurfaceView& mesh)
 void AddTriangles(const SurfaceView& mesh, const std::vector<vtkIdType>& componentOf,
   std::vector<SurfaceMeasure>& components)
 {
-  const Vector3d centre = Centre(mesh);
+  const Vector3d center = Center(mesh);
   for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     const Triangle& corner = mesh.Corners(t);
-    const Vector3d a = PointMap(mesh.Point(corner[0]).data()) - centre;
-    const Vector3d b = PointMap(mesh.Point(corner[1]).data()) - centre;
-    const Vector3d c = PointMap(mesh.Point(corner[2]).data()) - centre;
+    const Vector3d a = PointMap(mesh.Point(corner[0]).data()) - center;
+    const Vector3d b = PointMap(mesh.Point(corner[1]).data()) - center;
+    const Vector3d c = PointMap(mesh.Point(corner[2]).data()) - center;
     const Vector3d twiceArea = (b - a).cross(c - a);
     const auto number = static_cast<std::size_t>(componentOf[static_cast<std::size_t>(corner[0])]);
     SurfaceMeasure& component = components[number];
@@ -171,7 +171,7 @@ void AddTriangles(const SurfaceView& mesh, const std::vector<vtkIdType>& compone
 }
 
 /// Computes the derived measures of a component.
-void Conclude(SurfaceMeasure& measure)
+void FinishMeasure(SurfaceMeasure& measure)
 {
   if (!measure.IsClosed())
   {
@@ -231,7 +231,7 @@ SurfaceMeasures MeasureSurface(const SurfaceView& mesh, const ProgressCallback& 
   CountBoundaryLoops(mesh, stars, edges, componentOf, result.Components);
   for (SurfaceMeasure& component : result.Components)
   {
-    Conclude(component);
+    FinishMeasure(component);
   }
   result.Whole = Sum(result.Components);
   Report(progress, 1.0);

@@ -41,7 +41,7 @@ std::uint64_t PlaceOnCurve(const Point3& p, const Bounds3& box, double width)
   return place;
 }
 
-Bounds3 BoundsOf(const SurfaceView& mesh, const Triangle& t)
+Bounds3 ComputeBounds(const SurfaceView& mesh, const Triangle& t)
 {
   Bounds3 box{ mesh.Points[At(t[0])], mesh.Points[At(t[0])] };
   box.Add(mesh.Points[At(t[1])]);
@@ -64,7 +64,7 @@ TriangleBoxTree::TriangleBoxTree(const SurfaceView& mesh)
 
 void TriangleBoxTree::MakeBoxes(const SurfaceView& mesh)
 {
-  Bounds3 all = BoundsOf(mesh, mesh.Triangles.front());
+  Bounds3 all = ComputeBounds(mesh, mesh.Triangles.front());
   for (const Triangle& t : mesh.Triangles)
   {
     for (const std::int64_t p : t)
@@ -81,7 +81,7 @@ void TriangleBoxTree::MakeBoxes(const SurfaceView& mesh)
     {
       for (std::int64_t t = begin; t < end; ++t)
       {
-        const Bounds3 box = BoundsOf(mesh, mesh.Triangles[At(t)]);
+        const Bounds3 box = ComputeBounds(mesh, mesh.Triangles[At(t)]);
         places[At(t)] = { PlaceOnCurve(0.5 * (box.Min + box.Max), all, width), t };
       }
     });
@@ -94,7 +94,7 @@ void TriangleBoxTree::MakeBoxes(const SurfaceView& mesh)
       for (std::int64_t i = begin; i < end; ++i)
       {
         this->Order[At(i)] = places[At(i)].second;
-        const Bounds3 box = BoundsOf(mesh, mesh.Triangles[At(places[At(i)].second)]);
+        const Bounds3 box = ComputeBounds(mesh, mesh.Triangles[At(places[At(i)].second)]);
         for (std::size_t a = 0; a < 3; ++a)
         {
           // Both roundings keep the order of coordinates: boxes that overlap still do.

@@ -37,7 +37,7 @@ public:
    * from the root are shared.
    */
   template <typename Visit>
-  void ForPairs(std::int64_t group, Visit&& visit) const;
+  void ForEachPair(std::int64_t group, Visit&& visit) const;
 
 private:
   struct Box
@@ -63,7 +63,7 @@ private:
   void MakeNodes();
 
   template <typename Visit>
-  void ForPairsOfLeaves(std::size_t a, std::size_t b, Visit&& visit) const;
+  void ForEachPairOfLeaves(std::size_t a, std::size_t b, Visit&& visit) const;
 
   std::vector<std::int64_t> Order; ///< triangles along the curve
   std::vector<Box> Boxes;          ///< theirs, in that order
@@ -75,7 +75,7 @@ private:
 };
 
 template <typename Visit>
-void TriangleBoxTree::ForPairsOfLeaves(std::size_t a, std::size_t b, Visit&& visit) const
+void TriangleBoxTree::ForEachPairOfLeaves(std::size_t a, std::size_t b, Visit&& visit) const
 {
   const std::size_t endOfA = std::min((a + 1) * TrianglesOfLeaf, this->Boxes.size());
   const std::size_t endOfB = std::min((b + 1) * TrianglesOfLeaf, this->Boxes.size());
@@ -92,7 +92,7 @@ void TriangleBoxTree::ForPairsOfLeaves(std::size_t a, std::size_t b, Visit&& vis
 }
 
 template <typename Visit>
-void TriangleBoxTree::ForPairs(std::int64_t group, Visit&& visit) const
+void TriangleBoxTree::ForEachPair(std::int64_t group, Visit&& visit) const
 {
   struct Waiting
   {
@@ -122,7 +122,7 @@ void TriangleBoxTree::ForPairs(std::int64_t group, Visit&& visit) const
     }
     else if (next.Height == 0)
     {
-      this->ForPairsOfLeaves(next.Own - this->FirstLeaf, next.Other - this->FirstLeaf, visit);
+      this->ForEachPairOfLeaves(next.Own - this->FirstLeaf, next.Other - this->FirstLeaf, visit);
     }
     else
     {

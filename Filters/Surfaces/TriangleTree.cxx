@@ -120,7 +120,7 @@ private:
 
   /// Children that may be nearer than the best result so far are pushed, the nearest on top.
   ///
-  /// With u = 2^-24 and all lengths in the tree's scale: x and a centre are rounded by u of their
+  /// With u = 2^-24 and all lengths in the tree's scale: x and a center are rounded by u of their
   /// sizes, |x| + 1 together, so r is by less than 2^-22 (|x| + 1), height by 8u |r| more; r^2 -
   /// height^2 by (4 + 16) u r^2 < 2^-19 r^2, which is taken off it before the root; the last sums
   /// and roots by u each. Rounding (|x| + 1) = 2^-20 (|x| + 1), taken off heights and radii, is
@@ -133,8 +133,8 @@ private:
     alignas(64) TriangleTreeNodes::FloatLanes squared;
     for (std::size_t n = 0; n < Width; ++n)
     {
-      const float rx = this->Place[0] - node.Centre[0][n], ry = this->Place[1] - node.Centre[1][n],
-                  rz = this->Place[2] - node.Centre[2][n];
+      const float rx = this->Place[0] - node.Center[0][n], ry = this->Place[1] - node.Center[1][n],
+                  rz = this->Place[2] - node.Center[2][n];
       const float height = rx * node.Axis[0][n] + ry * node.Axis[1][n] + rz * node.Axis[2][n];
       const float all = rx * rx + ry * ry + rz * rz;
       const float across = std::sqrt(std::max(all - height * height - 2.0F * Rounding * all, 0.0F));
@@ -158,14 +158,14 @@ private:
   }
 
   /// The position of x relative to an edge of lane n's triangle.
-  struct EdgeOfLane
+  struct LaneEdges
   {
     double Squared; ///< distance from it
     double Side;    ///< negative where x is beyond it, seen along the normal
     double Length;  ///< squared
   };
 
-  EdgeOfLane Edge(const Leaf& leaf, std::size_t corner, std::size_t n, const Point3& normal) const
+  LaneEdges Edge(const Leaf& leaf, std::size_t corner, std::size_t n, const Point3& normal) const
   {
     const auto& a = leaf.Corner[corner];
     const auto& b = leaf.Corner[(corner + 1) % 3];
@@ -188,9 +188,9 @@ private:
       const Point3 normal = Cross({ b[0][n] - a[0][n], b[1][n] - a[1][n], b[2][n] - a[2][n] },
         { c[0][n] - a[0][n], c[1][n] - a[1][n], c[2][n] - a[2][n] });
       const double nn = Dot(normal, normal);
-      const EdgeOfLane ab = this->Edge(leaf, 0, n, normal);
-      const EdgeOfLane bc = this->Edge(leaf, 1, n, normal);
-      const EdgeOfLane ca = this->Edge(leaf, 2, n, normal);
+      const LaneEdges ab = this->Edge(leaf, 0, n, normal);
+      const LaneEdges bc = this->Edge(leaf, 1, n, normal);
+      const LaneEdges ca = this->Edge(leaf, 2, n, normal);
       const double border = std::min(std::min(ab.Squared, bc.Squared), ca.Squared);
       const double side = std::min(std::min(ab.Side, bc.Side), ca.Side);
       const double longest = std::max(std::max(ab.Length, bc.Length), ca.Length);

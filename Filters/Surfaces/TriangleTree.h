@@ -25,7 +25,7 @@ double SquaredDistanceToTriangle(const Point3& x, const std::array<Point3, 3>& c
 
 /**
  * A tree of cylinders over the triangles, which are halved three times at each level, at the median
- * of their centres along the longest side. A cylinder's axis is the mean normal of its triangles.
+ * of their centers along the longest side. A cylinder's axis is the mean normal of its triangles.
  * Eight children, or eight triangles of a leaf, are measured at the same time by vector
  * instructions, as in trees for ray tracing (H. Dammertz et al., Shallow bounding volume
  * hierarchies for fast SIMD ray tracing of incoherent rays, 2008).

@@ -42,7 +42,7 @@ private:
   /// A bound of many triangles.
   struct Cylinder
   {
-    Point3 Centre, Axis;
+    Point3 Center, Axis;
     double HalfHeight, Radius;
   };
 
@@ -54,7 +54,7 @@ private:
   void Place();
 
   /// An empty node that is to be filled, or a leaf with all of the part.
-  std::int32_t ChildOf(const Part& part);
+  std::int32_t BuildChild(const Part& part);
 
   void FillNode(const Waiting& task, std::vector<Waiting>& waiting);
 
@@ -64,11 +64,11 @@ private:
   /// The middle, with a whole number of leaves before it, so that only the last leaf is not full.
   std::int64_t Halve(std::int64_t first, std::int64_t last);
 
-  std::array<Point3, 3> CornersOf(vtkIdType triangle) const;
+  std::array<Point3, 3> GetCorners(vtkIdType triangle) const;
 
   /// Calls body(corner) for the corners of the triangles [first, last) of the order.
   template <typename Body>
-  void ForCorners(std::int64_t first, std::int64_t last, Body&& body) const;
+  void ForEachCorner(std::int64_t first, std::int64_t last, Body&& body) const;
 
   Point3 MeanNormal(std::int64_t first, std::int64_t last) const;
   Box BoxAround(std::int64_t first, std::int64_t last) const;
@@ -77,21 +77,21 @@ private:
   SurfaceView Mesh;
   TriangleTreeNodes Tree;
   std::vector<vtkIdType> Order;
-  std::vector<std::array<float, 3>> Centres;
+  std::vector<std::array<float, 3>> Centers;
 };
 
 Builder::Builder(const SurfaceView& mesh)
   : Mesh(mesh)
   , Order(mesh.Triangles.size())
-  , Centres(this->Order.size())
+  , Centers(this->Order.size())
 {
   std::iota(this->Order.begin(), this->Order.end(), vtkIdType(0));
   for (const vtkIdType triangle : this->Order)
   {
-    const auto corners = this->CornersOf(triangle);
+    const auto corners = this->GetCorners(triangle);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Centres[static_cast<std::size_t>(triangle)][axis] =
+      this->Centers[static_cast<std::size_t>(triangle)][axis] =
         static_cast<float>((corners[0][axis] + corners[1][axis] + corners[2][axis]) / 3.0);
     }
   }
@@ -101,7 +101,7 @@ TriangleTreeNodes Builder::Build()
 {
   this->Place();
   this->Tree.Leaves.reserve(this->Order.size() / Width + 1);
-  this->ChildOf({ 0, this->Mesh.NumberOfTriangles() });
+  this->BuildChild({ 0, this->Mesh.NumberOfTriangles() });
   std::vector<Waiting> waiting{ { 0, { 0, this->Mesh.NumberOfTriangles() } } };
   while (!this->Tree.Nodes.empty() && !waiting.empty())
   {
@@ -112,7 +112,7 @@ TriangleTreeNodes Builder::Build()
   return std::move(this->Tree);
 }
 
-/// Centres of cylinders come from boxes of corners, pushed along an axis by less than their size.
+/// Centers of cylinders come from boxes of corners, pushed along an axis by less than their size.
 void Builder::Place()
 {
   const Box box = this->BoxAround(0, this->Mesh.NumberOfTriangles());
@@ -125,7 +125,7 @@ void Builder::Place()
   this->Tree.Scale = size > 0.0 ? size : 1.0;
 }
 
-std::int32_t Builder::ChildOf(const Part& part)
+std::int32_t Builder::BuildChild(const Part& part)
 {
   if (part.Count() > static_cast<std::int64_t>(Width))
   {
@@ -136,7 +136,7 @@ std::int32_t Builder::ChildOf(const Part& part)
   for (std::size_t lane = 0; lane < Width; ++lane)
   {
     const auto at = std::min(part.First + static_cast<std::int64_t>(lane), part.Last - 1);
-    const auto corners = this->CornersOf(this->Order[static_cast<std::size_t>(at)]);
+    const auto corners = this->GetCorners(this->Order[static_cast<std::size_t>(at)]);
     for (std::size_t c = 0; c < 3; ++c)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -181,14 +181,14 @@ void Builder::FillNode(const Waiting& task, std::vector<Waiting>& waiting)
       : Cylinder{ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, -Infinity, 0.0 };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      node.Centre[axis][lane] = static_cast<float>(
-        there ? (cylinder.Centre[axis] - this->Tree.Origin[axis]) / this->Tree.Scale : 0.0);
+      node.Center[axis][lane] = static_cast<float>(
+        there ? (cylinder.Center[axis] - this->Tree.Origin[axis]) / this->Tree.Scale : 0.0);
       node.Axis[axis][lane] = static_cast<float>(cylinder.Axis[axis]);
     }
     constexpr double up = 1.0 + 0x1p-22;
     node.HalfHeight[lane] = static_cast<float>(cylinder.HalfHeight / this->Tree.Scale * up);
     node.Radius[lane] = static_cast<float>(cylinder.Radius / this->Tree.Scale * up);
-    node.Child[lane] = there ? this->ChildOf(parts[lane]) : 0;
+    node.Child[lane] = there ? this->BuildChild(parts[lane]) : 0;
     if (there && node.Child[lane] >= 0)
     {
       waiting.push_back({ static_cast<std::size_t>(node.Child[lane]), parts[lane] });
@@ -197,14 +197,14 @@ void Builder::FillNode(const Waiting& task, std::vector<Waiting>& waiting)
   this->Tree.Nodes[task.Node] = node;
 }
 
-std::array<Point3, 3> Builder::CornersOf(vtkIdType triangle) const
+std::array<Point3, 3> Builder::GetCorners(vtkIdType triangle) const
 {
   const Triangle& id = this->Mesh.Corners(triangle);
   return { this->Mesh.Point(id[0]), this->Mesh.Point(id[1]), this->Mesh.Point(id[2]) };
 }
 
 template <typename Body>
-void Builder::ForCorners(std::int64_t first, std::int64_t last, Body&& body) const
+void Builder::ForEachCorner(std::int64_t first, std::int64_t last, Body&& body) const
 {
   for (std::int64_t n = first; n < last; ++n)
   {
@@ -221,7 +221,7 @@ Point3 Builder::MeanNormal(std::int64_t first, std::int64_t last) const
   Point3 sum{ 0.0, 0.0, 0.0 };
   for (std::int64_t n = first; n < last; ++n)
   {
-    const auto [a, b, c] = this->CornersOf(this->Order[static_cast<std::size_t>(n)]);
+    const auto [a, b, c] = this->GetCorners(this->Order[static_cast<std::size_t>(n)]);
     const Point3 normal = Cross(b - a, c - a);
     sum = { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] };
   }
@@ -233,7 +233,7 @@ Point3 Builder::MeanNormal(std::int64_t first, std::int64_t last) const
 Builder::Box Builder::BoxAround(std::int64_t first, std::int64_t last) const
 {
   Box box{ { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
-  this->ForCorners(first, last,
+  this->ForEachCorner(first, last,
     [&](const Point3& corner)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -251,10 +251,10 @@ Builder::Cylinder Builder::CylinderAround(std::int64_t first, std::int64_t last)
   Cylinder cylinder{ { (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2 },
     this->MeanNormal(first, last), 0.0, 0.0 };
   double bottom = Infinity, top = -Infinity, squaredRadius = 0.0;
-  this->ForCorners(first, last,
+  this->ForEachCorner(first, last,
     [&](const Point3& corner)
     {
-      const Point3 r = corner - cylinder.Centre;
+      const Point3 r = corner - cylinder.Center;
       const double height = Dot(r, cylinder.Axis);
       bottom = std::min(bottom, height);
       top = std::max(top, height);
@@ -262,7 +262,7 @@ Builder::Cylinder Builder::CylinderAround(std::int64_t first, std::int64_t last)
     });
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    cylinder.Centre[axis] += (bottom + top) / 2 * cylinder.Axis[axis];
+    cylinder.Center[axis] += (bottom + top) / 2 * cylinder.Axis[axis];
   }
   // A little larger than measured, for the rounding of all this.
   const double slack = 1e-12 * (top - bottom + std::sqrt(squaredRadius));
@@ -274,15 +274,15 @@ Builder::Cylinder Builder::CylinderAround(std::int64_t first, std::int64_t last)
 std::int64_t Builder::Halve(std::int64_t first, std::int64_t last)
 {
   std::array<float, 3> low =
-    this->Centres[static_cast<std::size_t>(this->Order[std::size_t(first)])];
+    this->Centers[static_cast<std::size_t>(this->Order[std::size_t(first)])];
   std::array<float, 3> high = low;
   for (std::int64_t n = first; n < last; ++n)
   {
-    const auto& centre = this->Centres[static_cast<std::size_t>(this->Order[std::size_t(n)])];
+    const auto& center = this->Centers[static_cast<std::size_t>(this->Order[std::size_t(n)])];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      low[axis] = std::min(low[axis], centre[axis]);
-      high[axis] = std::max(high[axis], centre[axis]);
+      low[axis] = std::min(low[axis], center[axis]);
+      high[axis] = std::max(high[axis], center[axis]);
     }
   }
   std::size_t longest = 0;
@@ -296,8 +296,8 @@ std::int64_t Builder::Halve(std::int64_t first, std::int64_t last)
     this->Order.begin() + last,
     [this, longest](vtkIdType a, vtkIdType b)
     {
-      return this->Centres[static_cast<std::size_t>(a)][longest] <
-        this->Centres[static_cast<std::size_t>(b)][longest];
+      return this->Centers[static_cast<std::size_t>(a)][longest] <
+        this->Centers[static_cast<std::size_t>(b)][longest];
     });
   return middle;
 }

@@ -27,7 +27,7 @@ struct TriangleTreeNodes
   /// Eight cylinders; those that are missing are infinitely far.
   struct Node
   {
-    alignas(64) std::array<FloatLanes, 3> Centre;
+    alignas(64) std::array<FloatLanes, 3> Center;
     std::array<FloatLanes, 3> Axis; ///< unit
     FloatLanes HalfHeight;
     FloatLanes Radius;

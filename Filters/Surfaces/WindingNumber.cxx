@@ -13,14 +13,14 @@ namespace
 constexpr double FourPi = 4.0 * Pi;
 constexpr std::int64_t LeafSize = 8;
 
-std::array<Point3, 3> CornersOf(const SurfaceView& mesh, std::int64_t triangle)
+std::array<Point3, 3> GetCorners(const SurfaceView& mesh, std::int64_t triangle)
 {
   const Triangle& t = mesh.Triangles[static_cast<std::size_t>(triangle)];
   const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
   return { at(0), at(1), at(2) };
 }
 
-Point3 MiddleOf(const std::array<Point3, 3>& t)
+Point3 Centroid(const std::array<Point3, 3>& t)
 {
   return (1.0 / 3.0) * (t[0] + t[1] + t[2]);
 }
@@ -105,22 +105,22 @@ void WindingNumber::Summarise(Part& part, std::int64_t first, std::int64_t last,
   part.AreaNormal = { 0, 0, 0 };
   for (std::int64_t i = first; i < last; ++i)
   {
-    const auto t = CornersOf(mesh, order[static_cast<std::size_t>(i)]);
+    const auto t = GetCorners(mesh, order[static_cast<std::size_t>(i)]);
     const Point3 normal = 0.5 * Cross(t[1] - t[0], t[2] - t[0]);
     const double size = Length(normal);
     area += size;
-    weighted = weighted + size * MiddleOf(t);
-    plain = plain + MiddleOf(t);
+    weighted = weighted + size * Centroid(t);
+    plain = plain + Centroid(t);
     part.AreaNormal = part.AreaNormal + normal;
   }
-  part.Centre =
+  part.Center =
     area > 0.0 ? (1.0 / area) * weighted : (1.0 / static_cast<double>(last - first)) * plain;
   part.Radius = 0.0;
   for (std::int64_t i = first; i < last; ++i)
   {
-    for (const Point3& p : CornersOf(mesh, order[static_cast<std::size_t>(i)]))
+    for (const Point3& p : GetCorners(mesh, order[static_cast<std::size_t>(i)]))
     {
-      const Point3 d = p - part.Centre;
+      const Point3 d = p - part.Center;
       part.Radius = std::max(part.Radius, Length(d));
     }
   }
@@ -136,14 +136,14 @@ void WindingNumber::Build(std::size_t at, std::int64_t first, std::int64_t last,
     this->Parts[at].Count = last - first;
     for (std::int64_t i = first; i < last; ++i)
     {
-      this->Corners.push_back(CornersOf(mesh, order[static_cast<std::size_t>(i)]));
+      this->Corners.push_back(GetCorners(mesh, order[static_cast<std::size_t>(i)]));
     }
     return;
   }
-  Bounds3 box{ this->Parts[at].Centre, this->Parts[at].Centre };
+  Bounds3 box{ this->Parts[at].Center, this->Parts[at].Center };
   for (std::int64_t i = first; i < last; ++i)
   {
-    box.Add(MiddleOf(CornersOf(mesh, order[static_cast<std::size_t>(i)])));
+    box.Add(Centroid(GetCorners(mesh, order[static_cast<std::size_t>(i)])));
   }
   const Point3 sides = box.Max - box.Min;
   const auto axis =
@@ -152,7 +152,7 @@ void WindingNumber::Build(std::size_t at, std::int64_t first, std::int64_t last,
   std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
     [&](std::int64_t a, std::int64_t b)
     {
-      const double x = MiddleOf(CornersOf(mesh, a))[axis], y = MiddleOf(CornersOf(mesh, b))[axis];
+      const double x = Centroid(GetCorners(mesh, a))[axis], y = Centroid(GetCorners(mesh, b))[axis];
       return x != y ? x < y : a < b;
     });
   const std::size_t child = this->Parts.size();
@@ -176,7 +176,7 @@ double WindingNumber::operator()(const Point3& x) const
   while (depth > 0)
   {
     const Part& part = this->Parts[static_cast<std::size_t>(stack[--depth])];
-    const Point3 d = part.Centre - x;
+    const Point3 d = part.Center - x;
     const double distance = Length(d);
     if (distance > farAway * part.Radius)
     {

@@ -36,9 +36,9 @@ public:
 private:
   struct Part
   {
-    Point3 Centre;      ///< mean of the triangles' middles, by area
+    Point3 Center;      ///< mean of the triangles' middles, by area
     Point3 AreaNormal;  ///< sum of theirs
-    double Radius;      ///< of a ball about Centre that holds the triangles
+    double Radius;      ///< of a ball about Center that holds the triangles
     std::int64_t First; ///< triangle of a leaf, else the left child
     std::int64_t Count; ///< triangles of a leaf, else 0
   };

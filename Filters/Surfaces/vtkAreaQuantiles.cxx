@@ -45,7 +45,7 @@ std::vector<double> Weights(vtkDataSet* data, int association)
   std::vector<double> weights(static_cast<std::size_t>(count), 0.0);
   for (vtkIdType t = 0; t < view.NumberOfTriangles(); ++t)
   {
-    weights[isthmus::At(triangles.CellOf(t))] += isthmus::TriangleArea(view, t);
+    weights[isthmus::At(triangles.GetCellId(t))] += isthmus::TriangleArea(view, t);
   }
   return weights;
 }
@@ -69,7 +69,7 @@ int vtkAreaQuantiles::RequestData(
 {
   auto* data = vtkDataSet::GetData(input[0]);
   auto* table = vtkTable::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       isthmus::RequireRange("Lower", this->Lower, 0.0, 1.0);

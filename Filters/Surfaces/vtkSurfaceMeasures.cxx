@@ -10,8 +10,8 @@
 #include "Surfaces/CartesianMeasures.h"
 #include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceMeasures.h"
-#include "Surfaces/SurfaceMending.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
@@ -53,26 +53,27 @@ void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
   std::vector<Row> rows{ measures.Whole };
   rows.insert(rows.end(), measures.Components.begin(), measures.Components.end());
   vtkIdType component = -1;
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Component", rows, [&](const Row&) { return component++; });
-  isthmus::AddColumnOf<vtkDoubleArray>(data, "Area", rows, [](const Row& row) { return row.Area; });
-  isthmus::AddColumnOf<vtkDoubleArray>(
+  isthmus::AddComputedColumn<vtkDoubleArray>(
+    data, "Area", rows, [](const Row& row) { return row.Area; });
+  isthmus::AddComputedColumn<vtkDoubleArray>(
     data, "Volume", rows, [](const Row& row) { return row.Volume; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Genus", rows, [](const Row& row) { return row.Genus; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "EulerNumber", rows, [](const Row& row) { return row.EulerNumber(); });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Points", rows, [](const Row& row) { return row.Points; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Edges", rows, [](const Row& row) { return row.Edges; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Triangles", rows, [](const Row& row) { return row.Triangles; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "OpenEdges", rows, [](const Row& row) { return row.OpenEdges; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "BoundaryLoops", rows, [](const Row& row) { return row.BoundaryLoops; });
-  isthmus::AddColumnOf<vtkIdTypeArray>(
+  isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "IrregularPoints", rows, [](const Row& row) { return row.IrregularPoints; });
 }
 
@@ -186,7 +187,7 @@ int vtkSurfaceMeasures::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   isthmus::ClearOutputs(outputVector);
-  return isthmus::Guarded(this, outputVector,
+  return isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       output->ShallowCopy(vtkDataObject::GetData(inputVector[0], 0));
@@ -213,21 +214,21 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   // Coincident points are merged, otherwise each triangle of some files would be a component.
   const auto& points = triangles.View().Points;
   std::vector<isthmus::Triangle> corners = isthmus::MergedCorners(triangles.View());
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   auto measures =
     isthmus::MeasureSurface({ points, corners }, isthmus::Between(progress, 0.0, 0.8));
-  isthmus::SurfaceMending mending;
+  isthmus::SurfaceCorrection correction;
   if (!measures.Whole.IsClosed())
   {
-    corners = isthmus::JoinCracks({ points, corners }, mending);
-    corners = isthmus::TurnAlike({ points, corners }, mending);
+    corners = isthmus::JoinCracks({ points, corners }, correction);
+    corners = isthmus::OrientAlike({ points, corners }, correction);
   }
-  corners = isthmus::TurnShells({ points, corners }, mending);
-  if (!mending.Message().empty())
+  corners = isthmus::OrientShells({ points, corners }, correction);
+  if (!correction.Message().empty())
   {
     measures = isthmus::MeasureSurface({ points, corners });
-    vtkWarningMacro(<< isthmus::TextOf("The measures are those of the repaired surface: ",
-                      mending.Message(), " The output is the surface without these repairs."));
+    vtkWarningMacro(<< isthmus::JoinText("The measures are those of the repaired surface: ",
+                      correction.Message(), " The output is the surface without these repairs."));
   }
   const auto crossing =
     isthmus::FindShellCrossing({ points, corners }, isthmus::Between(progress, 0.9, 1.0));
@@ -235,21 +236,21 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   if (crossing)
   {
     whole.Volume = std::numeric_limits<double>::quiet_NaN();
-    vtkWarningMacro(<< isthmus::TextOf("Volume is not a number. ", crossing->Message()));
+    vtkWarningMacro(<< isthmus::JoinText("Volume is not a number. ", crossing->Message()));
   }
   isthmus::Report(progress, 1.0);
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
   FillTable(table, measures);
   if (!whole.IsClosed())
   {
-    vtkWarningMacro(<< isthmus::TextOf(
+    vtkWarningMacro(<< isthmus::JoinText(
                       "The surface is not closed, so Volume is not a number: ", whole.OpenEdges,
                       " edges have more triangles on one side than on the other (holes or flipped "
                       "neighbours). Fill the holes or make the winding consistent first."));
   }
   if (whole.IrregularPoints > 0)
   {
-    vtkWarningMacro(<< isthmus::TextOf("The surface is not a manifold, so Genus is -1: around ",
+    vtkWarningMacro(<< isthmus::JoinText("The surface is not a manifold, so Genus is -1: around ",
                       whole.IrregularPoints,
                       " points its triangles form neither a disc nor a half disc."));
   }
@@ -281,7 +282,7 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
       const isthmus::LevelView<T> level{ grid, this->Level, this->InsideIsHigher };
       isthmus::CheckFinite(grid);
       measures = isthmus::MeasureOnGrid(
-        level, this->InsideValue, this->OutsideValue, isthmus::ProgressOf(this));
+        level, this->InsideValue, this->OutsideValue, isthmus::MakeProgress(this));
     });
   const std::pair<const char*, double> values[] = { { "Area", measures.Area },
     { "Volume", measures.Volume }, { "SmearedArea", measures.SmearedArea },

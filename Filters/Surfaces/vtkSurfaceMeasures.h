@@ -12,7 +12,7 @@
  * Triangles that share a point are one component. `Volume` is positive where triangles are
  * counter-clockwise seen from outside, and the volume of cavities is subtracted. Cracks between
  * facets, flipped patches, and cavities that face the same way as the shell around them are
- * corrected first, with a warning (SurfaceMending.h). `Volume` is NaN, with a warning, if the
+ * corrected first, with a warning (SurfaceCorrection.h). `Volume` is NaN, with a warning, if the
  * surface does not enclose a volume, or if closed components cross each other (ShellCrossings.h);
  * the volumes of the components are then those of each component alone. `Genus` is -1, with a
  * warning, if the surface has irregular points.

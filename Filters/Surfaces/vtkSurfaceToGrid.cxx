@@ -118,7 +118,7 @@ void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
 {
   this->CheckParameters();
   double box[6];
-  if (!isthmus::BoxOfPolygons(surface, box))
+  if (!isthmus::ComputePolygonBounds(surface, box))
   {
     surface->GetBounds(box); // vertices and lines
   }
@@ -211,7 +211,7 @@ void vtkSurfaceToGrid::FromSurfaceOrJoined(
   }
   catch (const std::invalid_argument&)
   {
-    isthmus::CleanedSurface cleaned = isthmus::CleanSurface(isthmus::MeshOf(surface));
+    isthmus::CleanedSurface cleaned = isthmus::CleanSurface(isthmus::ToTriangleMesh(surface));
     if (cleaned.Message.empty())
     {
       throw;
@@ -230,7 +230,7 @@ int vtkSurfaceToGrid::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkPolyData* crossings = vtkPolyData::GetData(outputVector, 1);
   isthmus::ClearOutputs(outputVector);
-  const int result = isthmus::Guarded(this, outputVector,
+  const int result = isthmus::RunGuarded(this, outputVector,
     [&]()
     {
       this->CheckParameters();
@@ -270,7 +270,7 @@ int vtkSurfaceToGrid::RequestData(
     // All ranks have all of the grid: each keeps its piece.
     isthmus::Extent all{};
     output->GetExtent(all.data());
-    isthmus::CropTo(output, isthmus::PieceOf(outputVector->GetInformationObject(0), all));
+    isthmus::CropTo(output, isthmus::GetPieceExtent(outputVector->GetInformationObject(0), all));
   }
   return result;
 }
@@ -278,12 +278,12 @@ int vtkSurfaceToGrid::RequestData(
 void vtkSurfaceToGrid::FromSurface(
   vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings)
 {
-  const GridShape shape = isthmus::ShapeOf(output);
+  const GridShape shape = isthmus::GetGridShape(output);
   isthmus::MemoryBudget().RequireGrid(
     shape.Dimensions, BytesPerNode, "choose a larger Spacing or a coarser grid");
   const isthmus::PolyDataTriangles triangles(isthmus::InGridAxes(surface, output));
   const isthmus::SurfaceView mesh = triangles.View();
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   auto found = isthmus::SurfaceCrossings(mesh, shape,
     static_cast<isthmus::CrossingNormal>(this->NormalMode), isthmus::Between(progress, 0.05, 0.2));
   if (output->GetDirectionMatrix()->Determinant() < 0.0)
@@ -302,7 +302,7 @@ void vtkSurfaceToGrid::FromSurface(
   {
     return;
   }
-  const auto inside = isthmus::NodesInside(mesh, shape, isthmus::WorldOf(output));
+  const auto inside = isthmus::NodesInside(mesh, shape, isthmus::MakeWorldTransform(output));
   isthmus::Report(progress, 0.3);
   if (this->OutputArrays.Has("Inside"))
   {
@@ -330,7 +330,7 @@ std::vector<double> vtkSurfaceToGrid::Distance(const isthmus::SurfaceView& mesh,
 
 void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings)
 {
-  const GridShape shape = isthmus::ShapeOf(image);
+  const GridShape shape = isthmus::GetGridShape(image);
   isthmus::MemoryBudget().RequireGrid(
     shape.Dimensions, BytesPerNode, "crop or subsample the volume");
   vtkSmartPointer<vtkDataArray> scalars = isthmus::ChosenScalars(this, image);
@@ -348,11 +348,11 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   scalars->GetFiniteRange(range);
   if (!(range[0] < this->Level && this->Level < range[1]))
   {
-    vtkWarningMacro(<< isthmus::TextOf("There is no surface at Level ", this->Level,
+    vtkWarningMacro(<< isthmus::JoinText("There is no surface at Level ", this->Level,
                       ", so SignedDistance is infinite: the volume has values from ", range[0],
                       " to ", range[1], ". Choose a level between these."));
   }
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   std::vector<unsigned char> inside(static_cast<std::size_t>(shape.Size()));
   isthmus::UseScalars(image, scalars,
     [&](const auto& grid)

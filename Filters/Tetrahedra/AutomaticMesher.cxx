@@ -5,8 +5,8 @@
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/ShellNesting.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
-#include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleTree.h"
 #include "Surfaces/WindingNumber.h"
@@ -52,7 +52,7 @@ private:
 };
 
 /// Keeps the tetrahedra of region 0 and the points they use.
-TetrahedralMesh OutsideOf(const TetrahedralMesh& mesh)
+TetrahedralMesh ExtractOutside(const TetrahedralMesh& mesh)
 {
   TetrahedralMesh outside;
   std::vector<std::int64_t> ids(mesh.Points.size(), -1);
@@ -91,7 +91,7 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   {
     throw std::invalid_argument(nothing);
   }
-  const Bounds3 bounds = BoundsOf(soup);
+  const Bounds3 bounds = ComputeBounds(soup);
   const double diagonal = bounds.Diagonal();
   if (!(diagonal > 0.0) || !std::isfinite(diagonal * diagonal * diagonal))
   {
@@ -99,14 +99,14 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
       "The surface is a single point, or its coordinates are too large: choose another unit.");
   }
   // Of a cavity that faces as the shell around it, the winding number would be 2.
-  SurfaceMending mending;
-  const std::vector<Triangle> turned = TurnShells(soup, mending);
+  SurfaceCorrection correction;
+  const std::vector<Triangle> turned = OrientShells(soup, correction);
   const SolidField field(SurfaceView(soup.Points, turned));
   StuffingParameters stuffing;
   // The inside is always meshed, since it shows whether anything is enclosed.
   stuffing.Side = parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;
   stuffing.Margin = parameters.Side == MeshedSide::Inside ? 0.0 : parameters.BoxMargin * diagonal;
-  stuffing.Memory = MemoryBudget::OfBytes(parameters.MaximumBytes);
+  stuffing.Memory = MemoryBudget::ForBytes(parameters.MaximumBytes);
   stuffing.GradingLevels = parameters.Side == MeshedSide::Inside ? 0 : 4;
   stuffing.CellSize = parameters.CellSize > 0.0 ? parameters.CellSize : diagonal / 100.0;
   TetrahedralMesh mesh = IsosurfaceStuffing(field, bounds, stuffing, progress).Mesh;
@@ -114,14 +114,14 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   {
     throw std::invalid_argument(nothing);
   }
-  return parameters.Side == MeshedSide::Outside ? OutsideOf(mesh) : std::move(mesh);
+  return parameters.Side == MeshedSide::Outside ? ExtractOutside(mesh) : std::move(mesh);
 }
 
 namespace
 {
 
 /// Triangles whose corners are finite and distinct points.
-TriangleMesh SoundPart(const SurfaceView& mesh)
+TriangleMesh ValidPart(const SurfaceView& mesh)
 {
   const auto count = static_cast<std::int64_t>(mesh.Points.size());
   const auto isSound = [&](const Triangle& t)
@@ -148,12 +148,12 @@ TriangleMesh SoundPart(const SurfaceView& mesh)
 }
 
 /// As AutomaticMesh::VolumeBefore.
-double VolumeAsGiven(const SurfaceView& sound)
+double InputVolume(const SurfaceView& sound)
 {
   TriangleMesh turned = OrientConsistently(sound);
-  SurfaceMending mending;
-  turned.Triangles = TurnShells(turned, mending);
-  const Bounds3 box = BoundsOf(turned);
+  SurfaceCorrection correction;
+  turned.Triangles = OrientShells(turned, correction);
+  const Bounds3 box = ComputeBounds(turned);
   const Point3 middle = 0.5 * (box.Min + box.Max);
   double sum = 0.0;
   for (const Triangle& t : turned.Triangles)
@@ -242,10 +242,10 @@ private:
         this->Repaired = RepairSurface(this->Surface, Between(this->Progress, 0.2, 0.3));
         this->Changes = this->Repaired->Changes;
         RequireCleanSurface(this->Repaired->Mesh, {}, true);
-        const TriangleMesh sound = SoundPart(this->Surface);
+        const TriangleMesh sound = ValidPart(this->Surface);
         const double lost = OneSidedDistance(sound, this->Repaired->Mesh);
         // Without parts that repair drops, the mesh would be of another body.
-        if (!(lost <= 0.02 * BoundsOf(sound).Diagonal()))
+        if (!(lost <= 0.02 * ComputeBounds(sound).Diagonal()))
         {
           throw std::runtime_error("it would lose parts that are " + Text(lost) + " away.");
         }
@@ -274,7 +274,7 @@ private:
   {
     // Crossings and holes are harmless here, inconsistently oriented triangles are not.
     const TriangleMesh sound =
-      this->Repaired ? this->Repaired->Mesh : OrientConsistently(SoundPart(this->Surface));
+      this->Repaired ? this->Repaired->Mesh : OrientConsistently(ValidPart(this->Surface));
     const SolidStuffingParameters parameters{ this->Parameters.CGAL.CellSize, this->Parameters.Side,
       this->Parameters.BoxMargin, this->Parameters.TetGen.Limits.Bytes };
     try
@@ -298,8 +298,8 @@ private:
         ? id
         : this->Repaired->OriginalPoints[static_cast<std::size_t>(id)];
     }
-    const TriangleMesh sound = SoundPart(this->Surface);
-    result.VolumeBefore = VolumeAsGiven(sound);
+    const TriangleMesh sound = ValidPart(this->Surface);
+    result.VolumeBefore = InputVolume(sound);
     const TriangleMesh boundary = this->BoundaryOfSolids();
     result.VolumeAfter = std::abs(SignedVolume(boundary));
     result.IsDoubtful =

@@ -70,7 +70,7 @@ public:
     return outside || !this->Task.IsWanted(region) ? 0 : region + Shift;
   }
 
-  static int RegionOf(int label) { return label - Shift; }
+  static int GetRegion(int label) { return label - Shift; }
 
   /// Estimates the progress, which CGAL does not report, from the number of queries.
   /// @throws Cancelled on request.

@@ -76,7 +76,7 @@ TetrahedralMesh Extract(const Complex& complex)
       t[static_cast<std::size_t>(c)] = known->second;
     }
     mesh.Tetrahedra.push_back(t);
-    mesh.Regions.push_back(Solids::RegionOf(complex.subdomain_index(cell)));
+    mesh.Regions.push_back(Solids::GetRegion(complex.subdomain_index(cell)));
   }
   mesh.OriginalPoints.assign(mesh.Points.size(), -1);
   return mesh;
@@ -154,7 +154,7 @@ TetrahedralMesh CGALTetrahedra(const TetrahedralTask& task, const ProgressCallba
   return cgal::RethrowWithContext("filling the surface with tetrahedra",
     [&]
     {
-      const Bounds3 bounds = BoundsOf(task.Surface);
+      const Bounds3 bounds = ComputeBounds(task.Surface);
       const CGALCriteria criteria = Sizes(task.Parameters.CGAL, bounds);
       const Solids solids(task, criteria.CellSize, Between(progress, 0.0, 0.9));
       DomainWithBox domain(&solids, solids.Meshes());

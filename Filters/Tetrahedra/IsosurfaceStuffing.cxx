@@ -40,7 +40,7 @@ using StuffingPiece = std::array<StuffingCorner, 4>;
 void CutTetrahedron(
   const StuffingWarp& warp, const LatticeTetrahedron& t, int side, std::vector<StuffingPiece>& out);
 
-Point3 PositionOf(const StuffingWarp& warp, const StuffingCorner& corner);
+Point3 ComputePosition(const StuffingWarp& warp, const StuffingCorner& corner);
 
 //--------------------------------------------------------------------------------------------------
 // Ensures that no tetrahedron of isosurface stuffing violates the bounds on angles.
@@ -253,7 +253,7 @@ void CutTetrahedron(
   }
 }
 
-Point3 PositionOf(const StuffingWarp& warp, const StuffingCorner& corner)
+Point3 ComputePosition(const StuffingWarp& warp, const StuffingCorner& corner)
 {
   return corner.IsCrossing() ? warp.Crossing(corner.From, corner.To) : warp.Position(corner.From);
 }
@@ -279,14 +279,14 @@ public:
   /// Processes all tetrahedra near the surface once; returns whether some points were released.
   bool Pass(const ProgressCallback& progress)
   {
-    const std::int64_t before = this->Warp.Stayed();
+    const std::int64_t before = this->Warp.NumberOfUnmoved();
     const std::int64_t layers = this->Lattice.Cells()[2];
     for (std::int64_t k = 0; k < layers; ++k)
     {
       Report(progress, static_cast<double>(k) / static_cast<double>(layers));
       this->Background.ForEachOctant(k, [&](const Octant& octant) { this->Visit(octant); });
     }
-    return this->Warp.Stayed() > before;
+    return this->Warp.NumberOfUnmoved() > before;
   }
 
 private:
@@ -303,7 +303,7 @@ private:
     {
       while (this->IsBad(t))
       {
-        this->LetGo(t);
+        this->ReleasePoints(t);
       }
     }
   }
@@ -321,9 +321,9 @@ private:
     CutTetrahedron(this->Warp, t, -1, this->Pieces);
     for (const StuffingPiece& piece : this->Pieces)
     {
-      const CellAngles angles =
-        MeasureTetrahedron(PositionOf(this->Warp, piece[0]), PositionOf(this->Warp, piece[1]),
-          PositionOf(this->Warp, piece[2]), PositionOf(this->Warp, piece[3]));
+      const CellAngles angles = MeasureTetrahedron(ComputePosition(this->Warp, piece[0]),
+        ComputePosition(this->Warp, piece[1]), ComputePosition(this->Warp, piece[2]),
+        ComputePosition(this->Warp, piece[3]));
       if (angles.Smallest < StuffingSmallestAngle || angles.Largest > StuffingLargestAngle)
       {
         return true;
@@ -332,7 +332,7 @@ private:
     return false;
   }
 
-  void LetGo(const LatticeTetrahedron& t)
+  void ReleasePoints(const LatticeTetrahedron& t)
   {
     const LatticePoint* farthest = nullptr;
     for (const LatticePoint& p : t)
@@ -381,7 +381,7 @@ std::int64_t StuffingOutput::PointId(const StuffingCorner& corner)
     this->Ids.emplace(key, static_cast<std::int64_t>(this->Result.Points.size()));
   if (isNew)
   {
-    this->Result.Points.push_back(PositionOf(this->Warp, corner));
+    this->Result.Points.push_back(ComputePosition(this->Warp, corner));
     this->Surface.push_back(corner.IsCrossing() || this->Warp.Side(corner.From) == 0);
   }
   return known->second;
@@ -441,7 +441,7 @@ void AddOctant(const StuffingLattice& lattice, const StuffingBackground& backgro
 {
   const LatticePoint& c = octant.First;
   const bool isNear = octant.Level == 0 && lattice.IsNear(lattice.Cell(c[0], c[1], c[2]));
-  const int side = lattice.IsInside(lattice.Node(octant.Centre())) ? 1 : -1;
+  const int side = lattice.IsInside(lattice.Node(octant.Center())) ? 1 : -1;
   if (!isNear && !output.Wants(side))
   {
     return;
@@ -487,7 +487,7 @@ IsosurfaceStuffingResult IsosurfaceStuffing(const std::function<double(const Poi
   result.OnSurface = output.OnSurface();
   result.Mesh = std::move(output.Mesh());
   result.Mesh.OriginalPoints.assign(result.Mesh.Points.size(), -1);
-  result.KeptPoints = warp.Stayed();
+  result.KeptPoints = warp.NumberOfUnmoved();
   Report(progress, 1.0);
   return result;
 }

@@ -3,7 +3,7 @@
  * @brief Tetrahedra with bounded angles directly from a level set: isosurface stuffing.
  *
  * F. Labelle, J. R. Shewchuk, ACM Trans. Graph. 26 (2007) 57, doi:10.1145/1276377.1276448: a
- * body-centred cubic lattice, its points near the surface moved onto it, its tetrahedra cut where
+ * body-centered cubic lattice, its points near the surface moved onto it, its tetrahedra cut where
  * the surface crosses them. The graded lattice is uniform around the surface and coarser elsewhere
  * (angles there are 45 to 135 degrees). The paper's bounds, 10.7 to 164.8 degrees, hold for every
  * tetrahedron of either side: each one near the surface is measured, and a point is not moved if

@@ -98,8 +98,8 @@ Measured<6> Measure(std::array<Point3, 4> p)
       Angle(Cross(edge, p[edges[e][2]] - from), Cross(edge, p[edges[e][3]] - from));
   }
   result.TakeExtremes();
-  const Point3 centre = Dot(w, w) * Cross(u, v) + Dot(v, v) * Cross(w, u) + Dot(u, u) * Cross(v, w);
-  result.Cell.RadiusEdge = Length(centre) / (2.0 * std::abs(six)) / shortest;
+  const Point3 center = Dot(w, w) * Cross(u, v) + Dot(v, v) * Cross(w, u) + Dot(u, u) * Cross(v, w);
+  result.Cell.RadiusEdge = Length(center) / (2.0 * std::abs(six)) / shortest;
   return result;
 }
 

@@ -43,9 +43,9 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
       0.5 * (bounds.Min[a] + bounds.Max[a] - this->Size * static_cast<double>(this->Count[a]));
   }
   this->Corners = (this->Count[0] + 1) * (this->Count[1] + 1) * (this->Count[2] + 1);
-  this->Centres = this->Count[0] * this->Count[1] * this->Count[2];
+  this->Centers = this->Count[0] * this->Count[1] * this->Count[2];
   parameters.Memory.Require(this->Bytes(),
-    "A lattice of " + std::to_string(this->Centres) + " cells (cell size " +
+    "A lattice of " + std::to_string(this->Centers) + " cells (cell size " +
       FormatNumber(this->Size) + ")",
     "choose a larger cell size");
 }
@@ -53,7 +53,7 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
 double StuffingLattice::Bytes() const
 {
   // Value and warp per node; marks per cell, one of them twice while they grow, and its level.
-  return 9.0 * static_cast<double>(this->Nodes()) + 3.0 * static_cast<double>(this->Centres);
+  return 9.0 * static_cast<double>(this->Nodes()) + 3.0 * static_cast<double>(this->Centers);
 }
 
 Point3 StuffingLattice::Position(const LatticePoint& p) const
@@ -78,11 +78,11 @@ std::int64_t StuffingLattice::Node(const LatticePoint& p) const
              : p[0] / 2 + (n[0] + 1) * (p[1] / 2 + (n[1] + 1) * (p[2] / 2));
 }
 
-LatticePoint StuffingLattice::PointOf(std::int64_t node) const
+LatticePoint StuffingLattice::GetPoint(std::int64_t node) const
 {
-  const bool centre = node >= this->Corners;
-  const std::int64_t more = centre ? 0 : 1;
-  const std::int64_t id = centre ? node - this->Corners : node;
+  const bool center = node >= this->Corners;
+  const std::int64_t more = center ? 0 : 1;
+  const std::int64_t id = center ? node - this->Corners : node;
   const std::int64_t row = id / (this->Count[0] + more);
   return { 2 * (id % (this->Count[0] + more)) + (1 - more),
     2 * (row % (this->Count[1] + more)) + (1 - more),
@@ -109,11 +109,11 @@ void StuffingLattice::Sample(
     {
       for (std::int64_t node = first; node < last; ++node)
       {
-        this->Values[static_cast<std::size_t>(node)] = field(this->Position(this->PointOf(node)));
+        this->Values[static_cast<std::size_t>(node)] = field(this->Position(this->GetPoint(node)));
       }
     },
     Between(progress, 0.0, 0.9));
-  this->Near.assign(static_cast<std::size_t>(this->Centres), 0);
+  this->Near.assign(static_cast<std::size_t>(this->Centers), 0);
   ParallelFor(0, this->Count[2], 1,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -153,7 +153,7 @@ void StuffingLattice::Dilate()
   for (std::size_t a = 0; a < 3; ++a)
   {
     std::vector<unsigned char> grown(this->Near.size());
-    ParallelFor(0, this->Centres, 1 << 16,
+    ParallelFor(0, this->Centers, 1 << 16,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t c = first; c < last; ++c)
@@ -228,7 +228,7 @@ Blocks Parents(const Blocks& children)
 
 /// Flags of those whose up to 26 neighbours are flagged, too: none of them is smaller by two
 /// levels.
-Blocks Balanced(const Blocks& blocks)
+Blocks BalanceBlocks(const Blocks& blocks)
 {
   Blocks result = blocks;
   ForEachBlock(blocks.Count,
@@ -268,7 +268,7 @@ void StuffingLattice::Grade(int levels)
   for (int level = 1; level <= levels; ++level)
   {
     // Neighbours differ by one level at most: the tetrahedra between others have no bounds.
-    blocks = Balanced(Parents(blocks));
+    blocks = BalanceBlocks(Parents(blocks));
     const std::int64_t size = std::int64_t{ 1 } << level;
     ForEachBlock(this->Count,
       [&](const LatticePoint& c)
@@ -314,7 +314,7 @@ bool StuffingBackground::IsSplit(const LatticePoint& a, const LatticePoint& b, i
 void StuffingBackground::AppendFan(
   const Octant& octant, const Face& face, std::vector<LatticeTetrahedron>& out) const
 {
-  const LatticePoint centre = octant.Centre();
+  const LatticePoint center = octant.Center();
   LatticePoint middle;
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -324,7 +324,7 @@ void StuffingBackground::AppendFan(
   {
     this->ForEachPart(face[e], face[(e + 1) % 4], octant.Level,
       [&](const LatticePoint& a, const LatticePoint& b) {
-        out.push_back({ centre, middle, a, b });
+        out.push_back({ center, middle, a, b });
       });
   }
 }
@@ -332,9 +332,9 @@ void StuffingBackground::AppendFan(
 void StuffingBackground::AppendHalves(const Octant& octant, const Octant& larger, const Face& face,
   std::vector<LatticeTetrahedron>& out) const
 {
-  const LatticePoint centre = octant.Centre();
-  const LatticePoint other = larger.Centre();
-  // The middle of the larger face is the corner of this one that lies beside the larger centre.
+  const LatticePoint center = octant.Center();
+  const LatticePoint other = larger.Center();
+  // The middle of the larger face is the corner of this one that lies beside the larger center.
   std::size_t q = 0;
   const auto near = [&](std::size_t corner)
   {
@@ -349,14 +349,14 @@ void StuffingBackground::AppendHalves(const Octant& octant, const Octant& larger
   {
     q = near(corner) > near(q) ? corner : q;
   }
-  out.push_back({ centre, face[q], face[(q + 1) % 4], face[(q + 2) % 4] });
-  out.push_back({ centre, face[q], face[(q + 2) % 4], face[(q + 3) % 4] });
+  out.push_back({ center, face[q], face[(q + 1) % 4], face[(q + 2) % 4] });
+  out.push_back({ center, face[q], face[(q + 2) % 4], face[(q + 3) % 4] });
 }
 
 void StuffingBackground::Append(const Octant& octant, std::vector<LatticeTetrahedron>& out) const
 {
   const std::int64_t side = octant.Side();
-  const LatticePoint centre = octant.Centre();
+  const LatticePoint center = octant.Center();
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -387,13 +387,13 @@ void StuffingBackground::Append(const Octant& octant, std::vector<LatticeTetrahe
       }
       else if (up)
       {
-        LatticePoint next = centre;
+        LatticePoint next = center;
         next[axis] += 2 * side;
         for (std::size_t e = 0; e < 4; ++e)
         {
           this->ForEachPart(face[e], face[(e + 1) % 4], octant.Level,
             [&](const LatticePoint& a, const LatticePoint& b) {
-              out.push_back({ centre, next, a, b });
+              out.push_back({ center, next, a, b });
             });
         }
       }
@@ -427,7 +427,7 @@ StuffingWarp::StuffingWarp(const StuffingLattice& lattice, const ProgressCallbac
     {
       for (std::int64_t node = first; node < last; ++node)
       {
-        const LatticePoint p = this->Lattice.PointOf(node);
+        const LatticePoint p = this->Lattice.GetPoint(node);
         if (this->Lattice.IsNear(p))
         {
           this->Edge[static_cast<std::size_t>(node)] = this->NearestCrossing(p, node);

@@ -27,7 +27,7 @@ struct StuffingParameters
   int GradingLevels = 0; ///< away from the surface cubes may be up to 2^levels as large; 0: uniform
   MeshedSide Side = MeshedSide::Inside;
   double Margin = 0.0; ///< length by which the box exceeds the bounds; three cells at least
-  MemoryBudget Memory = MemoryBudget::OfBytes(0); ///< of the lattice; OfBytes(0): no limit
+  MemoryBudget Memory = MemoryBudget::ForBytes(0); ///< of the lattice; ForBytes(0): no limit
 };
 
 /// A lattice point is moved onto the surface if it is nearer than this fraction of an edge of the
@@ -41,10 +41,10 @@ constexpr double StuffingSmallestAngle = 10.78;
 constexpr double StuffingLargestAngle = 164.74;
 
 //--------------------------------------------------------------------------------------------------
-// The body-centred cubic lattice of isosurface stuffing, its values and its octree.
+// The body-centered cubic lattice of isosurface stuffing, its values and its octree.
 //
 // Positions on the lattice are in halves of a cell: corners of cells have three even numbers,
-// centres three odd ones. Centres of larger cells and midpoints of their edges coincide with
+// centers three odd ones. Centers of larger cells and midpoints of their edges coincide with
 // corners of the finest cells, so that one table of values is sufficient for all sizes.
 
 using LatticePoint = std::array<std::int64_t, 3>;
@@ -65,7 +65,7 @@ public:
   /// Bytes that Sample() and Grade() will take.
   double Bytes() const;
 
-  /// Values at all corners and centres, in parallel; then marks the cells near the surface.
+  /// Values at all corners and centers, in parallel; then marks the cells near the surface.
   void Sample(const std::function<double(const Point3&)>& field, const ProgressCallback& progress);
 
   /// Merges cells away from the surface, up to 2^levels; neighbours differ by at most one level.
@@ -74,11 +74,11 @@ public:
   const std::array<std::int64_t, 3>& Cells() const { return this->Count; }
   Point3 Position(const LatticePoint& p) const;
 
-  /// Index in the table of values; -1 for positions that are neither a corner nor a centre of a
+  /// Index in the table of values; -1 for positions that are neither a corner nor a center of a
   /// finest cell.
   std::int64_t Node(const LatticePoint& p) const;
-  std::int64_t Nodes() const { return this->Corners + this->Centres; }
-  LatticePoint PointOf(std::int64_t node) const;
+  std::int64_t Nodes() const { return this->Corners + this->Centers; }
+  LatticePoint GetPoint(std::int64_t node) const;
   double Value(std::int64_t node) const { return this->Values[static_cast<std::size_t>(node)]; }
   bool IsInside(std::int64_t node) const { return this->Value(node) > 0.0; }
 
@@ -105,17 +105,17 @@ private:
   Point3 Origin{ 0, 0, 0 };
   double Size = 1.0;
   std::int64_t Corners = 0;
-  std::int64_t Centres = 0;
+  std::int64_t Centers = 0;
   std::vector<double> Values;
   std::vector<unsigned char> Near;
   std::vector<unsigned char> Levels; ///< of the octant each finest cell belongs to; empty: all 0
 };
 
 //--------------------------------------------------------------------------------------------------
-// The tetrahedra of the graded body-centred cubic lattice.
+// The tetrahedra of the graded body-centered cubic lattice.
 //
 // Labelle and Shewchuk, 2007, section 4. Between two octants of the same size, four tetrahedra
-// share the edge between their centres (cut in two where an edge of the face is split by smaller
+// share the edge between their centers (cut in two where an edge of the face is split by smaller
 // neighbours). A face to smaller octants, or to the outside of the box, is a fan around its
 // midpoint. A face to a larger octant is cut by the diagonal through the midpoint of the larger
 // face. All dihedral angles are from 45 to 135 degrees.
@@ -127,7 +127,7 @@ struct Octant
   int Level;
 
   std::int64_t Side() const { return std::int64_t{ 1 } << this->Level; }
-  LatticePoint Centre() const
+  LatticePoint Center() const
   {
     const std::int64_t s = this->Side();
     return { 2 * this->First[0] + s, 2 * this->First[1] + s, 2 * this->First[2] + s };
@@ -212,7 +212,7 @@ public:
   /// alphas.
   void Keep(const LatticePoint& p);
   /// Calls of Keep() so far.
-  std::int64_t Stayed() const { return this->StayedCount; }
+  std::int64_t NumberOfUnmoved() const { return this->StayedCount; }
 
 private:
   static constexpr unsigned char Unmoved = 255;

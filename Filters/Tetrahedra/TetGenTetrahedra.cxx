@@ -249,7 +249,7 @@ std::string Seconds(double value)
 }
 
 /// The last line of TetGen's output that reports an error, in brackets.
-std::string Complaint(const std::string& output)
+std::string FindErrorMessage(const std::string& output)
 {
   std::size_t from = std::string::npos;
   for (const char* word : { "Error:", "error:", "memory", "Warning:", "  PLC" })
@@ -268,7 +268,7 @@ std::string Complaint(const std::string& output)
 }
 
 /// Signals that a program does not send to itself.
-bool FromOutside(int signal)
+bool IsExternalSignal(int signal)
 {
   return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP ||
     signal == SIGQUIT || signal == SIGXCPU;
@@ -292,7 +292,7 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
       "', which can't be run: it is a folder, or not a program. Set the path of the TetGen "
       "executable, or use CGAL instead.");
   }
-  if (result.End == ChildEnd::Crashed && FromOutside(result.Code))
+  if (result.End == ChildEnd::Crashed && IsExternalSignal(result.Code))
   {
     throw std::runtime_error("TetGen was killed by the signal " +
       std::string(strsignal(result.Code)) +
@@ -311,7 +311,7 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   }
   if (result.End == ChildEnd::Crashed || result.Code != 0)
   {
-    throw std::runtime_error("TetGen failed on this surface" + Complaint(result.Output) +
+    throw std::runtime_error("TetGen failed on this surface" + FindErrorMessage(result.Output) +
       "; memory limit " + memory + "." + advice);
   }
 }
@@ -320,7 +320,7 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
 /// exceed the bounds, and takes longer than the refinement: true from 1.6 on. The program prints
 /// its version only on a terminal, but the output for a single tetrahedron differs: 1.6 "improves"
 /// meshes, 1.5 "optimises" them.
-bool Smooths(const TetGenCriteria& criteria, const std::filesystem::path& folder,
+bool CanSmooth(const TetGenCriteria& criteria, const std::filesystem::path& folder,
   const ProgressCallback& progress)
 {
   const std::vector<Point3> corners{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -343,7 +343,7 @@ namespace
  * any face, those of the box included; faces of two triangles would make tetrahedra as long as the
  * box.
  */
-TriangleMesh GridOfBox(const SurfaceView& box, double edge)
+TriangleMesh MeshBoxFaces(const SurfaceView& box, double edge)
 {
   constexpr double mostCells = 500.0;
   const Point3& low = box.Points[0];
@@ -408,7 +408,7 @@ TriangleMesh GridOfBox(const SurfaceView& box, double edge)
 double EdgeOnBox(const TetrahedralTask& task)
 {
   const TetGenCriteria& criteria = task.Parameters.TetGen;
-  double edge = task.Parameters.BoxMargin * BoundsOf(task.Surface).Diagonal();
+  double edge = task.Parameters.BoxMargin * ComputeBounds(task.Surface).Diagonal();
   if (criteria.MaximumVolume > 0.0)
   {
     edge = std::min(edge, std::cbrt(3.0 * criteria.MaximumVolume));
@@ -471,7 +471,7 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   {
     const bool splits =
       criteria.PreserveSurface && (criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0);
-    box = splits ? GridOfBox(task.Box, EdgeOnBox(task)) : CopyOf(task.Box);
+    box = splits ? MeshBoxFaces(task.Box, EdgeOnBox(task)) : CopyMesh(task.Box);
     surfaces.emplace_back(box);
   }
 
@@ -482,7 +482,7 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   used = box = {}; // TetGen has them
   const bool isBounded = criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0;
   const std::string switches =
-    Switches(criteria, isBounded && Smooths(criteria, folder.Path(), progress));
+    Switches(criteria, isBounded && CanSmooth(criteria, folder.Path(), progress));
   CheckResult(RunChild({ criteria.TetGenCommand, switches, input.string() }, criteria.Limits,
                 folder.Path() / "log", Between(progress, 0.0, 0.8)),
     criteria);

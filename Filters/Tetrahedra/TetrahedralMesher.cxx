@@ -22,7 +22,7 @@ namespace
 {
 
 /// The same criteria for a surface whose lengths are `factor` times as large.
-TetrahedralParameters Scaled(TetrahedralParameters p, double factor)
+TetrahedralParameters ScaleParameters(TetrahedralParameters p, double factor)
 {
   p.TetGen.MaximumVolume *= factor * factor * factor;
   p.CGAL.FacetSize *= factor;
@@ -53,7 +53,7 @@ void RequireCGALBudget(const SurfaceView& surface, const TetrahedralParameters& 
       FormatNumber(least) + " points, more than the limit of " +
       FormatNumber(static_cast<double>(c.MaximumPoints)) + ": choose larger ones.");
   }
-  const double finest = 1e-7 * BoundsOf(surface).Diagonal();
+  const double finest = 1e-7 * ComputeBounds(surface).Diagonal();
   for (const double length : { c.FacetSize, c.FacetDistance, c.CellSize })
   {
     if (length > 0.0 && length < finest)
@@ -207,7 +207,7 @@ std::string Excess(const char* what, double bound, const std::vector<double>& va
   {
     return {};
   }
-  return TextOf(
+  return JoinText(
     what, " up to ", FormatNumber(largest, 3), " (bound ", FormatNumber(bound, 3), ") in ", count);
 }
 
@@ -233,7 +233,7 @@ std::string UnmetBounds(const TetrahedralMesh& mesh, const TetrahedralParameters
     return {};
   }
   const bool kept = tetgen && parameters.TetGen.PreserveSurface;
-  return TextOf("Some of the ", mesh.Tetrahedra.size(), " tetrahedra exceed the bounds: ", ratio,
+  return JoinText("Some of the ", mesh.Tetrahedra.size(), " tetrahedra exceed the bounds: ", ratio,
     ratio.empty() || volume.empty() ? "" : ", ", volume, ".",
     kept ? " The triangles of the surface are kept, and tetrahedra next to them cannot be better "
            "than they are: remesh the surface (Surface Remesh), or switch PreserveSurface off."
@@ -257,9 +257,10 @@ TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralPara
     {
       RequireShellsApart(surface); // with the place in the user's unit
     }
-    TriangleMesh scaled = CopyOf(surface);
+    TriangleMesh scaled = CopyMesh(surface);
     scale.Apply(scaled.Points);
-    TetrahedralMesh mesh = MeshTetrahedra(scaled, Scaled(parameters, scale.Factor()), progress);
+    TetrahedralMesh mesh =
+      MeshTetrahedra(scaled, ScaleParameters(parameters, scale.Factor()), progress);
     scale.Undo(mesh.Points);
     return mesh;
   }
@@ -269,7 +270,7 @@ TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralPara
   TetrahedralTask task{ surface, nesting, parameters, {}, {} };
   if (parameters.Side != MeshedSide::Inside)
   {
-    AddBox(task, BoundsOf(surface), parameters.BoxMargin);
+    AddBox(task, ComputeBounds(surface), parameters.BoxMargin);
   }
   Report(progress, 0.1);
 

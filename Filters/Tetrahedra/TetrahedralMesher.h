@@ -47,7 +47,7 @@ struct CGALCriteria
 {
   double FacetAngle = 25.0;         ///< smallest angle of a surface triangle, degrees, at most 30
   double FacetSize = 0.0;           ///< radius of the surface Delaunay ball at most
-  double FacetDistance = 0.0;       ///< its centre to the triangle's circumcentre at most
+  double FacetDistance = 0.0;       ///< its center to the triangle's circumcenter at most
   double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
   std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error

@@ -113,7 +113,7 @@ int vtkIsosurfaceStuffing::RequestData(
 {
   auto* image = vtkImageData::GetData(input[0]);
   auto* grid = vtkUnstructuredGrid::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       isthmus::Check(this->Parameters);
@@ -136,8 +136,8 @@ int vtkIsosurfaceStuffing::RequestData(
         const double* h = image->GetSpacing();
         parameters.CellSize = std::min({ h[0], h[1], h[2] });
       }
-      parameters.Memory = isthmus::MemoryBudget::OfMachine(this->MemoryLimit);
-      const auto progress = isthmus::ProgressOf(this);
+      parameters.Memory = isthmus::MemoryBudget::ForMachine(this->MemoryLimit);
+      const auto progress = isthmus::MakeProgress(this);
       isthmus::IsosurfaceStuffingResult result;
       vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
       const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(
@@ -152,7 +152,7 @@ int vtkIsosurfaceStuffing::RequestData(
       AddFlags(result, grid);
       if (result.Mesh.Tetrahedra.empty())
       {
-        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", chosen.Level, "."));
+        vtkWarningMacro(<< isthmus::JoinText("Nothing is inside Level ", chosen.Level, "."));
       }
     });
 }

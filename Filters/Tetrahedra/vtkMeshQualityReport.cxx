@@ -37,7 +37,7 @@ namespace
 /// All cells of `mesh`, which must be of that type. Throws std::invalid_argument, with the cell,
 /// where one is not, or names a point that does not exist.
 template <std::size_t Corners>
-std::vector<std::array<vtkIdType, Corners>> CellsOf(vtkPointSet* mesh, int type)
+std::vector<std::array<vtkIdType, Corners>> CollectCells(vtkPointSet* mesh, int type)
 {
   std::vector<std::array<vtkIdType, Corners>> cells(
     static_cast<std::size_t>(mesh->GetNumberOfCells()));
@@ -68,7 +68,7 @@ std::vector<std::array<vtkIdType, Corners>> CellsOf(vtkPointSet* mesh, int type)
   return cells;
 }
 
-std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
+std::vector<isthmus::Point3> CollectPoints(vtkPointSet* mesh)
 {
   std::vector<isthmus::Point3> points(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -87,7 +87,7 @@ std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
 }
 
 /// Flags of the cells that other ranks also have.
-isthmus::View<unsigned char> GhostsOf(vtkPointSet* mesh)
+isthmus::View<unsigned char> GetGhosts(vtkPointSet* mesh)
 {
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   return ghosts ? isthmus::View<unsigned char>(
@@ -98,11 +98,11 @@ isthmus::View<unsigned char> GhostsOf(vtkPointSet* mesh)
 std::string Line(const isthmus::QualitySummary& s, bool tetrahedra)
 {
   using isthmus::FixedNumber;
-  return isthmus::TextOf(s.Cells, tetrahedra ? " tetrahedra, volume " : " triangles, area ",
+  return isthmus::JoinText(s.Cells, tetrahedra ? " tetrahedra, volume " : " triangles, area ",
     isthmus::FormatNumber(s.TotalSize, 8), tetrahedra ? ", dihedral angles " : ", angles ",
     FixedNumber(s.SmallestAngle, 2), " to ", FixedNumber(s.LargestAngle, 2),
     " degrees, radius-edge ratio up to ", FixedNumber(s.LargestRadiusEdge, 3),
-    tetrahedra ? isthmus::TextOf(", ", s.Slivers, " slivers, ", s.Inverted, " inverted")
+    tetrahedra ? isthmus::JoinText(", ", s.Slivers, " slivers, ", s.Inverted, " inverted")
                : std::string());
 }
 
@@ -112,15 +112,15 @@ void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
   const auto all = static_cast<double>(
     std::accumulate(summary.Bins.begin(), summary.Bins.end(), std::int64_t{ 0 }));
   const double width = 180.0 / static_cast<double>(summary.Bins.size());
-  isthmus::AddColumnOf<vtkDoubleArray>(data, "Angle", summary.Bins.size(),
+  isthmus::AddComputedColumn<vtkDoubleArray>(data, "Angle", summary.Bins.size(),
     [width](std::size_t bin) { return width * (static_cast<double>(bin) + 0.5); });
   isthmus::AddColumn<vtkIdTypeArray>(data, "Count", summary.Bins);
-  isthmus::AddColumnOf<vtkDoubleArray>(data, "Fraction", summary.Bins,
+  isthmus::AddComputedColumn<vtkDoubleArray>(data, "Fraction", summary.Bins,
     [all](std::int64_t count) { return all > 0.0 ? static_cast<double>(count) / all : 0.0; });
 }
 
 /// The combined summary of all ranks.
-isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySummary& own)
+isthmus::QualitySummary CombineRanks(vtkAlgorithm* filter, const isthmus::QualitySummary& own)
 {
   isthmus::RequireNoBlocks(filter);
   if (isthmus::NumberOfRanks() == 1)
@@ -203,24 +203,24 @@ int vtkMeshQualityReport::RequestData(
   auto* marked = vtkPointSet::GetData(output, 0);
   auto* histogram = vtkTable::GetData(output, 1);
   this->Summary.clear();
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
-      const auto progress = isthmus::ProgressOf(this);
+      const auto progress = isthmus::MakeProgress(this);
       const bool tetrahedra = mesh->IsA("vtkUnstructuredGrid") != 0;
-      const auto points = PointsOf(mesh);
+      const auto points = CollectPoints(mesh);
       std::vector<isthmus::CellAngles> cells;
-      const isthmus::View<unsigned char> ghosts = GhostsOf(mesh);
+      const isthmus::View<unsigned char> ghosts = GetGhosts(mesh);
       const isthmus::QualitySummary own = tetrahedra
         ? isthmus::MeasureQuality(
-            points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress, ghosts)
-        : isthmus::MeasureQuality({ points, CellsOf<3>(mesh, VTK_TRIANGLE) }, this->NumberOfBins,
-            cells, progress, ghosts);
+            points, CollectCells<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress, ghosts)
+        : isthmus::MeasureQuality({ points, CollectCells<3>(mesh, VTK_TRIANGLE) },
+            this->NumberOfBins, cells, progress, ghosts);
       if (!own.InvertedCellsMessage.empty())
       {
         vtkWarningMacro(<< own.InvertedCellsMessage);
       }
-      const isthmus::QualitySummary summary = OverRanks(this, own);
+      const isthmus::QualitySummary summary = CombineRanks(this, own);
       marked->ShallowCopy(mesh);
       if (summary.Cells == 0)
       {
@@ -229,7 +229,7 @@ int vtkMeshQualityReport::RequestData(
       this->Summary = Line(summary, tetrahedra);
       const auto add = [&](const char* name, double isthmus::CellAngles::*member)
       {
-        isthmus::AddColumnOf<vtkDoubleArray>(marked->GetCellData(), name, cells,
+        isthmus::AddComputedColumn<vtkDoubleArray>(marked->GetCellData(), name, cells,
           [member](const isthmus::CellAngles& cell) { return cell.*member; });
       };
       add("SmallestAngle", &isthmus::CellAngles::Smallest);

@@ -56,7 +56,7 @@ void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::Tetrahe
 }
 
 /// Adds the field data `UnmetBounds` if there are any, and returns `warning` with them appended.
-std::string WithUnmetBounds(const std::string& warning, const isthmus::TetrahedralMesh& mesh,
+std::string AddUnmetBounds(const std::string& warning, const isthmus::TetrahedralMesh& mesh,
   const isthmus::TetrahedralParameters& parameters, vtkUnstructuredGrid* grid)
 {
   const std::string unmet = isthmus::UnmetBounds(mesh, parameters);
@@ -87,7 +87,7 @@ std::string FillByAnyWay(const isthmus::CleanedSurface& surface,
   parameters.Library = made.Backend == isthmus::MeshingBackend::RepairedCGAL
     ? isthmus::TetrahedralLibrary::CGAL
     : isthmus::TetrahedralLibrary::TetGen;
-  return WithUnmetBounds(warning, made.Mesh, parameters, grid);
+  return AddUnmetBounds(warning, made.Mesh, parameters, grid);
 }
 
 /// Fills `grid` by the chosen library, after repair if requested; returns the warning.
@@ -114,7 +114,7 @@ std::string FillByLibrary(const isthmus::CleanedSurface& surface, bool repair,
   {
     isthmus::AddColumn<vtkStringArray>(grid->GetFieldData(), "Repair", { repaired.Changes });
   }
-  return WithUnmetBounds(repaired.Changes, result, parameters, grid);
+  return AddUnmetBounds(repaired.Changes, result, parameters, grid);
 }
 
 }
@@ -124,7 +124,7 @@ isthmus::TetrahedralParameters vtkTetrahedralMesher::ResolvedParameters() const
   isthmus::RequireChoice<int>("Library", this->Library, Automatic);
   isthmus::RequireRange("MemoryLimit", this->MemoryLimit, 0, isthmus::Unlimited, "It is in MiB.");
   isthmus::TetrahedralParameters parameters = this->Parameters;
-  isthmus::MemoryBudget memory = isthmus::MemoryBudget::OfMachine(this->MemoryLimit);
+  isthmus::MemoryBudget memory = isthmus::MemoryBudget::ForMachine(this->MemoryLimit);
   if (this->Library != Automatic)
   {
     parameters.Library = static_cast<isthmus::TetrahedralLibrary>(this->Library);
@@ -147,17 +147,17 @@ int vtkTetrahedralMesher::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* grid = vtkUnstructuredGrid::GetData(output);
-  return isthmus::Guarded(this, output,
+  return isthmus::RunGuarded(this, output,
     [&]
     {
       const isthmus::TetrahedralParameters parameters = this->ResolvedParameters();
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
-      const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(surface));
+      const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::ToTriangleMesh(surface));
       if (!taken.Message.empty())
       {
         vtkWarningMacro(<< taken.Message);
       }
-      const auto progress = isthmus::ProgressOf(this);
+      const auto progress = isthmus::MakeProgress(this);
       grid->GetFieldData()->PassData(surface->GetFieldData());
       const std::string warning = this->Library == Automatic
         ? FillByAnyWay(taken, parameters, progress, grid)

@@ -40,7 +40,7 @@ public:
 
   /// Upper bound of the size of the content, based only on the size of the file: exact for a plain
   /// file, 1032 times the file size for gzip (the best that deflate can do), unlimited for bzip2.
-  virtual std::uint64_t MostBytes() const = 0;
+  virtual std::uint64_t MaximumBytes() const = 0;
 
   /// Size of the content in bytes, counted up to `limit` by decompressing (immediate for plain
   /// files).

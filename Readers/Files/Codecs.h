@@ -39,11 +39,11 @@ enum class CodecState
 /// The code common to both libraries, whose streams have the same member names. `Inflater` provides
 /// an initialised Stream and Inflate().
 template <typename Inflater>
-class GzipCodecOf : private Inflater
+class BasicGzipCodec : private Inflater
 {
 public:
   static constexpr const char* Name = "gzip";
-  static std::uint64_t MostBytes(std::uint64_t fileSize) { return 1032 * fileSize; }
+  static std::uint64_t MaximumBytes(std::uint64_t fileSize) { return 1032 * fileSize; }
   static bool StartsMember(const unsigned char* bytes, std::size_t size)
   {
     return size >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
@@ -118,11 +118,11 @@ protected:
   inflate_state Stream;
 };
 
-using GzipCodec = GzipCodecOf<IsalInflater>;
+using GzipCodec = BasicGzipCodec<IsalInflater>;
 
 #else
 
-using GzipCodec = GzipCodecOf<ZlibInflater>;
+using GzipCodec = BasicGzipCodec<ZlibInflater>;
 
 #endif
 
@@ -134,7 +134,10 @@ class Bzip2Codec
 public:
   static constexpr const char* Name = "bzip2";
   // A block of 45 bytes can hold 46 MB of one value, so there is no useful bound.
-  static std::uint64_t MostBytes(std::uint64_t) { return std::numeric_limits<std::int64_t>::max(); }
+  static std::uint64_t MaximumBytes(std::uint64_t)
+  {
+    return std::numeric_limits<std::int64_t>::max();
+  }
   static bool StartsMember(const unsigned char* bytes, std::size_t size)
   {
     return size >= 3 && bytes[0] == 'B' && bytes[1] == 'Z' && bytes[2] == 'h';

@@ -16,7 +16,7 @@ namespace
 {
 
 /// The target of `path` through symbolic links, even if the last one is dangling.
-std::string Resolved(const std::string& path)
+std::string ResolveLinks(const std::string& path)
 {
   std::filesystem::path target = path;
   std::error_code error;
@@ -43,7 +43,7 @@ std::string NameBeside(const std::string& target, unsigned int attempt)
 
 FileReplacement::FileReplacement(const std::string& path)
   : Path(path)
-  , Target(Resolved(path))
+  , Target(ResolveLinks(path))
 {
   struct stat old = {};
   const bool isThere = ::stat(this->Target.c_str(), &old) == 0;

@@ -141,7 +141,7 @@ public:
     return this->File.Read(offset, to, size);
   }
   bool RandomAccess() const override { return true; }
-  std::uint64_t MostBytes() const override { return this->File.Size(); }
+  std::uint64_t MaximumBytes() const override { return this->File.Size(); }
   std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback&) override
   {
     return std::min(limit, this->File.Size());
@@ -177,7 +177,7 @@ public:
   }
 
   bool RandomAccess() const override { return false; }
-  std::uint64_t MostBytes() const override { return Codec::MostBytes(this->File.Size()); }
+  std::uint64_t MaximumBytes() const override { return Codec::MaximumBytes(this->File.Size()); }
   std::string Compression() const override { return Codec::Name; }
   std::uint64_t FileSize() const override { return this->File.Size(); }
   const std::string& Path() const override { return this->File.Path(); }
@@ -329,7 +329,7 @@ public:
   bool RandomAccess() const override { return false; }
   /// As long as the fast one suffices.
   bool UsesThreads() const override { return this->Careful != nullptr; }
-  std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
+  std::uint64_t MaximumBytes() const override { return this->Source->MaximumBytes(); }
   std::string Compression() const override { return this->Source->Compression(); }
   std::uint64_t FileSize() const override { return this->Source->FileSize(); }
   const std::string& Path() const override { return this->Source->Path(); }
@@ -380,7 +380,7 @@ std::unique_ptr<ByteSource> OpenBzip2(PlainFile file)
 }
 
 /// @throws ReaderError if a file begins like one of an unsupported compression.
-void RefuseOtherCompressions(const unsigned char (&magic)[4], const std::string& path)
+void RejectOtherCompressions(const unsigned char (&magic)[4], const std::string& path)
 {
   const struct
   {
@@ -418,7 +418,7 @@ public:
   {
   }
 
-  std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
+  std::uint64_t MaximumBytes() const override { return this->Source->MaximumBytes(); }
   std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
   {
     return this->Source->CountUpTo(limit, progress);
@@ -463,7 +463,7 @@ public:
                         : kept +
         this->Source->Read(offset + kept + this->Bytes, static_cast<char*>(to) + kept, size - kept);
   }
-  std::uint64_t MostBytes() const override { return this->Source->MostBytes() - this->Bytes; }
+  std::uint64_t MaximumBytes() const override { return this->Source->MaximumBytes() - this->Bytes; }
   std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
   {
     const std::uint64_t counted = this->Source->CountUpTo(
@@ -484,10 +484,10 @@ private:
 };
 
 /// A text whose lines end in carriage returns, with newlines in their places.
-class SourceOfReturns : public ForwardingSource
+class LineEndSource : public ForwardingSource
 {
 public:
-  explicit SourceOfReturns(std::unique_ptr<ByteSource> source)
+  explicit LineEndSource(std::unique_ptr<ByteSource> source)
     : ForwardingSource(std::move(source))
   {
   }
@@ -542,7 +542,7 @@ std::unique_ptr<ByteSource> OpenTextSource(const std::string& path)
   {
     source = std::make_unique<SourceBehind>(std::move(source), mark, head.substr(mark));
   }
-  return returns ? std::make_unique<SourceOfReturns>(std::move(source)) : std::move(source);
+  return returns ? std::make_unique<LineEndSource>(std::move(source)) : std::move(source);
 }
 
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
@@ -550,7 +550,7 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
   PlainFile file(path);
   unsigned char magic[4] = {};
   file.Read(0, magic, sizeof(magic));
-  RefuseOtherCompressions(magic, path);
+  RejectOtherCompressions(magic, path);
   if (magic[0] == 0x1f && magic[1] == 0x8b)
   {
     return OpenGzip(std::move(file));
@@ -568,15 +568,15 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
   // than 32-fold.
   constexpr std::uint64_t largest = std::uint64_t{ 1 } << 23;
   const auto piece = static_cast<std::size_t>(std::min(
-    largest, source.RandomAccess() ? source.MostBytes() + 1 : 4096 + 32 * source.FileSize()));
+    largest, source.RandomAccess() ? source.MaximumBytes() + 1 : 4096 + 32 * source.FileSize()));
   constexpr std::uint64_t harmless = std::uint64_t{ 1 } << 26;
   constexpr std::uint64_t usual = 16;
   const std::uint64_t most =
-    source.RandomAccess() ? source.MostBytes() : std::max(harmless, usual * source.FileSize());
+    source.RandomAccess() ? source.MaximumBytes() : std::max(harmless, usual * source.FileSize());
   std::string text;
   // Pages that are not written cost nothing, copies of a text that grows do.
   constexpr std::uint64_t sure = std::uint64_t{ 1 } << 30;
-  text.reserve(source.RandomAccess() ? std::min(sure, source.MostBytes() + piece) : 0);
+  text.reserve(source.RandomAccess() ? std::min(sure, source.MaximumBytes() + piece) : 0);
   AdviseLargePages(&text[0], text.capacity());
   for (std::size_t got = piece; got == piece;)
   {

@@ -167,10 +167,10 @@ std::uint32_t Bzip2BlockFinder::WordAt(std::uint64_t bit) const
 }
 
 /// A block, its first MiB, and libbz2 where there is more of it.
-class ParallelBzip2::Unpacked
+class ParallelBzip2::DecodedBlock
 {
 public:
-  explicit Unpacked(Bzip2Block block)
+  explicit DecodedBlock(Bzip2Block block)
     : Block(std::move(block))
   {
   }
@@ -200,7 +200,7 @@ public:
   }
 
   /// False where the block is damaged.
-  bool HandOut(unsigned char*& out, std::size_t& outSize)
+  bool CopyOutput(unsigned char*& out, std::size_t& outSize)
   {
     if (this->State == CodecState::Damaged)
     {
@@ -248,7 +248,7 @@ CodecState ParallelBzip2::Step(
   const bool last = inSize == 0;
   for (;;)
   {
-    if (!this->HandOut(out, outSize))
+    if (!this->CopyOutput(out, outSize))
     {
       return CodecState::Damaged;
     }
@@ -295,7 +295,7 @@ void ParallelBzip2::UnpackAll()
 {
   for (Bzip2Block& block : this->Waiting)
   {
-    this->Ready.push_back(std::make_unique<Unpacked>(std::move(block)));
+    this->Ready.push_back(std::make_unique<DecodedBlock>(std::move(block)));
   }
   this->Waiting.clear();
   this->WaitingBlocks = 0;
@@ -304,7 +304,7 @@ void ParallelBzip2::UnpackAll()
     {
       for (std::int64_t i = first; i < end; ++i)
       {
-        Unpacked& block = *this->Ready[static_cast<std::size_t>(i)];
+        DecodedBlock& block = *this->Ready[static_cast<std::size_t>(i)];
         if (!block.IsMemberEnd())
         {
           block.Start();
@@ -316,12 +316,12 @@ void ParallelBzip2::UnpackAll()
 }
 
 /// False where a block or a member is damaged.
-bool ParallelBzip2::HandOut(unsigned char*& out, std::size_t& outSize)
+bool ParallelBzip2::CopyOutput(unsigned char*& out, std::size_t& outSize)
 {
   while (!this->Ready.empty())
   {
-    Unpacked& front = *this->Ready.front();
-    if (!front.HandOut(out, outSize))
+    DecodedBlock& front = *this->Ready.front();
+    if (!front.CopyOutput(out, outSize))
     {
       return false;
     }

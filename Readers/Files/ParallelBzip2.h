@@ -85,7 +85,7 @@ class ParallelBzip2
 {
 public:
   static constexpr const char* Name = Bzip2Codec::Name;
-  static std::uint64_t MostBytes(std::uint64_t size) { return Bzip2Codec::MostBytes(size); }
+  static std::uint64_t MaximumBytes(std::uint64_t size) { return Bzip2Codec::MaximumBytes(size); }
   static bool StartsMember(const unsigned char* bytes, std::size_t size)
   {
     return Bzip2Codec::StartsMember(bytes, size);
@@ -102,16 +102,16 @@ public:
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize);
 
 private:
-  class Unpacked;
+  class DecodedBlock;
 
   void Gather(unsigned char*& in, std::size_t& inSize);
   void UnpackAll();
-  bool HandOut(unsigned char*& out, std::size_t& outSize);
+  bool CopyOutput(unsigned char*& out, std::size_t& outSize);
 
   Bzip2BlockFinder Finder;
   std::vector<Bzip2Block> Waiting;
   std::size_t WaitingBlocks = 0; ///< the rest of them are ends of members
-  std::deque<std::unique_ptr<Unpacked>> Ready;
+  std::deque<std::unique_ptr<DecodedBlock>> Ready;
   std::size_t AtOnce = 1;
   std::uint32_t Checksum = 0; ///< of the member so far
   bool Ended = false;

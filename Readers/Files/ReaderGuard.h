@@ -19,7 +19,7 @@ namespace isthmus
 {
 
 /// VTK's error code for each way in which reading a file fails.
-inline unsigned long ErrorCodeOf(ReaderFailure kind)
+inline unsigned long ToErrorCode(ReaderFailure kind)
 {
   switch (kind)
   {
@@ -67,13 +67,13 @@ int CanRead(const char* fileName, Looks&& looks)
 }
 
 /**
- * Runs body() for a reader of `fileName`; failures become a message, an empty output (see Guarded)
- * and an error code. `setErrorCode(code)` is called only if the code changes, since that marks the
- * reader as modified and makes it read again. Returns the value for RequestData.
+ * Runs body() for a reader of `fileName`; failures become a message, an empty output (see
+ * RunGuarded) and an error code. `setErrorCode(code)` is called only if the code changes, since
+ * that marks the reader as modified and makes it read again. Returns the value for RequestData.
  * @throws nothing, whatever body() throws.
  */
 template <typename Reader, typename SetErrorCode, typename Body>
-int GuardedRead(Reader* reader, const char* fileName, vtkDataObject* output,
+int ReadGuarded(Reader* reader, const char* fileName, vtkDataObject* output,
   SetErrorCode&& setErrorCode, Body&& body)
 {
   const auto ends = [&](unsigned long code)
@@ -83,7 +83,7 @@ int GuardedRead(Reader* reader, const char* fileName, vtkDataObject* output,
       setErrorCode(code);
     }
   };
-  return Guarded(reader, output,
+  return RunGuarded(reader, output,
     [&]
     {
       if (!fileName || !*fileName)
@@ -103,7 +103,7 @@ int GuardedRead(Reader* reader, const char* fileName, vtkDataObject* output,
       }
       catch (const ReaderError& error)
       {
-        ends(ErrorCodeOf(error.Kind));
+        ends(ToErrorCode(error.Kind));
         throw;
       }
       catch (const std::exception&)

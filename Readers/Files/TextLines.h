@@ -86,7 +86,7 @@ private:
   std::int64_t Number = 0;
 };
 
-inline std::string_view Trimmed(std::string_view text)
+inline std::string_view Trim(std::string_view text)
 {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos)
@@ -99,7 +99,7 @@ inline std::string_view Trimmed(std::string_view text)
 /// The characters [from, from + count) of `line`, as far as they exist, without surrounding blanks.
 inline std::string_view Columns(std::string_view line, std::size_t from, std::size_t count)
 {
-  return from < line.size() ? Trimmed(line.substr(from, count)) : std::string_view();
+  return from < line.size() ? Trim(line.substr(from, count)) : std::string_view();
 }
 
 /// The last line of `text` if no line end follows it, else empty.

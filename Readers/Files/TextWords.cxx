@@ -27,7 +27,7 @@ bool IsDigit(char c)
 }
 
 /// from_chars does not accept a plus sign before a number.
-const char* BehindPlus(const char* begin, const char* end)
+const char* SkipPlus(const char* begin, const char* end)
 {
   return begin + 1 < end && *begin == '+' && begin[1] != '-' ? begin + 1 : begin;
 }
@@ -37,18 +37,18 @@ const char* BehindPlus(const char* begin, const char* end)
 TextWords::TextWords(ByteSource& source)
   : Source(source)
   // Room for a word before, the current one and the next, which IsDecimalComma() looks at.
-  , Buffer(3 * longestWord + std::min<std::uint64_t>(bufferBytes, source.MostBytes()))
+  , Buffer(3 * longestWord + std::min<std::uint64_t>(bufferBytes, source.MaximumBytes()))
 {
   this->Next = this->End = this->Buffer.data();
 }
 
-void TextWords::Refuse(const std::string& sentence) const
+void TextWords::Reject(const std::string& sentence) const
 {
   throw ReaderError(ReaderFailure::Damaged,
     this->Source.Path() + ", line " + std::to_string(this->Line) + ": " + sentence);
 }
 
-void TextWords::RefuseEnd(const char* what) const
+void TextWords::RejectEnd(const char* what) const
 {
   throw ReaderError(ReaderFailure::Truncated,
     this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
@@ -106,7 +106,7 @@ void TextWords::CheckComma()
 {
   if (this->IsDecimalComma())
   {
-    this->Refuse("a comma between two digits, which must be a point if it is a decimal comma, and "
+    this->Reject("a comma between two digits, which must be a point if it is a decimal comma, and "
                  "have a blank beside it if not. Write the file again, with decimal points.");
   }
 }
@@ -173,7 +173,7 @@ std::string_view TextWords::Word()
     const char* const close = std::find(this->Next + 1, last, '"');
     if (close == last)
     {
-      this->Refuse("a quoted text is not terminated. Fetch or write the file again.");
+      this->Reject("a quoted text is not terminated. Fetch or write the file again.");
     }
     this->Quoted.assign(this->Next + 1, close);
     this->Line += std::count(this->Next, close, '\n');
@@ -184,29 +184,29 @@ std::string_view TextWords::Word()
   const char* const end = std::find_if(begin, last, [](char c) { return IsBlank(c); });
   if (end == begin + longestWord + 1)
   {
-    this->Refuse("a word of more than 1024 characters: this is not a text of words and numbers.");
+    this->Reject("a word of more than 1024 characters: this is not a text of words and numbers.");
   }
   this->Next = end;
   return { begin, static_cast<std::size_t>(end - begin) };
 }
 
-std::string_view TextWords::WordThere(const char* what)
+std::string_view TextWords::RequireWord(const char* what)
 {
   const std::string_view word = this->Word();
   if (word.empty())
   {
-    this->RefuseEnd(what);
+    this->RejectEnd(what);
   }
   return word;
 }
 
 std::int64_t TextWords::Whole(const char* what)
 {
-  const std::string_view word = this->WordThere(what);
+  const std::string_view word = this->RequireWord(what);
   std::int64_t value = 0;
   if (!FromText(word, value))
   {
-    this->Refuse(std::string(what) + " should be an integer, but is '" + std::string(word) + "'.");
+    this->Reject(std::string(what) + " should be an integer, but is '" + std::string(word) + "'.");
   }
   return value;
 }
@@ -219,10 +219,10 @@ double TextWords::Number(const char* what)
 template <typename T>
 T TextWords::SlowNumber(const char* what)
 {
-  const std::string_view word = this->WordThere(what);
+  const std::string_view word = this->RequireWord(what);
   const char* const end = word.data() + word.size();
   T value{};
-  const auto result = std::from_chars(BehindPlus(word.data(), end), end, value);
+  const auto result = std::from_chars(SkipPlus(word.data(), end), end, value);
   if (result.ec == std::errc::result_out_of_range && result.ptr == end)
   {
     // Too small is zero, as strtod has it; too large has no value.
@@ -230,11 +230,11 @@ T TextWords::SlowNumber(const char* what)
     {
       return T(0);
     }
-    this->Refuse(std::string(word) + " is too large a number for " + what + ".");
+    this->Reject(std::string(word) + " is too large a number for " + what + ".");
   }
   if (result.ec != std::errc() || result.ptr != end)
   {
-    this->Refuse(std::string(what) + " should be a number, but is '" + std::string(word) + "'.");
+    this->Reject(std::string(what) + " should be a number, but is '" + std::string(word) + "'.");
   }
   return value;
 }
@@ -254,7 +254,7 @@ void TextWords::Numbers(T* values, std::int64_t count)
     }
     // from_chars, since strtod follows the locale; what is unusual goes the slow way, which
     // explains it.
-    const auto result = std::from_chars(BehindPlus(this->Next, this->End), this->End, values[i]);
+    const auto result = std::from_chars(SkipPlus(this->Next, this->End), this->End, values[i]);
     if (result.ec == std::errc() && (result.ptr == this->End || IsBlank(*result.ptr)))
     {
       this->Next = result.ptr;
@@ -301,7 +301,7 @@ void TextWords::EndLine()
     const char c = *this->Next;
     if (!IsBlank(c))
     {
-      this->Refuse("raw bytes should begin on a line of their own.");
+      this->Reject("raw bytes should begin on a line of their own.");
     }
     ++this->Next;
     if (c == '\n')
@@ -316,7 +316,7 @@ void TextWords::Bytes(unsigned char* to, std::size_t count)
 {
   if (this->Source.ChangesLineEnds())
   {
-    this->Refuse("raw bytes follow in a file whose line ends were changed to carriage returns, "
+    this->Reject("raw bytes follow in a file whose line ends were changed to carriage returns, "
                  "and the bytes with them. Fetch or write it again.");
   }
   while (count > 0)

@@ -55,17 +55,17 @@ public:
   const std::vector<std::string>& Comments() const { return this->Notes; }
 
   /// @throws ReaderError (Truncated): the file ends before `what`, with its path and line.
-  [[noreturn]] void RefuseEnd(const char* what) const;
+  [[noreturn]] void RejectEnd(const char* what) const;
 
   /// @throws ReaderError (Damaged): path, line, `sentence`.
-  [[noreturn]] void Refuse(const std::string& sentence) const;
+  [[noreturn]] void Reject(const std::string& sentence) const;
 
 private:
   bool Refill();
   bool IsDecimalComma(); ///< at Next
   void CheckComma();
   bool SkipToWord();
-  std::string_view WordThere(const char* what);
+  std::string_view RequireWord(const char* what);
   void SkipComment();
   template <typename T>
   T SlowNumber(const char* what);

@@ -49,7 +49,7 @@ std::array<double, 3> VoxelLattice::World(const std::array<double, 3>& position)
   return world;
 }
 
-VoxelLattice Selected(const VoxelLattice& lattice, const std::array<std::int64_t, 3>& first,
+VoxelLattice SelectLattice(const VoxelLattice& lattice, const std::array<std::int64_t, 3>& first,
   const std::array<std::int64_t, 3>& count, const std::array<std::int64_t, 3>& stride)
 {
   VoxelLattice selected = lattice;
@@ -139,7 +139,7 @@ bool Locate(double node, std::int64_t count, Between1D& found)
 }
 
 template <typename T>
-T Rounded(double value)
+T RoundTo(double value)
 {
   if constexpr (std::is_integral_v<T>)
   {
@@ -186,7 +186,7 @@ struct Sampler
         value +=
           weight > 0.0 ? weight * static_cast<double>(this->At(node[0], node[1], node[2])[c]) : 0.0;
       }
-      out[c] = Rounded<T>(value);
+      out[c] = RoundTo<T>(value);
     }
   }
 };

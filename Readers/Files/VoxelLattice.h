@@ -40,7 +40,7 @@ struct VoxelLattice
 };
 
 /// `lattice` reduced to nodes first, first + stride, ... (`count` of them) along each axis.
-VoxelLattice Selected(const VoxelLattice& lattice, const std::array<std::int64_t, 3>& first,
+VoxelLattice SelectLattice(const VoxelLattice& lattice, const std::array<std::int64_t, 3>& first,
   const std::array<std::int64_t, 3>& count, const std::array<std::int64_t, 3>& stride);
 
 /// Inclusive ranges of nodes: x first, x last, y first, ... Empty where last < first.

@@ -48,7 +48,7 @@ Matrix3 CellMatrix(const std::array<double, 3>& edge, const std::array<double, 3
 
 }
 
-MRCStack StackOf(MRCHeader& header, const std::string& path)
+MRCStack DescribeStack(MRCHeader& header, const std::string& path)
 {
   const int sections = header.Counts[2];
   const MRCStack single{ MRCStack::Kind::None, 1, sections };
@@ -82,7 +82,7 @@ bool HasOrthogonalCell(const MRCHeader& header)
     [](double angle) { return std::abs(angle - 90.0) <= 0.01; });
 }
 
-VoxelLattice LatticeOf(const MRCHeader& header, int sections, bool keepCellAxes)
+VoxelLattice MakeLattice(const MRCHeader& header, int sections, bool keepCellAxes)
 {
   const bool skewed = !keepCellAxes && !HasOrthogonalCell(header);
   VoxelLattice lattice;

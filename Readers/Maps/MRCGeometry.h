@@ -37,7 +37,7 @@ struct MRCStack
  * sections is not a multiple of MZ, a message is added to header.Repairs, and the file is read as
  * one volume.
  */
-MRCStack StackOf(MRCHeader& header, const std::string& path);
+MRCStack DescribeStack(MRCHeader& header, const std::string& path);
 
 /**
  * The lattice of one volume, whose number of sections (as stored in the file) is `sections`.
@@ -48,7 +48,7 @@ MRCStack StackOf(MRCHeader& header, const std::string& path);
  * of ChimeraX. The skew transformation of CCP4, x_map = SKWMAT (x_world - SKWTRN), is applied in
  * addition. With `keepCellAxes`, the angles of the cell are treated as 90 degrees.
  */
-VoxelLattice LatticeOf(const MRCHeader& header, int sections, bool keepCellAxes);
+VoxelLattice MakeLattice(const MRCHeader& header, int sections, bool keepCellAxes);
 
 /// False if an angle of the cell differs from 90 degrees by more than 0.01.
 bool HasOrthogonalCell(const MRCHeader& header);

@@ -54,7 +54,7 @@ private:
 std::uint64_t MRCDataBytes(const std::array<int, 3>& counts, int mode);
 
 /// Byte order that the machine stamp states (true: big endian), if the stamp is a valid one.
-std::optional<bool> ByteOrderOfMRCStamp(const MRCHeaderBytes& bytes);
+std::optional<bool> ByteOrderFromMRCStamp(const MRCHeaderBytes& bytes);
 
 /// The words in the more plausible byte order; the stamp decides if both are.
 MRCHeaderWords ChooseMRCByteOrder(const MRCHeaderBytes& bytes, std::uint64_t contentBytes);
@@ -136,7 +136,7 @@ int MRCHeaderWords::Plausibility(std::uint64_t contentBytes) const
 
 std::uint64_t MRCDataBytes(const std::array<int, 3>& counts, int mode)
 {
-  const MRCVoxelType voxel = VoxelTypeOfMRCMode(mode, false);
+  const MRCVoxelType voxel = VoxelTypeFromMRCMode(mode, false);
   std::uint64_t bytes = voxel.FileBytes(static_cast<std::uint64_t>(counts[0]));
   for (const int factor : { counts[1], counts[2] })
   {
@@ -148,7 +148,7 @@ std::uint64_t MRCDataBytes(const std::array<int, 3>& counts, int mode)
   return bytes;
 }
 
-std::optional<bool> ByteOrderOfMRCStamp(const MRCHeaderBytes& bytes)
+std::optional<bool> ByteOrderFromMRCStamp(const MRCHeaderBytes& bytes)
 {
   const unsigned char first = bytes[212];
   const unsigned char second = bytes[213];
@@ -166,7 +166,7 @@ std::optional<bool> ByteOrderOfMRCStamp(const MRCHeaderBytes& bytes)
 MRCHeaderWords ChooseMRCByteOrder(const MRCHeaderBytes& bytes, std::uint64_t contentBytes)
 {
   // A first byte alone is a hint, too: 44 00, 44 20 20 20 and the like are in circulation.
-  const bool stated = ByteOrderOfMRCStamp(bytes).value_or(bytes[212] == 0x11);
+  const bool stated = ByteOrderFromMRCStamp(bytes).value_or(bytes[212] == 0x11);
   const MRCHeaderWords words(bytes, stated);
   const MRCHeaderWords swapped(bytes, !stated);
   return swapped.Plausibility(contentBytes) > words.Plausibility(contentBytes) ? swapped : words;
@@ -203,7 +203,7 @@ std::string Field(const std::string& name, char axis, std::size_t word)
 
 /// A cell with these angles (degrees) has a volume: each is below the sum of the other two, and so
 /// on; what is left of that is the sign of the metric's determinant.
-bool AnglesSpanAVolume(const std::array<double, 3>& angles)
+bool AnglesAreValid(const std::array<double, 3>& angles)
 {
   double product = 2.0;
   double squares = 0.0;
@@ -258,7 +258,7 @@ public:
     this->Cell();
     this->Position();
     this->Skew();
-    this->Facts();
+    this->DecodeStatistics();
     this->TextLabels();
     return std::move(this->Out);
   }
@@ -268,7 +268,7 @@ private:
 
   void Identity()
   {
-    const std::optional<bool> stated = ByteOrderOfMRCStamp(this->Bytes);
+    const std::optional<bool> stated = ByteOrderFromMRCStamp(this->Bytes);
     const std::string found = this->Out.BigEndian ? "big endian" : "little endian";
     if (!stated || *stated != this->Out.BigEndian)
     {
@@ -294,7 +294,7 @@ private:
     // IMOD: bit 0 of its flags says that bytes are signed; its files without it hold 0..255.
     constexpr int imodStamp = 1146047817;
     const bool unsignedBytes = this->Words.Int(39) == imodStamp && (this->Words.Int(40) & 1) == 0;
-    this->Out.Voxel = VoxelTypeOfMRCMode(this->Words.Int(4), unsignedBytes);
+    this->Out.Voxel = VoxelTypeFromMRCMode(this->Words.Int(4), unsignedBytes);
   }
 
   void Axes()
@@ -333,7 +333,7 @@ private:
       }
     }
     this->Out.CellAngles = this->Words.Floats(14);
-    if (!AnglesSpanAVolume(this->Out.CellAngles))
+    if (!AnglesAreValid(this->Out.CellAngles))
     {
       this->Repair("The cell angles (words 14-16) are " + Text(this->Out.CellAngles) +
         ", which no cell has: taken as 90, 90, 90 degrees.");
@@ -395,7 +395,7 @@ private:
     }
   }
 
-  void Facts()
+  void DecodeStatistics()
   {
     this->Out.Minimum = this->Words.Float(20);
     this->Out.Maximum = this->Words.Float(21);
@@ -462,7 +462,7 @@ bool IsMRCZMode(int mode)
   return mode >= 1000 && mode < 10000 && IsKnownMRCMode(mode % 1000);
 }
 
-[[noreturn]] void RefuseImpossible(const MRCHeaderWords& words, const std::string& path)
+[[noreturn]] void RejectImpossible(const MRCHeaderWords& words, const std::string& path)
 {
   if (!words.HasMapWord())
   {
@@ -543,7 +543,7 @@ MRCHeader ParseMRCHeader(
   const MRCHeaderWords words = ChooseMRCByteOrder(bytes, contentBytes);
   if (!words.Possible())
   {
-    RefuseImpossible(words, path);
+    RejectImpossible(words, path);
   }
   MRCHeader header = DecodeMRCHeader(bytes, words);
   CheckSize(header, path, contentBytes, exact);

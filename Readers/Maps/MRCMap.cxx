@@ -75,17 +75,17 @@ MRCMap::MRCMap(const std::string& path)
   try
   {
     this->Head =
-      ParseMRCHeader(bytes, path, this->Source->MostBytes(), this->Source->RandomAccess());
+      ParseMRCHeader(bytes, path, this->Source->MaximumBytes(), this->Source->RandomAccess());
   }
   catch (const ReaderError&)
   {
     this->Source->CheckEnd(); // a damaged stream is the better explanation
     throw;
   }
-  this->Sections = StackOf(this->Head, path);
+  this->Sections = DescribeStack(this->Head, path);
 }
 
-void MRCMap::Refuse(const std::string& sentence) const
+void MRCMap::Reject(const std::string& sentence) const
 {
   throw ReaderError(ReaderFailure::BadRequest, this->Source->Path() + ": " + sentence);
 }
@@ -95,7 +95,7 @@ VoxelLattice MRCMap::SelectVolume(const MRCOptions& options)
   const int index = options.VolumeIndex;
   if (index < -1 || index >= this->Sections.Items)
   {
-    this->Refuse("there is no volume or image " + std::to_string(index) +
+    this->Reject("there is no volume or image " + std::to_string(index) +
       ": VolumeIndex goes from 0 to " + std::to_string(this->Sections.Items - 1) +
       " in this file, or is -1.");
   }
@@ -117,7 +117,7 @@ VoxelLattice MRCMap::SelectVolume(const MRCOptions& options)
     static_cast<std::uint64_t>(layout.Counts[1]);
   layout.Offset = mrcHeaderBytes + static_cast<std::uint64_t>(this->Head.ExtendedHeaderBytes) +
     firstSection * sectionBytes;
-  return LatticeOf(
+  return MakeLattice(
     this->Head, sections, options.NonOrthogonalCell == NonOrthogonalCell::KeepCellAxes);
 }
 
@@ -132,12 +132,12 @@ void MRCMap::SelectNodes(const MRCOptions& options, const VoxelLattice& whole)
     const std::string axis(1, "xyz"[a]);
     if (first < 0 || last < first || last > end)
     {
-      this->Refuse("CropExtent requests nodes " + Range(first, last) + " along " + axis +
+      this->Reject("CropExtent requests nodes " + Range(first, last) + " along " + axis +
         ", but the map has " + Range(0, end) + " there. Choose nodes among these.");
     }
     if (options.SampleRate[a] < 1)
     {
-      this->Refuse("SampleRate along " + axis + " is " + std::to_string(options.SampleRate[a]) +
+      this->Reject("SampleRate along " + axis + " is " + std::to_string(options.SampleRate[a]) +
         ", but must be 1 (every node) or more.");
     }
     this->Nodes.First[a] = first;
@@ -151,7 +151,7 @@ void MRCMap::Select(const MRCOptions& options)
   RequireChoice("NonOrthogonalCell", options.NonOrthogonalCell, NonOrthogonalCell::KeepCellAxes);
   const VoxelLattice whole = this->SelectVolume(options);
   this->SelectNodes(options, whole);
-  this->Lattice = Selected(whole, this->Nodes.First, this->Nodes.Count, this->Nodes.Stride);
+  this->Lattice = SelectLattice(whole, this->Nodes.First, this->Nodes.Count, this->Nodes.Stride);
   this->Interpolated =
     options.NonOrthogonalCell == NonOrthogonalCell::Resample && !HasOrthogonalCell(this->Head);
   this->Target = this->Lattice;
@@ -163,7 +163,7 @@ void MRCMap::Select(const MRCOptions& options)
     }
     catch (const ReaderError& error)
     {
-      this->Refuse(error.what());
+      this->Reject(error.what());
     }
   }
 }
@@ -245,7 +245,7 @@ bool LooksLikeMRCFile(const std::string& path)
   try
   {
     const std::unique_ptr<ByteSource> source = OpenByteSource(path);
-    return LooksLikeMRCHeader(ReadHeaderBytes(*source), source->MostBytes());
+    return LooksLikeMRCHeader(ReadHeaderBytes(*source), source->MaximumBytes());
   }
   catch (const std::exception&)
   {

@@ -74,7 +74,7 @@ public:
   bool CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress);
 
 private:
-  [[noreturn]] void Refuse(const std::string& sentence) const;
+  [[noreturn]] void Reject(const std::string& sentence) const;
   VoxelLattice SelectVolume(const MRCOptions& options);
   void SelectNodes(const MRCOptions& options, const VoxelLattice& whole);
   void ReadNodes(const NodeBox& box, void* out, const ProgressCallback& progress);

@@ -15,7 +15,7 @@ namespace
 {
 
 /// IEEE 754 half to single precision. Written without branches, so that the loop is vectorised.
-float FloatOfHalf(std::uint16_t half)
+float HalfToFloat(std::uint16_t half)
 {
   const std::uint32_t magnitude = static_cast<std::uint32_t>(half & 0x7fffu) << 13;
   float value = 0;
@@ -35,7 +35,7 @@ void DecodeHalves(const unsigned char* from, float* to, std::size_t voxels)
   {
     std::uint16_t half = 0;
     std::memcpy(&half, from + 2 * i, sizeof(half));
-    to[i] = FloatOfHalf(half);
+    to[i] = HalfToFloat(half);
   }
 }
 
@@ -59,12 +59,12 @@ void DecodeNibbles(
   }
 }
 
-std::uint16_t Swapped(std::uint16_t word)
+std::uint16_t SwapBytes(std::uint16_t word)
 {
   return static_cast<std::uint16_t>((word >> 8) | (word << 8));
 }
 
-std::uint32_t Swapped(std::uint32_t word)
+std::uint32_t SwapBytes(std::uint32_t word)
 {
   return (word >> 24) | ((word >> 8) & 0xff00u) | ((word << 8) & 0xff0000u) | (word << 24);
 }
@@ -77,7 +77,7 @@ void SwapWords(unsigned char* bytes, std::size_t words)
   {
     Word word = 0;
     std::memcpy(&word, bytes + i * sizeof(Word), sizeof(Word));
-    word = Swapped(word);
+    word = SwapBytes(word);
     std::memcpy(bytes + i * sizeof(Word), &word, sizeof(Word));
   }
 }
@@ -89,7 +89,7 @@ bool IsKnownMRCMode(int mode)
   return (mode >= 0 && mode <= 4) || mode == 6 || mode == 12 || mode == 16 || mode == 101;
 }
 
-MRCVoxelType VoxelTypeOfMRCMode(int mode, bool unsignedBytes)
+MRCVoxelType VoxelTypeFromMRCMode(int mode, bool unsignedBytes)
 {
   switch (mode)
   {
@@ -282,7 +282,7 @@ private:
       static_cast<std::size_t>(this->Span(size[0]) * size[1] * size[2]);
   }
 
-  unsigned char* OutputOf(const Brick& brick, std::int64_t row, std::int64_t section) const
+  unsigned char* GetOutputPointer(const Brick& brick, std::int64_t row, std::int64_t section) const
   {
     const std::int64_t voxel = brick.First[0] * this->OutStep[0] +
       (brick.First[1] + row) * this->OutStep[1] + (brick.First[2] + section) * this->OutStep[2];
@@ -357,7 +357,7 @@ void Reading::Fetch(const Brick& brick, unsigned char* scratch) const
     for (std::int64_t r = 0; r < brick.Count[1]; r += rows)
     {
       this->ReadExactly(this->RowOffset(brick, r, s) + this->FirstByte(brick),
-        this->Direct ? this->OutputOf(brick, r, s) : next, bytes);
+        this->Direct ? this->GetOutputPointer(brick, r, s) : next, bytes);
       next += bytes;
     }
   }
@@ -372,7 +372,8 @@ void Reading::Finish(const Brick& brick, unsigned char* scratch) const
   {
     for (std::int64_t row = 0; this->Layout.Swap && row < rows; ++row)
     {
-      unsigned char* const to = this->OutputOf(brick, row % brick.Count[1], row / brick.Count[1]);
+      unsigned char* const to =
+        this->GetOutputPointer(brick, row % brick.Count[1], row / brick.Count[1]);
       DecodeMRCVoxels(type, true, to, to, span, 0);
     }
     return;
@@ -390,7 +391,7 @@ void Reading::Finish(const Brick& brick, unsigned char* scratch) const
   }
   const auto steps = static_cast<std::int64_t>(span);
   StridedCopy({ brick.Count, { this->Stride[0], steps, steps * brick.Count[1] }, this->OutStep },
-    type.Bytes, decoded, this->OutputOf(brick, 0, 0));
+    type.Bytes, decoded, this->GetOutputPointer(brick, 0, 0));
 }
 
 void ReadInParallel(const Reading& reading, const ProgressCallback& progress)

@@ -62,7 +62,7 @@ struct MRCVoxelType
 bool IsKnownMRCMode(int mode);
 
 /// `unsignedBytes`: mode 0 holds 0..255 (IMOD's flag). @pre IsKnownMRCMode(mode).
-MRCVoxelType VoxelTypeOfMRCMode(int mode, bool unsignedBytes);
+MRCVoxelType VoxelTypeFromMRCMode(int mode, bool unsignedBytes);
 
 /**
  * Converts this number of voxels from the file format to the memory format; `swap` states whether

@@ -101,7 +101,7 @@ std::optional<double> Number(const std::string& text)
 {
   std::string_view rest = text;
   double value = 0.0;
-  if (!TakeNumber(rest, value) || !TakeWord(rest).empty() || !std::isfinite(value))
+  if (!ExtractNumber(rest, value) || !ExtractWord(rest).empty() || !std::isfinite(value))
   {
     return std::nullopt;
   }
@@ -144,7 +144,7 @@ std::optional<double> ContourLevel(const std::string& text)
   return level ? level : Number(FindElement(text, "contourLevel", 0).Content);
 }
 
-std::optional<double> LevelOfFile(const std::filesystem::path& path, const EntryMap& map)
+std::optional<double> ReadLevelFromFile(const std::filesystem::path& path, const EntryMap& map)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) ||
@@ -211,7 +211,7 @@ std::optional<double> RecommendedLevel(const std::string& fileName)
   {
     for (const char* start : { "emd-", "emd_", "EMD-", "EMD_" })
     {
-      if (const auto level = LevelOfFile(folder / (start + map.Entry + ".xml"), map))
+      if (const auto level = ReadLevelFromFile(folder / (start + map.Entry + ".xml"), map))
       {
         return level;
       }

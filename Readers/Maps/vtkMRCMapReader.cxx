@@ -38,7 +38,7 @@ namespace
 
 using namespace isthmus;
 
-std::string NameOf(MRCStack::Kind kind)
+std::string FormatName(MRCStack::Kind kind)
 {
   return kind == MRCStack::Kind::None ? "none"
                                       : (kind == MRCStack::Kind::Images ? "images" : "volumes");
@@ -46,7 +46,7 @@ std::string NameOf(MRCStack::Kind kind)
 
 std::string Degrees(const std::array<double, 3>& angles)
 {
-  return isthmus::TextOf(angles[0], ", ", angles[1], ", ", angles[2]);
+  return isthmus::JoinText(angles[0], ", ", angles[1], ", ", angles[2]);
 }
 
 /// Notes on how this map was read, apart from repairs.
@@ -91,7 +91,7 @@ void AddMRCFieldData(const MRCMap& map, int volumeIndex, vtkFieldData* fields)
   AddColumn<vtkDoubleArray>(fields, "RecordedMean", { header.Mean });
   AddColumn<vtkDoubleArray>(fields, "RecordedRms", { header.Rms });
   AddColumn<vtkIntArray>(fields, "IsStack", { stack.What == MRCStack::Kind::None ? 0 : 1 });
-  AddColumn<vtkStringArray>(fields, "StackType", { NameOf(stack.What) });
+  AddColumn<vtkStringArray>(fields, "StackType", { FormatName(stack.What) });
   AddColumn<vtkIntArray>(fields, "NumberOfVolumes", { stack.Items });
   AddColumn<vtkIntArray>(fields, "VolumeIndex", { volumeIndex });
   AddColumn<vtkIntArray>(
@@ -107,7 +107,7 @@ void AddMRCFieldData(const MRCMap& map, int volumeIndex, vtkFieldData* fields)
   AddColumn<vtkStringArray>(fields, "Notes", MRCNotes(map));
 }
 
-int ScalarTypeOf(isthmus::MRCValue value)
+int GetScalarType(isthmus::MRCValue value)
 {
   switch (value)
   {
@@ -167,7 +167,7 @@ void MarkNoData(vtkDataArray* density, vtkImageData* output)
     AddColumn<vtkDoubleArray>(
       output->GetFieldData(), "NoDataValue", { static_cast<double>(*noData) });
     AddNote(output->GetFieldData(),
-      isthmus::TextOf(done.Voxels, " of ", nodes, " voxels have the value ",
+      isthmus::JoinText(done.Voxels, " of ", nodes, " voxels have the value ",
         isthmus::FormatNumber(static_cast<double>(*noData), 6),
         ", far from all others, which stands for \"no data\": they "
         "are marked in the array NoData, and their value is ",
@@ -189,7 +189,7 @@ void MarkNoData(vtkDataArray* density, vtkImageData* output)
 }
 
 /// The direction matrix and origin that place `grid` in the world.
-isthmus::GridInformation InformationOf(const isthmus::VoxelLattice& grid)
+isthmus::GridInformation MakeGridInformation(const isthmus::VoxelLattice& grid)
 {
   isthmus::GridInformation information;
   information.Dimensions = grid.Dimensions;
@@ -210,7 +210,7 @@ MRCMap Open(const char* path, const isthmus::MRCOptions& options)
   return map;
 }
 
-std::string Sentences(const std::vector<std::string>& sentences)
+std::string JoinMessages(const std::vector<std::string>& sentences)
 {
   std::string text;
   for (const std::string& sentence : sentences)
@@ -255,23 +255,23 @@ int vtkMRCMapReader::CanReadFile(const char* fileName)
 template <typename Body>
 int vtkMRCMapReader::Try(vtkInformation* info, Body&& body)
 {
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, vtkDataObject::GetData(info),
     [this](unsigned long code) { this->SetErrorCode(code); }, body);
 }
 
-void vtkMRCMapReader::Tell(const MRCMap& map)
+void vtkMRCMapReader::ReportNotes(const MRCMap& map)
 {
   std::vector<std::string> sentences = map.Header().Repairs;
   if (this->Strict && !sentences.empty())
   {
     throw ReaderError(ReaderFailure::Damaged,
       std::string(this->FileName) + ": the header needs repair, which Strict forbids." +
-        Sentences(sentences));
+        JoinMessages(sentences));
   }
   const std::vector<std::string> notes = MRCNotes(map);
   sentences.insert(sentences.end(), notes.begin(), notes.end());
-  const std::string warning = std::string(this->FileName) + ":" + Sentences(sentences);
+  const std::string warning = std::string(this->FileName) + ":" + JoinMessages(sentences);
   if (!sentences.empty() && warning != this->LastWarning)
   {
     vtkWarningMacro(<< isthmus::Printable(warning));
@@ -288,11 +288,11 @@ int vtkMRCMapReader::RequestInformation(
     [&]()
     {
       const MRCMap map = Open(this->FileName, this->Parameters);
-      this->Tell(map);
-      isthmus::Describe(InformationOf(map.Grid()), info);
+      this->ReportNotes(map);
+      isthmus::Describe(MakeGridInformation(map.Grid()), info);
       const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
       vtkDataObject::SetPointDataActiveScalarInfo(
-        info, ScalarTypeOf(voxel.Value), voxel.Components);
+        info, GetScalarType(voxel.Value), voxel.Components);
       info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
     });
 }
@@ -306,14 +306,14 @@ int vtkMRCMapReader::RequestData(
     [&]()
     {
       MRCMap map = Open(this->FileName, this->Parameters);
-      isthmus::RequireUnchanged(InformationOf(map.Grid()), info, this->FileName);
+      isthmus::RequireUnchanged(MakeGridInformation(map.Grid()), info, this->FileName);
       AddMRCFieldData(map, this->Parameters.VolumeIndex, output->GetFieldData());
       if (const auto level = isthmus::RecommendedLevel(this->FileName))
       {
         vtkFieldData* fields = output->GetFieldData();
         AddColumn<vtkDoubleArray>(fields, "RecommendedLevel", { *level });
         AddNote(fields,
-          isthmus::TextOf("Level ", *level,
+          isthmus::JoinText("Level ", *level,
             " is recommended for this map by its depositors, in the header file of its entry."));
       }
       isthmus::StartImage(info, output);
@@ -339,12 +339,12 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
           "file has changed, read it again.");
     }
   }
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
   const bool counted =
     map.CheckBeforeAllocating(map.OutputBytes(box), isthmus::Between(progress, 0.0, 0.5));
   const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
   const vtkIdType nodes = output->GetNumberOfPoints();
-  const auto density = VoxelArray("Density", ScalarTypeOf(voxel.Value), voxel.Components, nodes);
+  const auto density = VoxelArray("Density", GetScalarType(voxel.Value), voxel.Components, nodes);
   vtkSmartPointer<vtkDataArray> inside;
   if (map.Resampled())
   {

@@ -150,7 +150,7 @@ private:
 
   template <typename Body>
   int Try(vtkInformation* info, Body&& body);
-  void Tell(const isthmus::MRCMap& map);
+  void ReportNotes(const isthmus::MRCMap& map);
   void ReadArrays(isthmus::MRCMap& map, const int extent[6], vtkImageData* output);
 
   std::string LastWarning; // not repeated while the same file is read again

@@ -35,24 +35,24 @@ std::array<int, 3> ReadCounts(isthmus::TextWords& words, std::uint64_t mostBytes
     if (number < 1 || number > std::numeric_limits<int>::max() ||
       static_cast<std::uint64_t>(number) > mostBytes / values)
     {
-      words.Refuse("the number of nodes along an axis is given as " + std::to_string(number) +
+      words.Reject("the number of nodes along an axis is given as " + std::to_string(number) +
         ", for which the file is too short. It should begin with the number of nodes along each "
         "axis; it is truncated, damaged, or a .dat file of another program.");
     }
     count = static_cast<int>(number);
     values *= static_cast<std::uint64_t>(number);
   }
-  if (!isthmus::Trimmed(words.RestOfLine()).empty())
+  if (!isthmus::Trim(words.RestOfLine()).empty())
   {
-    words.Refuse("the line above holds more than the three numbers of nodes. This is another "
+    words.Reject("the line above holds more than the three numbers of nodes. This is another "
                  "program's .dat.");
   }
   return counts;
 }
 
-std::uint64_t MostValues(const isthmus::ByteSource& source)
+std::uint64_t MaximumValues(const isthmus::ByteSource& source)
 {
-  return source.MostBytes() / 2 + 1;
+  return source.MaximumBytes() / 2 + 1;
 }
 
 }
@@ -76,7 +76,7 @@ int vtkVolumeTextReader::CanReadFile(const char* fileName)
       {
         const auto source = isthmus::OpenTextSource(path);
         isthmus::TextWords words(*source);
-        ReadCounts(words, MostValues(*source));
+        ReadCounts(words, MaximumValues(*source));
         return true;
       }
       catch (const isthmus::ReaderError&)
@@ -89,14 +89,14 @@ int vtkVolumeTextReader::CanReadFile(const char* fileName)
 int vtkVolumeTextReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, vtkDataObject::GetData(output),
     [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
       const auto source = isthmus::OpenTextSource(this->FileName);
       isthmus::TextWords words(*source);
-      const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
+      const std::array<int, 3> n = ReadCounts(words, MaximumValues(*source));
       const int whole[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
       output->GetInformationObject(0)->Set(
         vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
@@ -107,17 +107,17 @@ int vtkVolumeTextReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   auto* const image = vtkImageData::GetData(output);
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, image, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
       const auto source = isthmus::OpenTextSource(this->FileName);
       isthmus::TextWords words(*source);
-      const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
+      const std::array<int, 3> n = ReadCounts(words, MaximumValues(*source));
       const auto values = isthmus::NamedArray<vtkDoubleArray>(
         "Density", static_cast<std::size_t>(std::int64_t{ n[0] } * n[1] * n[2]));
       const vtkIdType layer = vtkIdType{ n[0] } * n[1];
-      const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+      const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
       for (int k = 0; k < n[2]; ++k)
       {
         isthmus::Report(progress, static_cast<double>(k) / n[2]);
@@ -125,7 +125,7 @@ int vtkVolumeTextReader::RequestData(
       }
       if (!words.Word().empty())
       {
-        words.Refuse("there are more values than the " + std::to_string(n[2] * layer) +
+        words.Reject("there are more values than the " + std::to_string(n[2] * layer) +
           " that the first line states. The file is damaged: write it again.");
       }
       image->SetDimensions(n.data());

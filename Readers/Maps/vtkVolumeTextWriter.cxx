@@ -15,7 +15,7 @@ vtkStandardNewMacro(vtkVolumeTextWriter);
 namespace
 {
 
-vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
+vtkDataArray* FindArray(vtkImageData* image, const std::string& name)
 {
   vtkPointData* const data = image->GetPointData();
   vtkDataArray* array = name.empty() ? (data->GetScalars() ? data->GetScalars() : data->GetArray(0))
@@ -36,7 +36,7 @@ vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
   return array;
 }
 
-bool LiesOnWholeNumbers(vtkImageData* image)
+bool HasUnitGrid(vtkImageData* image)
 {
   const double* origin = image->GetOrigin();
   const double* spacing = image->GetSpacing();
@@ -96,8 +96,8 @@ void WriteRows(vtkImageData* image, vtkDataArray* array, const std::string& path
 void vtkVolumeTextWriter::WriteFile()
 {
   vtkImageData* const image = this->GetImage();
-  WriteRows(image, ArrayOf(image, this->ArrayName), this->FileName, isthmus::ProgressOf(this));
-  if (!LiesOnWholeNumbers(image))
+  WriteRows(image, FindArray(image, this->ArrayName), this->FileName, isthmus::MakeProgress(this));
+  if (!HasUnitGrid(image))
   {
     vtkWarningMacro("A .dat file holds no origin and no spacing: note them elsewhere, or write "
                     "OpenDX (.dx), which holds both.");

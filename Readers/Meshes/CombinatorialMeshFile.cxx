@@ -64,7 +64,7 @@ public:
     const std::string_view word = this->Word("'" + std::string(keyword) + "'");
     if (word != keyword)
     {
-      this->Fail("'" + std::string(keyword) + "' should be where '" + Shown(word) + "' is.");
+      this->Fail("'" + std::string(keyword) + "' should be where '" + QuoteWord(word) + "' is.");
     }
   }
 
@@ -76,7 +76,7 @@ public:
     if (!FromText(word, value) || value < least || value > most)
     {
       this->Fail(meaning + " should be a number from " + std::to_string(least) + " to " +
-        std::to_string(most) + ", not '" + Shown(word) + "'.");
+        std::to_string(most) + ", not '" + QuoteWord(word) + "'.");
     }
     return value;
   }
@@ -124,7 +124,7 @@ public:
       if (!FromText(word, value))
       {
         this->Fail(
-          "'" + Shown(word) + "' among the " + meaning + " is not a number of their type.");
+          "'" + QuoteWord(word) + "' among the " + meaning + " is not a number of their type.");
       }
     }
   }
@@ -132,7 +132,7 @@ public:
   bool Binary = false;
 
 private:
-  static std::string Shown(std::string_view word)
+  static std::string QuoteWord(std::string_view word)
   {
     std::string text(word.substr(0, 30));
     for (char& c : text)
@@ -386,7 +386,7 @@ private:
 };
 
 /// A name that the reader returns unchanged.
-const std::string& Checked(const std::string& name)
+const std::string& CheckName(const std::string& name)
 {
   const bool trimmed = !name.empty() && (name.front() == ' ' || name.back() == '\r');
   if (trimmed || name.find('\n') != std::string::npos)
@@ -403,7 +403,7 @@ void WriteTypes(const CombinatorialMesh& mesh, std::ostream& stream)
   for (const CellType& type : mesh.Types)
   {
     stream << "type " << type.NumberOfVertices() << ' ' << type.NumberOfFaces() << ' '
-           << Checked(type.Name()) << '\n';
+           << CheckName(type.Name()) << '\n';
     for (const std::vector<int>& face : type.Faces())
     {
       stream << face.size();
@@ -417,7 +417,7 @@ void WriteTypes(const CombinatorialMesh& mesh, std::ostream& stream)
 }
 
 /// How many numbers its blocks have.
-std::size_t NumbersOf(const CombinatorialMesh& mesh)
+std::size_t CountNumbers(const CombinatorialMesh& mesh)
 {
   const auto size = [](const auto& values) { return values.size(); };
   std::size_t all = std::visit(size, mesh.Coordinates) + mesh.CellVertices.size();
@@ -434,7 +434,7 @@ void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ost
   const ProgressCallback& progress)
 {
   stream.imbue(std::locale::classic()); // no separators in large numbers
-  Printer printer(stream, binary, NumbersOf(mesh), progress);
+  Printer printer(stream, binary, CountNumbers(mesh), progress);
   stream << "isthmus-combinatorial-mesh 1 " << (binary ? "binary" : "text") << '\n';
   WriteTypes(mesh, stream);
   stream << "vertices " << mesh.NumberOfVertices << ' ' << NumberTypeNames[mesh.Coordinates.index()]
@@ -456,7 +456,7 @@ void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ost
   {
     stream << "attribute " << (attribute.On == MeshAttribute::Place::Cells ? "cells " : "vertices ")
            << NumberTypeNames[attribute.Values.index()] << ' ' << attribute.Components << ' '
-           << Checked(attribute.Name) << '\n';
+           << CheckName(attribute.Name) << '\n';
     std::visit(
       [&](const auto& values) {
         printer.Numbers(

@@ -109,7 +109,7 @@ private:
     }
     if (!this->HasVertices)
     {
-      this->Words.RefuseEnd("its vertices");
+      this->Words.RejectEnd("its vertices");
     }
     this->Mesh.Warnings.push_back(
       "The file has no End: it may be truncated, within its last number "
@@ -122,7 +122,7 @@ private:
     const std::string word(this->Words.Word());
     if (word != firstWord)
     {
-      this->Words.Refuse("a MEDIT mesh begins with MeshVersionFormatted, not with '" +
+      this->Words.Reject("a MEDIT mesh begins with MeshVersionFormatted, not with '" +
         Printable(word.substr(0, 30)) +
         "'. Other programs (MFEM, Netgen) use .mesh for formats of their own: export it as MEDIT.");
     }
@@ -151,7 +151,7 @@ private:
     }
     else
     {
-      this->Words.Refuse("a section should begin where '" + Printable(name.substr(0, 30)) +
+      this->Words.Reject("a section should begin where '" + Printable(name.substr(0, 30)) +
         "' is: the one before has more rows than it says, or the file is damaged.");
     }
     return std::string(this->Words.Word());
@@ -162,12 +162,12 @@ private:
     this->Dimension = this->Words.Whole("the dimension");
     if (this->Dimension != 2 && this->Dimension != 3)
     {
-      this->Words.Refuse("the dimension is " + std::to_string(this->Dimension) +
+      this->Words.Reject("the dimension is " + std::to_string(this->Dimension) +
         "; MEDIT meshes have two or three. The file is damaged: write or fetch it again.");
     }
     if (!this->Mesh.Coordinates.empty())
     {
-      this->Words.Refuse("the dimension comes after the vertices. Move it before them.");
+      this->Words.Reject("the dimension comes after the vertices. Move it before them.");
     }
   }
 
@@ -176,7 +176,7 @@ private:
     std::string word(this->Words.Word());
     if (word.empty())
     {
-      this->Words.RefuseEnd("the rows of its last section");
+      this->Words.RejectEnd("the rows of its last section");
     }
     if (IsOfHigherOrder(name) && word != "0")
     {
@@ -195,7 +195,7 @@ private:
   {
     if (!this->Mesh.Coordinates.empty())
     {
-      this->Words.Refuse("Vertices occurs twice: the file contains more than one mesh.");
+      this->Words.Reject("Vertices occurs twice: the file contains more than one mesh.");
     }
     this->HasVertices = true;
     const std::int64_t points = this->Words.Count("the number of vertices", 6);
@@ -239,7 +239,7 @@ private:
     const auto largest = std::max_element(vertices.begin(), vertices.end());
     if (largest != vertices.end() && *largest >= this->Mesh.NumberOfPoints())
     {
-      this->Words.Refuse("vertex " + std::to_string(*largest + 1) + " is named, but there are " +
+      this->Words.Reject("vertex " + std::to_string(*largest + 1) + " is named, but there are " +
         std::to_string(this->Mesh.NumberOfPoints()) + ". The file is truncated or damaged.");
     }
   }

@@ -29,7 +29,7 @@ using ComponentNumber = Handle<struct MSMSComponent, int>;
 
 /// Up to ten leading numbers of a line, whatever the locale; what follows them (an atom's name) is
 /// skipped. Too small for a double is 0, too large infinite.
-std::vector<double> NumbersOf(std::string_view line)
+std::vector<double> ParseNumbers(std::string_view line)
 {
   std::vector<double> numbers;
   while (numbers.size() < 10)
@@ -82,7 +82,7 @@ public:
       {
         continue;
       }
-      row = NumbersOf(text);
+      row = ParseNumbers(text);
       // A vertex has nine numbers and a face five: a first row of four is the line of counts.
       const bool counts = this->First && row.size() == 4;
       this->First = false;
@@ -157,7 +157,7 @@ private:
 
 /// Reads the whole file. Folders, pipes and other files that are not regular are refused without
 /// waiting.
-std::string ContentOf(const std::filesystem::path& path, const ProgressCallback& progress)
+std::string ReadContent(const std::filesystem::path& path, const ProgressCallback& progress)
 {
   try
   {
@@ -178,7 +178,7 @@ std::string ContentOf(const std::filesystem::path& path, const ProgressCallback&
 void ReadVertices(
   const std::filesystem::path& path, MSMSSurface& surface, const ProgressCallback& progress)
 {
-  const std::string text = ContentOf(path, Between(progress, 0.0, 0.2));
+  const std::string text = ReadContent(path, Between(progress, 0.0, 0.2));
   Rows rows(path, text, VertexColumns, Between(progress, 0.2, 1.0));
   for (std::vector<double> row; rows.Next(row);)
   {
@@ -203,7 +203,7 @@ void ReadFaces(const std::filesystem::path& path, ComponentNumber component,
   std::int64_t firstPoint, MSMSSurface& surface, const ProgressCallback& progress)
 {
   const auto points = static_cast<std::int64_t>(surface.Points.size()) - firstPoint;
-  const std::string text = ContentOf(path, Between(progress, 0.0, 0.2));
+  const std::string text = ReadContent(path, Between(progress, 0.0, 0.2));
   Rows rows(path, text, FaceColumns, Between(progress, 0.2, 1.0));
   for (std::vector<double> row; rows.Next(row);)
   {

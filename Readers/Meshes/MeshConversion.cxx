@@ -37,7 +37,7 @@ constexpr std::array<int, 15> vtkTypes{ VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_
   VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_QUADRATIC_WEDGE,
   VTK_TRIQUADRATIC_HEXAHEDRON };
 
-CellShape ShapeOf(int vtkType)
+CellShape FindCellShape(int vtkType)
 {
   const auto* found = std::find(vtkTypes.begin(), vtkTypes.end(), vtkType);
   if (found == vtkTypes.end())
@@ -84,7 +84,7 @@ void ReadCells(vtkPointSet* data, CellMesh& mesh)
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
-    const CellShape shape = ShapeOf(data->GetCellType(cell));
+    const CellShape shape = FindCellShape(data->GetCellType(cell));
     data->GetCellPoints(cell, ids);
     for (const vtkIdType id : *ids)
     {
@@ -197,7 +197,7 @@ std::string Convert(vtkDataArray* array, const MeshArrayRule& rule, const CellMe
 }
 
 /// What an array's rule demands besides the type of its values; empty: nothing is wrong.
-std::string FaultOf(vtkDataArray* array, const MeshArrayRule& rule, const CellMesh& mesh)
+std::string FindFault(vtkDataArray* array, const MeshArrayRule& rule, const CellMesh& mesh)
 {
   if (!array)
   {
@@ -238,7 +238,7 @@ void ReadArray(vtkAbstractArray* any, const MeshArrayRule& rule, CellMesh& mesh,
   auto* const array = vtkDataArray::SafeDownCast(any);
   const std::string name =
     "'" + rule.Name + "' of " + (rule.On == MeshAttribute::Place::Cells ? "cells" : "points");
-  std::string fault = FaultOf(array, rule, mesh);
+  std::string fault = FindFault(array, rule, mesh);
   bool lost = false;
   NumberList list;
   if (fault.empty() && rule.Kind == MeshArrayRule::Numbers::Whole)

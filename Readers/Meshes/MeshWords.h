@@ -24,7 +24,7 @@ class MeshWords : public TextWords
 public:
   MeshWords(ByteSource& source, ProgressCallback progress)
     : TextWords(source)
-    , MostBytes(source.MostBytes())
+    , MaximumBytes(source.MaximumBytes())
     , Progress(std::move(progress))
   {
   }
@@ -34,9 +34,9 @@ public:
   std::int64_t Count(const char* what, std::uint64_t bytes = 2)
   {
     const std::int64_t count = this->Whole(what);
-    if (count < 0 || static_cast<std::uint64_t>(count) > this->MostBytes / bytes)
+    if (count < 0 || static_cast<std::uint64_t>(count) > this->MaximumBytes / bytes)
     {
-      this->Refuse(std::string(what) + " is given as " + std::to_string(count) +
+      this->Reject(std::string(what) + " is given as " + std::to_string(count) +
         ", for which the file is too short. It is truncated or damaged: write or fetch it again.");
     }
     return count;
@@ -47,7 +47,7 @@ public:
     const double value = this->Number("a coordinate");
     if (!std::isfinite(value))
     {
-      this->Refuse("a coordinate is not a finite number. Correct it, or write the file again.");
+      this->Reject("a coordinate is not a finite number. Correct it, or write the file again.");
     }
     return value;
   }
@@ -67,7 +67,7 @@ public:
     const std::int64_t id = this->Whole("the number of a vertex");
     if (id < first || id - first >= points)
     {
-      this->Refuse("vertex " + std::to_string(id) + " is named, but " +
+      this->Reject("vertex " + std::to_string(id) + " is named, but " +
         (points == 0 ? std::string("there are none")
                      : "they are numbered " + std::to_string(first) + " to " +
               std::to_string(first + points - 1)) +
@@ -83,7 +83,7 @@ public:
     const std::string word(this->Word());
     if (!word.empty())
     {
-      this->Refuse("the file should end after its " + std::to_string(rows) + " " + what +
+      this->Reject("the file should end after its " + std::to_string(rows) + " " + what +
         ", but '" + Printable(word.substr(0, 30)) +
         "' follows. Correct the number of rows in the file, or write it again.");
     }
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  std::uint64_t MostBytes;
+  std::uint64_t MaximumBytes;
   ProgressCallback Progress;
 };
 

@@ -44,7 +44,7 @@ QuadraticShape Describe(CellShape shape)
   }
 }
 
-const double* PointOf(const CellMesh& mesh, std::int64_t place)
+const double* GetPoint(const CellMesh& mesh, std::int64_t place)
 {
   return mesh.Coordinates.data() + 3 * mesh.Vertices[static_cast<std::size_t>(place)];
 }
@@ -64,15 +64,15 @@ void AddDistances(
     {
       for (const std::size_t corner : shape.Nodes[p])
       {
-        const double x = PointOf(mesh, start + static_cast<std::int64_t>(corner))[axis];
+        const double x = GetPoint(mesh, start + static_cast<std::int64_t>(corner))[axis];
         places[p][axis] += x / static_cast<double>(shape.Nodes[p].size());
-        size = std::max(size, std::abs(x - PointOf(mesh, start)[axis]));
+        size = std::max(size, std::abs(x - GetPoint(mesh, start)[axis]));
       }
     }
   }
   for (std::size_t n = 0; size > 0.0 && n < nodes; ++n)
   {
-    const double* point = PointOf(mesh, start + corners + static_cast<std::int64_t>(n));
+    const double* point = GetPoint(mesh, start + corners + static_cast<std::int64_t>(n));
     for (std::size_t p = 0; p < nodes; ++p)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -85,7 +85,7 @@ void AddDistances(
 }
 
 /// The nearest place of each node; empty unless each place has one node.
-std::vector<std::size_t> PlacesOf(const std::vector<double>& sums, std::size_t nodes)
+std::vector<std::size_t> NearestPlaces(const std::vector<double>& sums, std::size_t nodes)
 {
   std::vector<std::size_t> places(nodes);
   std::vector<bool> taken(nodes, false);
@@ -119,7 +119,7 @@ void OrderMiddleNodes(CellMesh& mesh, std::size_t first, std::size_t last)
     AddDistances(mesh, mesh.Offsets[cell], shape, sums);
   }
   // From the sums over all cells, which share an order: a distorted cell alone decides nothing.
-  const std::vector<std::size_t> places = PlacesOf(sums, nodes);
+  const std::vector<std::size_t> places = NearestPlaces(sums, nodes);
   std::vector<std::int64_t> ordered(nodes);
   for (std::size_t cell = first; !places.empty() && cell < last; ++cell)
   {

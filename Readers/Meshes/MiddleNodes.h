@@ -3,7 +3,7 @@
  * @brief The nodes of quadratic cells in VTK's order, whatever the order of the file.
  *
  * Programs agree on the corners of a quadratic cell, which come first, but not on the order of the
- * nodes on its edges, on its faces and in its centre (libMeshb, Gmsh and TetGen all differ for
+ * nodes on its edges, on its faces and in its center (libMeshb, Gmsh and TetGen all differ for
  * tetrahedra). The order is inferred from the positions, since these nodes lie near the mean of the
  * corners around them.
  */

@@ -50,7 +50,7 @@ OFFHeader ReadHeader(MeshWords& words, std::string& rest)
   rest = left;
   if (!isOFF)
   {
-    words.Refuse("an OFF file begins with OFF, COFF, NOFF, CNOFF or ST before one of these, not "
+    words.Reject("an OFF file begins with OFF, COFF, NOFF, CNOFF or ST before one of these, not "
                  "with '" +
       Printable(word.substr(0, 30)) + "'. Files of other dimensions (4OFF, nOFF) are not read.");
   }
@@ -105,7 +105,7 @@ void ReadPoints(MeshWords& words, const OFFHeader& header, std::int64_t points, 
   }
 }
 
-CellShape ShapeOf(std::int64_t corners)
+CellShape FindCellShape(std::int64_t corners)
 {
   switch (corners)
   {
@@ -130,14 +130,14 @@ void ReadFaces(MeshWords& words, std::int64_t faces, CellMesh& mesh)
     const std::int64_t corners = words.Count("the number of a face's vertices");
     if (corners == 0)
     {
-      words.Refuse(
+      words.Reject(
         "a face has no vertices. Remove the line, and reduce the number of faces by one.");
     }
     for (std::int64_t c = 0; c < corners; ++c)
     {
       mesh.Vertices.push_back(words.Vertex(points, 0));
     }
-    mesh.EndCell(ShapeOf(corners));
+    mesh.EndCell(FindCellShape(corners));
     words.RestOfLine();
     words.ReportRow(faces + f, 2 * faces);
   }
@@ -168,14 +168,14 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
   std::int64_t points = 0;
   if (!FromText(first, points))
   {
-    words.Refuse(first == "BINARY"
+    words.Reject(first == "BINARY"
         ? std::string("binary OFF files are not read: write it as text.")
         : "the number of points should be an integer, but is '" + Printable(first) + "'.");
   }
   // A point takes three digits and three blanks at least.
-  if (points < 0 || static_cast<std::uint64_t>(points) > source->MostBytes() / 6)
+  if (points < 0 || static_cast<std::uint64_t>(points) > source->MaximumBytes() / 6)
   {
-    words.Refuse("the file is too short for " + std::to_string(points) +
+    words.Reject("the file is too short for " + std::to_string(points) +
       " points. It is truncated or damaged: write or fetch it again.");
   }
   const std::int64_t faces = words.Count("the number of faces", 4);

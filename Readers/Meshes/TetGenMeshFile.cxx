@@ -70,7 +70,7 @@ void ReadId(MeshWords& words, std::int64_t row, std::int64_t& first)
   first = row == 0 ? id : first;
   if (id != first + row || first < 0 || first > 1)
   {
-    words.Refuse("row " + std::to_string(row + 1) + " has the number " + std::to_string(id) +
+    words.Reject("row " + std::to_string(row + 1) + " has the number " + std::to_string(id) +
       "; rows are numbered from 0 or 1, one by one. The file may be truncated, damaged, or not a "
       "TetGen file.");
   }
@@ -85,7 +85,7 @@ std::int64_t ReadPoints(const std::string& path, CellMesh& mesh, const ProgressC
   const std::int64_t dimension = words.Whole("the dimension");
   if (dimension != 3)
   {
-    words.Refuse("the points have " + std::to_string(dimension) +
+    words.Reject("the points have " + std::to_string(dimension) +
       " coordinates: only meshes in space are read.");
   }
   Columns columns;
@@ -114,7 +114,7 @@ void ReadTetrahedra(const std::string& path, std::int64_t firstPoint, CellMesh& 
   const std::int64_t corners = words.Whole("the number of corners");
   if (corners != 4 && corners != 10)
   {
-    words.Refuse("tetrahedra have 4 or 10 corners, not " + std::to_string(corners) + ".");
+    words.Reject("tetrahedra have 4 or 10 corners, not " + std::to_string(corners) + ".");
   }
   Columns columns;
   columns.Attributes = words.Count("the number of attributes");
@@ -151,7 +151,7 @@ std::vector<std::int64_t> FurtherNumbers(MeshWords& words, std::int64_t row)
     numbers.emplace_back();
     if (!IsNumber(word, numbers.back()))
     {
-      words.Refuse("row " + std::to_string(row + 1) + ", above this line, has '" +
+      words.Reject("row " + std::to_string(row + 1) + ", above this line, has '" +
         std::string(word.substr(0, 30)) +
         "' where a whole number should be. The file may be truncated, damaged, or not a TetGen "
         "file.");
@@ -189,7 +189,7 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     if (numbers.size() != further || further < markers ||
       (behind != 0 && behind != 2 && behind != 3 && behind != 5))
     {
-      words.Refuse("row " + std::to_string(i + 1) + ", above this line, has " +
+      words.Reject("row " + std::to_string(i + 1) + ", above this line, has " +
         std::to_string(numbers.size()) + " numbers after its corners instead of " +
         std::to_string(numbers.size() == further ? markers : further) +
         ". The file is truncated or damaged.");
@@ -199,7 +199,7 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     {
       if (numbers[n] < firstPoint || numbers[n] - firstPoint >= mesh.NumberOfPoints())
       {
-        words.Refuse("row " + std::to_string(i + 1) + ", above this line, names vertex " +
+        words.Reject("row " + std::to_string(i + 1) + ", above this line, names vertex " +
           std::to_string(numbers[n]) + ", which is not there.");
       }
       mesh.Vertices.push_back(numbers[n] - firstPoint);
@@ -262,7 +262,7 @@ void WritePoints(const CellMesh& mesh, TextFileWriter& file)
 }
 
 /// The cells of one shape.
-std::vector<std::size_t> CellsOf(const CellMesh& mesh, CellShape shape)
+std::vector<std::size_t> FindCells(const CellMesh& mesh, CellShape shape)
 {
   std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < mesh.Shapes.size(); ++cell)
@@ -355,10 +355,10 @@ CellMesh ReadTetGenFiles(const std::string& path, const ProgressCallback& progre
 void WriteTetGenFiles(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress)
 {
-  const auto linear = CellsOf(mesh, CellShape::Tetrahedron);
-  const auto quadratic = CellsOf(mesh, CellShape::QuadraticTetrahedron);
-  const auto triangles = CellsOf(mesh, CellShape::Triangle);
-  const auto vertices = CellsOf(mesh, CellShape::Vertex);
+  const auto linear = FindCells(mesh, CellShape::Tetrahedron);
+  const auto quadratic = FindCells(mesh, CellShape::QuadraticTetrahedron);
+  const auto triangles = FindCells(mesh, CellShape::Triangle);
+  const auto vertices = FindCells(mesh, CellShape::Vertex);
   if (linear.size() + quadratic.size() + triangles.size() + vertices.size() != mesh.Shapes.size() ||
     (!linear.empty() && !quadratic.empty()))
   {

@@ -34,7 +34,7 @@ struct Translation
 };
 
 /// The faces with their beginnings and order made comparable.
-isthmus::FaceList Normalized(isthmus::FaceList faces)
+isthmus::FaceList NormalizeFaces(isthmus::FaceList faces)
 {
   for (std::vector<int>& face : faces)
   {
@@ -44,16 +44,16 @@ isthmus::FaceList Normalized(isthmus::FaceList faces)
   return faces;
 }
 
-Translation TranslationOf(const isthmus::CellType& type)
+Translation FindTranslation(const isthmus::CellType& type)
 {
   if (type.Name().rfind("polyhedron", 0) == 0)
   {
     return {};
   }
-  const isthmus::FaceList faces = Normalized(type.Faces());
+  const isthmus::FaceList faces = NormalizeFaces(type.Faces());
   for (const isthmus::GridCellType& known : isthmus::LinearCellTypes())
   {
-    if (faces == Normalized(known.Type.Faces()))
+    if (faces == NormalizeFaces(known.Type.Faces()))
     {
       Translation translation{ known.VTKType, known.TurnedOut };
       for (std::size_t i = 0; i < translation.Order.size(); ++i)
@@ -63,7 +63,7 @@ Translation TranslationOf(const isthmus::CellType& type)
       return translation;
     }
   }
-  if (faces == Normalized(isthmus::CellType::Prism().Faces()))
+  if (faces == NormalizeFaces(isthmus::CellType::Prism().Faces()))
   {
     return { VTK_WEDGE, { 0, 2, 1, 3, 5, 4 } };
   }
@@ -94,7 +94,7 @@ void InsertCells(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* gr
   for (const isthmus::CellRun& run : mesh.Runs)
   {
     const isthmus::CellType& type = mesh.Types[run.Type];
-    const Translation translation = TranslationOf(type);
+    const Translation translation = FindTranslation(type);
     std::vector<vtkIdType> points(translation.Order.size());
     for (std::int64_t c = 0; c < run.NumberOfCells; ++c, vertices += type.NumberOfVertices())
     {
@@ -153,7 +153,7 @@ std::string Contents(const std::string& path, const isthmus::ProgressCallback& p
   }
 }
 
-isthmus::CombinatorialMesh Parsed(const std::string& contents, const std::string& path)
+isthmus::CombinatorialMesh ParseMesh(const std::string& contents, const std::string& path)
 {
   try
   {
@@ -201,14 +201,14 @@ int vtkCombinatorialMeshReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  return isthmus::GuardedRead(
+  const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
+  return isthmus::ReadGuarded(
     this, this->FileName, output, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]()
     {
       const std::string contents = Contents(this->FileName, isthmus::Between(progress, 0.0, 0.2));
       isthmus::Report(progress, 0.2);
-      const isthmus::CombinatorialMesh mesh = Parsed(contents, this->FileName);
+      const isthmus::CombinatorialMesh mesh = ParseMesh(contents, this->FileName);
       isthmus::Report(progress, 0.7);
       Fill(mesh, output);
       isthmus::Report(progress, 1.0);

@@ -94,7 +94,7 @@ void CheckVertices(const isthmus::CombinatorialMesh& mesh)
 }
 
 /// The mesh of `grid`; `remark` is a note for the user.
-isthmus::CombinatorialMesh MeshOf(vtkUnstructuredGrid* grid, std::string& remark)
+isthmus::CombinatorialMesh ToCombinatorialMesh(vtkUnstructuredGrid* grid, std::string& remark)
 {
   const isthmus::GridCells cells(grid, isthmus::GridCells::Orientation::AsGiven);
   const isthmus::CellList list = cells.List();
@@ -136,11 +136,11 @@ void vtkCombinatorialMeshWriter::WriteFile()
 {
   std::string remark;
   const isthmus::CombinatorialMesh mesh =
-    MeshOf(vtkUnstructuredGrid::SafeDownCast(this->GetInput()), remark);
+    ToCombinatorialMesh(vtkUnstructuredGrid::SafeDownCast(this->GetInput()), remark);
   isthmus::FileReplacement replacement(this->FileName);
   std::ofstream file(replacement.Written(), std::ios::binary);
   errno = 0;
-  isthmus::WriteCombinatorialMesh(mesh, this->Binary, file, isthmus::ProgressOf(this));
+  isthmus::WriteCombinatorialMesh(mesh, this->Binary, file, isthmus::MakeProgress(this));
   file.close();
   if (!file)
   {

@@ -15,5 +15,5 @@ int vtkMEDITReader::CanReadFile(const char* fileName)
 
 void vtkMEDITReader::ReadMesh(isthmus::CellMesh& mesh)
 {
-  mesh = isthmus::ReadMEDIT(this->FileName, isthmus::ProgressOf(this));
+  mesh = isthmus::ReadMEDIT(this->FileName, isthmus::MakeProgress(this));
 }

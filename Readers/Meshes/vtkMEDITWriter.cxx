@@ -10,7 +10,7 @@ vtkStandardNewMacro(vtkMEDITWriter);
 
 void vtkMEDITWriter::WriteMesh(const isthmus::CellMesh& mesh)
 {
-  isthmus::WriteMEDIT(mesh, this->FileName, isthmus::ProgressOf(this));
+  isthmus::WriteMEDIT(mesh, this->FileName, isthmus::MakeProgress(this));
 }
 
 std::vector<isthmus::MeshArrayRule> vtkMEDITWriter::Arrays() const

@@ -73,14 +73,14 @@ int vtkMSMSReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   auto* surface = vtkPolyData::GetData(output);
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, surface, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
       const auto files = this->AllComponents ? isthmus::MSMSComponents(this->FileName)
                                              : std::vector<std::filesystem::path>{ this->FileName };
       isthmus::MSMSSurface read;
-      const auto progress = isthmus::ProgressOf(this);
+      const auto progress = isthmus::MakeProgress(this);
       for (std::size_t i = 0; i < files.size(); ++i)
       {
         const auto share = 1.0 / static_cast<double>(files.size());

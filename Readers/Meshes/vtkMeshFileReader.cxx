@@ -23,7 +23,7 @@ int vtkMeshFileReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   auto* const grid = vtkUnstructuredGrid::GetData(output);
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, grid, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
@@ -43,7 +43,7 @@ int vtkMeshFileReader::RequestData(
         {
           all += (all.empty() ? "" : " ") + warning;
         }
-        vtkWarningMacro(<< isthmus::TextOf(this->FileName, ": ", all));
+        vtkWarningMacro(<< isthmus::JoinText(this->FileName, ": ", all));
       }
     });
 }

@@ -29,10 +29,11 @@ int vtkOFFSurfaceReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   auto* const surface = vtkPolyData::GetData(output);
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, surface, [this](unsigned long code) { this->SetErrorCode(code); },
-    [&]
-    { isthmus::ToSurface(isthmus::ReadOFF(this->FileName, isthmus::ProgressOf(this)), surface); });
+    [&] {
+      isthmus::ToSurface(isthmus::ReadOFF(this->FileName, isthmus::MakeProgress(this)), surface);
+    });
 }
 
 void vtkOFFSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)

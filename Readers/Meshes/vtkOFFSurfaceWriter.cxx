@@ -17,7 +17,7 @@ int vtkOFFSurfaceWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkOFFSurfaceWriter::WriteMesh(const isthmus::CellMesh& mesh)
 {
-  isthmus::WriteOFF(mesh, this->FileName, isthmus::ProgressOf(this));
+  isthmus::WriteOFF(mesh, this->FileName, isthmus::MakeProgress(this));
 }
 
 std::vector<isthmus::MeshArrayRule> vtkOFFSurfaceWriter::Arrays() const

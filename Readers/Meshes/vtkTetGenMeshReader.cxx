@@ -15,5 +15,5 @@ int vtkTetGenMeshReader::CanReadFile(const char* fileName)
 
 void vtkTetGenMeshReader::ReadMesh(isthmus::CellMesh& mesh)
 {
-  mesh = isthmus::ReadTetGenFiles(this->FileName, isthmus::ProgressOf(this));
+  mesh = isthmus::ReadTetGenFiles(this->FileName, isthmus::MakeProgress(this));
 }

@@ -10,7 +10,7 @@ vtkStandardNewMacro(vtkTetGenMeshWriter);
 
 void vtkTetGenMeshWriter::WriteMesh(const isthmus::CellMesh& mesh)
 {
-  isthmus::WriteTetGenFiles(mesh, this->FileName, isthmus::ProgressOf(this));
+  isthmus::WriteTetGenFiles(mesh, this->FileName, isthmus::MakeProgress(this));
 }
 
 std::vector<isthmus::MeshArrayRule> vtkTetGenMeshWriter::Arrays() const

@@ -187,33 +187,33 @@ bool IsBead(ResidueFamily family, std::string_view name, std::string_view residu
 // Elements
 
 /// The element in columns 77-78: a symbol of one or two letters, 0 if there is none.
-int ElementOfColumns(const AtomColumns& columns)
+int ElementFromColumns(const AtomColumns& columns)
 {
-  std::string_view symbol = Trimmed({ columns.Symbol.data(), columns.Symbol.size() });
+  std::string_view symbol = Trim({ columns.Symbol.data(), columns.Symbol.size() });
   if (symbol.size() == 2 && !IsLetter(symbol[1]))
   {
     symbol.remove_suffix(1); // the charge of "N1+", one column off
   }
-  return ElementOfSymbol(symbol);
+  return ElementFromSymbol(symbol);
 }
 
 /// Where names are right-justified as the format has them: the element by columns 13-14.
-int ElementOfNameColumns(const AtomColumns& columns)
+int ElementFromNameColumns(const AtomColumns& columns)
 {
   const auto& c = columns.Name;
   if (c[0] == ' ')
   {
-    return ElementOfSymbol({ &c[1], 1 });
+    return ElementFromSymbol({ &c[1], 1 });
   }
   if (!IsLetter(c[0]) || !IsLetter(c[1]) || c[3] != ' ')
   {
     return 0; // names of four letters fill all columns
   }
-  const int element = ElementOfSymbol({ c.data(), 2 });
+  const int element = ElementFromSymbol({ c.data(), 2 });
   return Contains(ResidueFamily::Unknown, {}, element) ? element : 0;
 }
 
-int ElementInFamily(ResidueFamily family, std::string_view residue, std::string_view name)
+int FindElementInFamily(ResidueFamily family, std::string_view residue, std::string_view name)
 {
   const std::string letters = Capitals(FirstLetters(name));
   if (letters.empty())
@@ -222,7 +222,7 @@ int ElementInFamily(ResidueFamily family, std::string_view residue, std::string_
   }
   const auto isOneOf = [&letters](std::string_view symbols)
   { return symbols.find(letters[0]) != std::string_view::npos; };
-  const int single = ElementOfSymbol(std::string_view(letters).substr(0, 1));
+  const int single = ElementFromSymbol(std::string_view(letters).substr(0, 1));
   switch (family)
   {
     case ResidueFamily::AminoAcid:
@@ -247,7 +247,7 @@ int ElementInFamily(ResidueFamily family, std::string_view residue, std::string_
   }
 }
 
-enum class Way
+enum class Method
 {
   Column,
   Residue,
@@ -260,7 +260,7 @@ enum class Way
 
 constexpr const char* Dummies = "Ghost or dummy atoms and virtual sites";
 
-void WarnOf(const char* what, std::size_t atoms, ReadingReport& report)
+void WarnAbout(const char* what, std::size_t atoms, ReadingReport& report)
 {
   if (atoms > 0)
   {
@@ -280,7 +280,7 @@ public:
     , Starts(starts)
     , Where(column == ElementColumn::PDB ? "in columns 77-78" : "in the file")
     , IsUsual(column == ElementColumn::None)
-    , Ways(atoms.size(), Way::Column)
+    , Methods(atoms.size(), Method::Column)
   {
   }
 
@@ -290,9 +290,9 @@ public:
     std::vector<std::size_t> open; // residues with atoms that are not decided
     for (std::size_t r = 0; r < this->Starts.size(); ++r)
     {
-      const auto begin = this->Ways.begin() + static_cast<std::ptrdiff_t>(this->Starts[r]);
-      const auto end = this->Ways.begin() + static_cast<std::ptrdiff_t>(this->End(r));
-      if (std::find(begin, end, Way::None) != end)
+      const auto begin = this->Methods.begin() + static_cast<std::ptrdiff_t>(this->Starts[r]);
+      const auto end = this->Methods.begin() + static_cast<std::ptrdiff_t>(this->End(r));
+      if (std::find(begin, end, Method::None) != end)
       {
         open.push_back(r);
       }
@@ -313,8 +313,8 @@ public:
     {
       report.Warn("Elements " + this->Where +
         " that the residue does not contain: " + std::to_string(this->Absurd) +
-        " (first: " + ElementSymbol(ElementOfColumns(this->Columns[this->FirstAbsurd])) + " for " +
-        Describe(this->Atoms[this->FirstAbsurd]) + ").");
+        " (first: " + ElementSymbol(ElementFromColumns(this->Columns[this->FirstAbsurd])) +
+        " for " + Describe(this->Atoms[this->FirstAbsurd]) + ").");
     }
   }
 
@@ -341,20 +341,20 @@ private:
   void TakeColumns(std::size_t residue)
   {
     const std::string& name = this->Atoms[this->Starts[residue]].ResidueName;
-    const ResidueFamily family = FamilyOfResidue(name);
+    const ResidueFamily family = FindResidueFamily(name);
     for (std::size_t i = this->Starts[residue]; i < this->End(residue); ++i)
     {
-      int element = name == "DUM" ? 0 : ElementOfColumns(this->Columns[i]);
+      int element = name == "DUM" ? 0 : ElementFromColumns(this->Columns[i]);
       if (element > 0 && !Contains(family, name, element))
       {
         this->AddAbsurd(i);
-        const int other = ElementInFamily(family, name, this->Atoms[i].Name);
-        this->Ways[i] = other > 0 ? Way::Residue : Way::None;
+        const int other = FindElementInFamily(family, name, this->Atoms[i].Name);
+        this->Methods[i] = other > 0 ? Method::Residue : Method::None;
         element = other;
       }
       else if (element == 0)
       {
-        this->Ways[i] = Way::None;
+        this->Methods[i] = Method::None;
       }
       this->Atoms[i].Element = element;
     }
@@ -378,7 +378,7 @@ private:
     std::size_t anyRight = 0;
     for (const std::size_t r : residues)
     {
-      const ResidueFamily family = FamilyOfResidue(this->Atoms[this->Starts[r]].ResidueName);
+      const ResidueFamily family = FindResidueFamily(this->Atoms[this->Starts[r]].ResidueName);
       const bool isBead = this->HasBead(r, family);
       (isBead ? beads : others) += this->End(r) - this->Starts[r];
       for (std::size_t i = this->Starts[r]; i < this->End(r); ++i)
@@ -400,7 +400,7 @@ private:
   {
     for (std::size_t i = this->Starts[residue]; i < this->End(residue); ++i)
     {
-      if (this->Ways[i] == Way::None &&
+      if (this->Methods[i] == Method::None &&
         IsBead(family, this->Atoms[i].Name, this->Atoms[i].ResidueName))
       {
         return true;
@@ -420,57 +420,57 @@ private:
   void DecideResidue(std::size_t residue)
   {
     const std::string& name = this->Atoms[this->Starts[residue]].ResidueName;
-    const ResidueFamily family = FamilyOfResidue(name);
+    const ResidueFamily family = FindResidueFamily(name);
     const bool isCoarse = this->IsCoarse || this->HasBead(residue, family);
     const bool mayBeIon = family == ResidueFamily::Unknown || this->HasOneName(residue);
     for (std::size_t i = this->Starts[residue]; i < this->End(residue); ++i)
     {
-      if (this->Ways[i] != Way::None)
+      if (this->Methods[i] != Method::None)
       {
         continue;
       }
       Atom& atom = this->Atoms[i];
       const std::string letters = Capitals(FirstLetters(atom.Name));
       const std::string symbol =
-        Capitals(Trimmed({ this->Columns[i].Symbol.data(), this->Columns[i].Symbol.size() }));
-      const auto set = [&](int element, Way way)
+        Capitals(Trim({ this->Columns[i].Symbol.data(), this->Columns[i].Symbol.size() }));
+      const auto set = [&](int element, Method way)
       {
         atom.Element = element;
-        this->Ways[i] = element > 0 ? way : Way::None;
+        this->Methods[i] = element > 0 ? way : Method::None;
       };
       if (isCoarse)
       {
-        this->Ways[i] = Way::Bead;
+        this->Methods[i] = Method::Bead;
       }
       else if (name == "DUM" || IsDummy(symbol) ||
-        (IsDummy(letters) && ElementInFamily(family, name, atom.Name) == 0) ||
-        (family == ResidueFamily::Water && ElementInFamily(family, name, atom.Name) == 0))
+        (IsDummy(letters) && FindElementInFamily(family, name, atom.Name) == 0) ||
+        (family == ResidueFamily::Water && FindElementInFamily(family, name, atom.Name) == 0))
       {
-        this->Ways[i] = Way::Dummy;
+        this->Methods[i] = Method::Dummy;
       }
-      else if (const int ion = mayBeIon ? ElementOfIon(atom.Name, name) : 0;
+      else if (const int ion = mayBeIon ? ElementFromIon(atom.Name, name) : 0;
                this->IsPlausible(ion, i))
       {
-        set(ion, Way::Residue);
+        set(ion, Method::Residue);
       }
       else if (family != ResidueFamily::Unknown)
       {
-        set(ElementInFamily(family, name, atom.Name), Way::Residue);
+        set(FindElementInFamily(family, name, atom.Name), Method::Residue);
       }
       else if (const int byColumns =
-                 this->IsRightJustified ? ElementOfNameColumns(this->Columns[i]) : 0;
+                 this->IsRightJustified ? ElementFromNameColumns(this->Columns[i]) : 0;
                this->IsPlausible(byColumns, i))
       {
-        set(byColumns, Way::NameColumns);
+        set(byColumns, Method::NameColumns);
       }
       else
       {
         const int metal = this->CoordinatedMetal(i);
-        const int byLetters = metal > 0 ? metal : ElementOfAtomName(atom.Name, name);
+        const int byLetters = metal > 0 ? metal : ElementFromAtomName(atom.Name, name);
         set(byLetters == 0 || this->IsPlausible(byLetters, i)
             ? byLetters
-            : ElementOfSymbol(std::string_view(letters).substr(0, 1)),
-          Way::NameLetters);
+            : ElementFromSymbol(std::string_view(letters).substr(0, 1)),
+          Method::NameLetters);
       }
     }
   }
@@ -501,7 +501,7 @@ private:
     {
       return 0;
     }
-    const int element = ElementOfSymbol(name);
+    const int element = ElementFromSymbol(name);
     return IsMetal(element) && Contains(ResidueFamily::Unknown, {}, element) &&
         this->Near(atom, LongestBond) == 0 && this->Near(atom, longestToLigand) >= fewestLigands
       ? element
@@ -534,14 +534,14 @@ private:
 
   void Report(ReadingReport& report) const
   {
-    std::size_t counts[static_cast<std::size_t>(Way::None) + 1] = {};
+    std::size_t counts[static_cast<std::size_t>(Method::None) + 1] = {};
     const Atom* unknown = nullptr;
     for (std::size_t i = 0; i < this->Atoms.size(); ++i)
     {
-      ++counts[static_cast<std::size_t>(this->Ways[i])];
-      unknown = this->Ways[i] == Way::None && !unknown ? &this->Atoms[i] : unknown;
+      ++counts[static_cast<std::size_t>(this->Methods[i])];
+      unknown = this->Methods[i] == Method::None && !unknown ? &this->Atoms[i] : unknown;
     }
-    const auto count = [&counts](Way way) { return counts[static_cast<std::size_t>(way)]; };
+    const auto count = [&counts](Method way) { return counts[static_cast<std::size_t>(way)]; };
     std::string ways;
     std::size_t decided = 0;
     const auto add = [&](std::size_t atoms, const char* how)
@@ -549,21 +549,21 @@ private:
       ways += atoms > 0 ? (ways.empty() ? " " : ", ") + std::to_string(atoms) + how : "";
       decided += atoms;
     };
-    add(count(Way::Residue), " by residue and atom name");
-    add(count(Way::NameColumns), " by the columns of the name");
-    add(count(Way::NameLetters), " by the letters of the name");
+    add(count(Method::Residue), " by residue and atom name");
+    add(count(Method::NameColumns), " by the columns of the name");
+    add(count(Method::NameLetters), " by the letters of the name");
     if (decided > 0)
     {
       const std::string sentence = "Atoms without a usable element " + this->Where + ": " +
         std::to_string(decided) + "; decided" + ways + ".";
       this->IsUsual ? report.Note(sentence) : report.Warn(sentence);
     }
-    WarnOf("Beads of a coarse-grained model (Martini)", count(Way::Bead), report);
-    WarnOf(Dummies, count(Way::Dummy), report);
+    WarnAbout("Beads of a coarse-grained model (Martini)", count(Method::Bead), report);
+    WarnAbout(Dummies, count(Method::Dummy), report);
     if (unknown)
     {
       report.Warn("Atoms whose names match no element (Element is 0): " +
-        std::to_string(count(Way::None)) + " (first: " + Describe(*unknown) + ").");
+        std::to_string(count(Method::None)) + " (first: " + Describe(*unknown) + ").");
     }
   }
 
@@ -572,7 +572,7 @@ private:
   const std::vector<std::size_t>& Starts;
   std::string Where;
   bool IsUsual;
-  std::vector<Way> Ways;
+  std::vector<Method> Methods;
   std::mutex Mutex;
   std::size_t Absurd = 0;
   std::size_t FirstAbsurd = static_cast<std::size_t>(-1);
@@ -582,7 +582,7 @@ private:
 
 }
 
-ResidueFamily FamilyOfResidue(std::string_view name)
+ResidueFamily FindResidueFamily(std::string_view name)
 {
   if (IsStandardAminoAcid(name) || OtherAminoAcids().count(name) > 0)
   {
@@ -605,7 +605,7 @@ ResidueFamily FamilyOfResidue(std::string_view name)
 
 bool IsLongResidueName(std::string_view name)
 {
-  return name.size() == 4 && FamilyOfResidue(name) != ResidueFamily::Unknown;
+  return name.size() == 4 && FindResidueFamily(name) != ResidueFamily::Unknown;
 }
 
 bool IsDummyName(std::string_view name)
@@ -670,7 +670,7 @@ void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report
       first = first || isDummy ? first : &atom;
     }
   }
-  WarnOf(Dummies, dummies, report);
+  WarnAbout(Dummies, dummies, report);
   if (first)
   {
     report.Warn("Atoms whose types or symbols match no element (Element is 0): " +

@@ -42,7 +42,7 @@ enum class ResidueFamily
 };
 
 /// The family of a residue, determined only by its name.
-ResidueFamily FamilyOfResidue(std::string_view name);
+ResidueFamily FindResidueFamily(std::string_view name);
 
 /// Whether this is a name of four letters that simulation programs use for residues (TIP3, POPC,
 /// LYSH).

@@ -66,7 +66,7 @@ struct Locations
 
   char Best() const { return Highest(this->Occupancy); }
 
-  bool Keeps(const Atom& atom) const
+  bool IsIncluded(const Atom& atom) const
   {
     const char best = this->Best();
     if (atom.AltLoc == best || this->ResidueNames.size() > 1)
@@ -99,7 +99,7 @@ public:
       if (atom.AltLoc != ' ' && altLoc.empty())
       {
         const double occupancy = atom.Occupancy > 0.0 ? atom.Occupancy : 0.0;
-        Locations& locations = this->Residues[KeyOf(atom)];
+        Locations& locations = this->Residues[MakeKey(atom)];
         locations.Occupancy[atom.AltLoc] += occupancy;
         locations.OfAtom[atom.Name][atom.AltLoc] += occupancy;
         locations.ResidueNames.insert(atom.ResidueName);
@@ -112,19 +112,22 @@ public:
     }
   }
 
-  bool Keeps(const Atom& atom) const
+  bool IsIncluded(const Atom& atom) const
   {
     if (atom.AltLoc == ' ' || this->Wanted == "*")
     {
       return true;
     }
-    return this->Wanted.empty() ? this->Residues.at(KeyOf(atom)).Keeps(atom)
+    return this->Wanted.empty() ? this->Residues.at(MakeKey(atom)).IsIncluded(atom)
                                 : this->Wanted[0] == atom.AltLoc;
   }
 
 private:
   using Key = std::tuple<std::string, int, char>;
-  static Key KeyOf(const Atom& atom) { return { atom.Chain, atom.ResidueId, atom.InsertionCode }; }
+  static Key MakeKey(const Atom& atom)
+  {
+    return { atom.Chain, atom.ResidueId, atom.InsertionCode };
+  }
 
   std::string Wanted;
   std::map<Key, Locations> Residues;
@@ -190,7 +193,7 @@ void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options)
           : IsWater(atom.ResidueName);
         const bool kind = isWater ? options.ReadWater : options.ReadHetero || !atom.IsHetero;
         const bool wanted = kind && (chains.empty() || chains.count(atom.Chain) > 0);
-        keep[i] = wanted && altLocs.Keeps(atom) ? 1 : 0;
+        keep[i] = wanted && altLocs.IsIncluded(atom) ? 1 : 0;
         others += wanted && keep[i] == 0 ? 1 : 0;
       }
       otherLocations += others;

@@ -54,7 +54,7 @@ bool IsNoNumber(const std::string& value)
 }
 
 /// Cheaper than IsNoNumber: false for all that begins as a number.
-bool MayBeNoNumber(const std::string& value)
+bool IsMissingNumber(const std::string& value)
 {
   const char first = value.empty() ? '?' : value[0];
   const char second = value.size() > 1 ? value[1] : '?';
@@ -162,7 +162,7 @@ public:
 
   /// Calls `work(row)` for each row, several at once; it may change values of its row.
   template <typename Work>
-  void ForRows(Work&& work)
+  void ForEachRow(Work&& work)
   {
     constexpr std::int64_t rowsAtOnce = 1 << 12;
     ParallelFor(0, static_cast<std::int64_t>(this->Rows()), rowsAtOnce,
@@ -243,7 +243,7 @@ void RenameCategory(cif::Loop& loop, const std::string& prefix)
 }
 
 /// The value of a single item, in the spelling of mmCIF or core CIF; NaN: there is none.
-double NumberOf(cif::Block& block, const std::string& category, const std::string& name)
+double ReadNumber(cif::Block& block, const std::string& category, const std::string& name)
 {
   for (const char* between : { ".", "_" })
   {
@@ -257,14 +257,14 @@ double NumberOf(cif::Block& block, const std::string& category, const std::strin
   return NAN;
 }
 
-gemmi::UnitCell CellOf(cif::Block& block)
+gemmi::UnitCell ReadUnitCell(cif::Block& block)
 {
   std::array<double, 6> values{};
   const std::array<const char*, 6> names{ "length_a", "length_b", "length_c", "angle_alpha",
     "angle_beta", "angle_gamma" };
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    values[i] = NumberOf(block, "_cell", names[i]);
+    values[i] = ReadNumber(block, "_cell", names[i]);
     if (i > 2 && std::isnan(values[i]))
     {
       values[i] = 90.0; // the default of the dictionary
@@ -286,7 +286,7 @@ gemmi::UnitCell CellOf(cif::Block& block)
   return cell;
 }
 
-std::string Written(double value)
+std::string FormatValue(double value)
 {
   return FormatNumber(value, 17);
 }
@@ -313,7 +313,7 @@ bool HasAny(AtomTable& table, const Axes& axes)
 /// Replaces fractional by Cartesian coordinates.
 void Orthogonalize(cif::Block& block, AtomTable& table)
 {
-  const gemmi::UnitCell cell = CellOf(block);
+  const gemmi::UnitCell cell = ReadUnitCell(block);
   std::array<int, 3> columns{};
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -331,9 +331,9 @@ void Orthogonalize(cif::Block& block, AtomTable& table)
     const gemmi::Position position = cell.orthogonalize(place);
     if (std::isfinite(position.x + position.y + position.z))
     {
-      table.At(row, columns[0]) = Written(position.x);
-      table.At(row, columns[1]) = Written(position.y);
-      table.At(row, columns[2]) = Written(position.z);
+      table.At(row, columns[0]) = FormatValue(position.x);
+      table.At(row, columns[1]) = FormatValue(position.y);
+      table.At(row, columns[2]) = FormatValue(position.z);
     }
   }
   for (std::size_t i = 0; i < 3; ++i)
@@ -371,11 +371,11 @@ void DropRowsWithoutCoordinates(AtomTable& table, CIFAtoms& atoms)
       [&](int column)
       {
         const std::string& value = table.At(row, column);
-        return MayBeNoNumber(value) && IsNoNumber(value);
+        return IsMissingNumber(value) && IsNoNumber(value);
       });
   };
   std::atomic<bool> any{ false };
-  table.ForRows(
+  table.ForEachRow(
     [&](std::size_t row)
     {
       if (isDropped(row))
@@ -432,7 +432,7 @@ std::set<std::string> ListedSymbols(cif::Block& block)
 bool IsSymbolInCapitals(const std::string& two)
 {
   constexpr int heaviest = 92; // CF3 and CM are carbons more often than californium and curium
-  const int element = ElementOfSymbol(two);
+  const int element = ElementFromSymbol(two);
   const bool isLocant = std::string_view("CHNOPS").find(two[0]) != std::string_view::npos &&
     std::string_view("ABDEGHOZ").find(two[1]) != std::string_view::npos;
   return element > 0 && element <= heaviest && (!isLocant || two == "SE" || two == "PD");
@@ -440,7 +440,7 @@ bool IsSymbolInCapitals(const std::string& two)
 
 /// Labels of core CIF begin with the symbol: "Cl1", "C12A", "CL1". "CA1" is carbon unless Ca is
 /// listed.
-std::string SymbolOfLabel(const std::string& label, const std::set<std::string>& listed)
+std::string SymbolFromLabel(const std::string& label, const std::set<std::string>& listed)
 {
   std::string letters;
   for (const char c : label)
@@ -455,14 +455,14 @@ std::string SymbolOfLabel(const std::string& label, const std::set<std::string>&
   {
     std::string two = letters.substr(0, 2);
     const bool isProper = std::islower(static_cast<unsigned char>(two[1])) != 0;
-    if (ElementOfSymbol(two) > 0 &&
+    if (ElementFromSymbol(two) > 0 &&
       (isProper || IsSymbolInCapitals(two) || listed.count(gemmi::to_lower(two)) > 0))
     {
       return two;
     }
   }
   const std::string one = letters.substr(0, 1);
-  return ElementOfSymbol(one) > 0 ? one : "X";
+  return ElementFromSymbol(one) > 0 ? one : "X";
 }
 
 /// "Cu2+" is copper with charge 2; "O2-" oxygen with -2. Charge 0: not given.
@@ -505,7 +505,7 @@ void TranslateCoreCIF(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
     {
       const auto [letters, charge] = SymbolAndCharge(table.Text(row, symbol));
       table.At(row, symbol) =
-        letters.empty() ? SymbolOfLabel(table.Text(row, label), listed) : letters;
+        letters.empty() ? SymbolFromLabel(table.Text(row, label), listed) : letters;
       charges[row] = charge;
     }
     if (group >= 0)
@@ -518,14 +518,14 @@ void TranslateCoreCIF(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
     {
       std::string& value = table.At(row, uIso);
       const double u = cif::as_number(value);
-      value = std::isnan(u) ? "?" : Written(u * gemmi::u_to_b());
+      value = std::isnan(u) ? "?" : FormatValue(u * gemmi::u_to_b());
     }
   }
   if (symbol < 0 && label >= 0)
   {
     table.Plan("type_symbol",
       [&table, label, listed](std::size_t row)
-      { return SymbolOfLabel(table.Text(row, label), listed); });
+      { return SymbolFromLabel(table.Text(row, label), listed); });
     atoms.Report.Note(
       "The file has no elements (type_symbol); they were inferred from the labels.");
   }
@@ -594,7 +594,7 @@ void FillUnknown(AtomTable& table, int to, int from)
   {
     return;
   }
-  table.ForRows(
+  table.ForEachRow(
     [&](std::size_t row)
     {
       if (cif::is_null(table.At(row, to)))
@@ -619,7 +619,7 @@ void CompleteElements(AtomTable& table, CIFAtoms& atoms)
   const int id = table.Find("id");
   std::atomic<bool> hasElements{ false };
   std::mutex mutex;
-  table.ForRows(
+  table.ForEachRow(
     [&](std::size_t row)
     {
       std::string& symbol = table.At(row, column);
@@ -627,7 +627,7 @@ void CompleteElements(AtomTable& table, CIFAtoms& atoms)
       {
         symbol = "X";
       }
-      else if (ElementOfSymbol(symbol) > 0 || ElementOfSymbol(cif::as_string(symbol)) > 0)
+      else if (ElementFromSymbol(symbol) > 0 || ElementFromSymbol(cif::as_string(symbol)) > 0)
       {
         if (!hasElements)
         {
@@ -700,7 +700,7 @@ void KeepFirstLetter(AtomTable& table, const char* name)
   {
     return;
   }
-  table.ForRows(
+  table.ForEachRow(
     [&](std::size_t row)
     {
       std::string& value = table.At(row, column);
@@ -726,7 +726,7 @@ void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
       continue;
     }
     std::atomic<std::size_t> unknown{ 0 };
-    table.ForRows(
+    table.ForEachRow(
       [&](std::size_t row)
       {
         std::string& value = table.At(row, column);
@@ -799,7 +799,7 @@ void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
   const int model = table.Find("pdbx_PDB_model_num");
   if (model >= 0)
   {
-    table.ForRows(
+    table.ForEachRow(
       [&](std::size_t row)
       {
         if (cif::is_null(table.At(row, model)))

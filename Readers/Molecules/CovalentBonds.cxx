@@ -28,7 +28,7 @@ struct Candidate
 };
 
 /// Two hydrogens, and atoms at different alternate locations, come near without a bond.
-bool Bonded(const Candidate& a, const Candidate& b)
+bool AreBonded(const Candidate& a, const Candidate& b)
 {
   if ((a.Hydrogen && b.Hydrogen) || (a.AltLoc != ' ' && b.AltLoc != ' ' && a.AltLoc != b.AltLoc))
   {
@@ -129,7 +129,7 @@ void FindBonds(
         {
           break;
         }
-        if (Bonded(atom, sorted[j]))
+        if (AreBonded(atom, sorted[j]))
         {
           to.push_back({ std::min(atom.Index, sorted[j].Index),
             std::max(atom.Index, sorted[j].Index), false });

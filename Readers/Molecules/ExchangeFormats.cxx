@@ -57,7 +57,8 @@ std::string_view NextLine(TextLines& lines)
 }
 
 /// The whole number that `word` is, 0 and counted where it is none and not empty.
-int WholeOr0(std::string_view word, const char* what, const TextLines& lines, ReadingReport& report)
+int IntegerOrZero(
+  std::string_view word, const char* what, const TextLines& lines, ReadingReport& report)
 {
   int value = 0;
   if (!word.empty() && !IsNumber(word, value))
@@ -114,7 +115,7 @@ std::optional<std::int64_t> AtomNumber(std::string_view word)
 
 /// The place of the atom with a number, -1 where there is none.
 template <typename Places>
-std::optional<std::int64_t> PlaceOf(std::string_view word, const Places& places)
+std::optional<std::int64_t> FindAtomIndex(std::string_view word, const Places& places)
 {
   const std::optional<std::int64_t> number = AtomNumber(word);
   if (!number)
@@ -129,7 +130,7 @@ std::optional<std::int64_t> PlaceOf(std::string_view word, const Places& places)
 // PDBQT
 
 /// AutoDock's types, version 4.2 and Vina's; 0 for pseudo atoms.
-int ElementOfAutoDockType(std::string_view type, std::string_view residue)
+int ElementFromAutoDockType(std::string_view type, std::string_view residue)
 {
   static const std::unordered_map<std::string_view, int> types{ { "HD", 1 }, { "HS", 1 },
     { "A", 6 }, { "CG", 6 }, { "CG0", 6 }, { "CG1", 6 }, { "CG2", 6 }, { "CG3", 6 }, { "NS", 7 },
@@ -145,7 +146,7 @@ int ElementOfAutoDockType(std::string_view type, std::string_view residue)
   {
     return residue == "NA" || residue == "NA+" || residue == "SOD" ? 11 : 7;
   }
-  return ElementOfSymbol(type);
+  return ElementFromSymbol(type);
 }
 
 Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport& report)
@@ -157,7 +158,7 @@ Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport&
   atom.AltLoc = line.size() > 16 ? line[16] : ' ';
   atom.ResidueName = Columns(line, 17, 4);
   atom.Chain = Columns(line, 21, 1);
-  atom.ResidueId = WholeOr0(Columns(line, 22, 4), OddResidueNumbers, lines, report);
+  atom.ResidueId = IntegerOrZero(Columns(line, 22, 4), OddResidueNumbers, lines, report);
   atom.InsertionCode = line.size() > 26 ? line[26] : ' ';
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -175,7 +176,7 @@ Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport&
       "the type of AutoDock (columns 78-79) is missing. Is it a PDBQT file? Name a PDB file "
       ".pdb.");
   }
-  atom.Element = ElementOfAutoDockType(type, atom.ResidueName);
+  atom.Element = ElementFromAutoDockType(type, atom.ResidueName);
   return atom;
 }
 
@@ -237,7 +238,7 @@ Atom ReadGROAtom(
 {
   constexpr double angstromOfNanometre = 10.0;
   Atom atom;
-  atom.ResidueId = WholeOr0(Columns(line, 0, 5), OddResidueNumbers, lines, report);
+  atom.ResidueId = IntegerOrZero(Columns(line, 0, 5), OddResidueNumbers, lines, report);
   atom.ResidueName = Columns(line, 5, 5);
   atom.Name = Columns(line, 10, 5);
   IsNumber(Columns(line, 15, 5), atom.Serial);
@@ -270,17 +271,17 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
     std::string_view number;
     if (!lines.Next(number))
     {
-      if (Trimmed(line).empty())
+      if (Trim(line).empty())
       {
         break; // an empty line at the end
       }
       lines.Fail("the number of atoms belongs on the line after the title. Is it a GRO file?");
     }
-    if (molecule.NumberOfModels > 0 && Trimmed(line).empty() && Trimmed(number).empty())
+    if (molecule.NumberOfModels > 0 && Trim(line).empty() && Trim(number).empty())
     {
       continue;
     }
-    const std::int64_t count = Count(Trimmed(number), lines, "the number of atoms");
+    const std::int64_t count = Count(Trim(number), lines, "the number of atoms");
     const bool isWanted = molecule.NumberOfModels == model;
     std::size_t width = 0;
     for (std::int64_t i = 0; i < count; ++i)
@@ -311,9 +312,9 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
 // MOL2
 
 /// "C.ar" is carbon; "Du" and "LP" are no element; "Cl" is chlorine.
-int ElementOfTriposType(std::string_view type)
+int ElementFromTriposType(std::string_view type)
 {
-  return ElementOfSymbol(type.substr(0, type.find('.')));
+  return ElementFromSymbol(type.substr(0, type.find('.')));
 }
 
 /// Whether it is one of SYBYL's types: an element, in its spelling, with or without a suffix, or a
@@ -322,7 +323,7 @@ bool IsTriposType(std::string_view type)
 {
   constexpr std::array<std::string_view, 6> others{ "Du", "LP", "Hal", "Het", "Hev", "Any" };
   const std::string_view head = type.substr(0, type.find('.'));
-  const int element = ElementOfSymbol(head);
+  const int element = ElementFromSymbol(head);
   return std::find(others.begin(), others.end(), head) != others.end() ||
     (element > 0 && (head == ElementSymbol(element) || head == "D" || head == "T"));
 }
@@ -342,12 +343,12 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, std::string& otherType
   {
     lines.Fail("the type of an atom is missing. The file may be truncated.");
   }
-  atom.Element = ElementOfTriposType(type);
+  atom.Element = ElementFromTriposType(type);
   if (otherType.empty() && !IsTriposType(type))
   {
     otherType = type;
   }
-  atom.ResidueId = WholeOr0(NextWord(line), OddResidueNumbers, lines, report);
+  atom.ResidueId = IntegerOrZero(NextWord(line), OddResidueNumbers, lines, report);
   const std::string_view residue = NextWord(line);
   atom.ResidueName = residue == "****" || residue == "<0>" ? std::string_view() : residue;
   if (hasCharges)
@@ -405,7 +406,7 @@ void SplitNamesOfResidues(std::vector<Atom>& atoms)
   for (Atom& atom : atoms)
   {
     const std::size_t digits = digitsOf(atom.ResidueName);
-    const ResidueFamily family = FamilyOfResidue(atom.ResidueName);
+    const ResidueFamily family = FindResidueFamily(atom.ResidueName);
     const bool isWhole =
       isOne && family != ResidueFamily::Unknown && family != ResidueFamily::AminoAcid;
     int number = 0;
@@ -431,7 +432,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   std::string_view line;
   while (lines.Next(line))
   {
-    const std::string_view section = Trimmed(line);
+    const std::string_view section = Trim(line);
     const bool isWanted = molecule.NumberOfModels - 1 == model;
     if (section == "@<TRIPOS>MOLECULE")
     {
@@ -444,7 +445,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
       const std::string_view second = NextWord(counts);
       counted.Bonds = second.empty() ? 0 : Count(second, lines, "the number of bonds");
       NextLine(lines); // the kind of molecule
-      counted.HasCharges = Trimmed(NextLine(lines)) != "NO_CHARGES";
+      counted.HasCharges = Trim(NextLine(lines)) != "NO_CHARGES";
     }
     else if (section == "@<TRIPOS>ATOM")
     {
@@ -476,8 +477,8 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
         if (isWanted)
         {
           NextWord(bond); // its number
-          const auto first = PlaceOf(NextWord(bond), place);
-          AddBond(molecule, first, PlaceOf(NextWord(bond), place), lines, report);
+          const auto first = FindAtomIndex(NextWord(bond), place);
+          AddBond(molecule, first, FindAtomIndex(NextWord(bond), place), lines, report);
         }
       }
     }
@@ -517,7 +518,7 @@ void AddSDFAtom(Macromolecule& molecule, std::string_view symbol, const double* 
 {
   Atom atom;
   atom.Name = symbol;
-  atom.Element = ElementOfSymbol(symbol);
+  atom.Element = ElementFromSymbol(symbol);
   atom.Serial = static_cast<int>(molecule.Atoms.size()) + 1;
   std::copy(position, position + 3, atom.Position.begin());
   molecule.Atoms.push_back(std::move(atom));
@@ -553,10 +554,10 @@ void ReadCharges(
 }
 
 /// The formal charge by the code in columns 37-39, which M  CHG replaces: 1 is +3, 7 is -3.
-double ChargeOfCode(std::string_view line, const TextLines& lines, ReadingReport& report)
+double ChargeFromCode(std::string_view line, const TextLines& lines, ReadingReport& report)
 {
   constexpr const char* odd = "Codes of charges (columns 37-39) that are not 0 to 7, dropped";
-  const int code = WholeOr0(Columns(line, 36, 3), odd, lines, report);
+  const int code = IntegerOrZero(Columns(line, 36, 3), odd, lines, report);
   constexpr int radical = 4;
   if (code < 0 || code > 7)
   {
@@ -580,7 +581,7 @@ void ReadV2000(
       position[axis] = FiniteNumber(Columns(line, 10 * axis, 10), lines, "a coordinate");
     }
     AddSDFAtom(molecule, Columns(line, 31, 3), position);
-    molecule.Atoms.back().Charge = ChargeOfCode(line, lines, report);
+    molecule.Atoms.back().Charge = ChargeFromCode(line, lines, report);
   }
   for (std::int64_t i = 0; i < bonds; ++i)
   {
@@ -643,7 +644,7 @@ void ReadV3000(TextLines& lines, Macromolecule& molecule, ReadingReport& report)
     }
     if (BeginsWith(line, "BEGIN ") || BeginsWith(line, "END "))
     {
-      block = line[0] == 'B' ? std::string(Trimmed(std::string_view(line).substr(6))) : "";
+      block = line[0] == 'B' ? std::string(Trim(std::string_view(line).substr(6))) : "";
     }
     else if (block == "ATOM")
     {
@@ -653,8 +654,8 @@ void ReadV3000(TextLines& lines, Macromolecule& molecule, ReadingReport& report)
     {
       NextWord(rest);
       NextWord(rest);
-      const auto first = PlaceOf(NextWord(rest), place);
-      AddBond(molecule, first, PlaceOf(NextWord(rest), place), lines, report);
+      const auto first = FindAtomIndex(NextWord(rest), place);
+      AddBond(molecule, first, FindAtomIndex(NextWord(rest), place), lines, report);
     }
   }
 }
@@ -671,7 +672,7 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
     std::string_view program, comment, counts;
     if (!lines.Next(program) || !lines.Next(comment) || !lines.Next(counts))
     {
-      if (Trimmed(line).empty() && Trimmed(program).empty() && Trimmed(comment).empty())
+      if (Trim(line).empty() && Trim(program).empty() && Trim(comment).empty())
       {
         break; // empty lines at the end
       }
@@ -693,7 +694,7 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
     bool isWhole = counts.find("V3000") != std::string_view::npos; // which has an end of its own
     while (lines.Next(line))
     {
-      const bool isLast = Trimmed(line) == "$$$$";
+      const bool isLast = Trim(line) == "$$$$";
       isWhole = isWhole || isLast || BeginsWith(line, "M  END");
       if (isLast)
       {

@@ -19,7 +19,7 @@ namespace isthmus
 constexpr float BlankNumber = 1e38F;
 constexpr const char* BlankText = "1e38";
 
-inline double KnownOrNot(float value)
+inline double NaNIfUnknown(float value)
 {
   return value == BlankNumber ? Atom::Unknown : static_cast<double>(value);
 }
@@ -27,7 +27,7 @@ inline double KnownOrNot(float value)
 /// Rounds values that gemmi stores as floats, so that 0.7 becomes 0.7 in double.
 inline double Decimal(float value)
 {
-  const double known = KnownOrNot(value);
+  const double known = NaNIfUnknown(value);
   const double rounded = std::round(known * 1e5) / 1e5;
   return static_cast<float>(rounded) == value ? rounded : known;
 }

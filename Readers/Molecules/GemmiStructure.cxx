@@ -36,14 +36,14 @@ namespace
 {
 
 /// The file is fine, but does not describe the assembly that was asked for.
-class NoSuchAssembly : public std::runtime_error
+class UnknownAssembly : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
 /// The box around the copies of the box around all atoms.
-gemmi::Box<gemmi::Position> BoxOf(
+gemmi::Box<gemmi::Position> ComputeBox(
   const gemmi::Structure& structure, const gemmi::Assembly& assembly)
 {
   gemmi::Box<gemmi::Position> atoms;
@@ -74,22 +74,22 @@ gemmi::Box<gemmi::Position> BoxOf(
 /**
  * gemmi looks for atoms on symmetry axes with a grid of 4 angstrom around all copies, whose size it
  * does not check.
- * @throws NoSuchAssembly where the copies are too far apart for it.
+ * @throws UnknownAssembly where the copies are too far apart for it.
  */
 void RequireModestBox(
   const gemmi::Structure& structure, const gemmi::Assembly& assembly, const std::string& path)
 {
   constexpr double spacing = 4.0;
   constexpr double mostCells = 2e8;
-  const gemmi::Position size = BoxOf(structure, assembly).get_size();
+  const gemmi::Position size = ComputeBox(structure, assembly).get_size();
   const auto cells = [](double length) { return std::max(length / spacing, 1.0); };
   const bool hasNone = !(size.x >= 0.0); // no atoms, or no operators
   if (hasNone || cells(size.x) * cells(size.y) * cells(size.z) < mostCells)
   {
     return;
   }
-  throw NoSuchAssembly(
-    TextOf(path, ": assembly ", assembly.name, " is ", size.x, " x ", size.y, " x ", size.z,
+  throw UnknownAssembly(
+    JoinText(path, ": assembly ", assembly.name, " is ", size.x, " x ", size.y, " x ", size.z,
       " angstrom large, which is too large to search. Correct its operators or leave Assembly "
       "empty."));
 }
@@ -97,7 +97,7 @@ void RequireModestBox(
 /**
  * Replaces the models of `structure` by assembly `name` as the file describes it (REMARK 350 of
  * PDB, pdbx_struct_assembly_gen of mmCIF): each chain once for each of its operators, copies under
- * names that are free. Atoms on symmetry axes stay single. @throws NoSuchAssembly.
+ * names that are free. Atoms on symmetry axes stay single. @throws UnknownAssembly.
  */
 void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path)
 {
@@ -109,7 +109,7 @@ void TakeAssembly(gemmi::Structure& structure, const std::string& name, const st
   const gemmi::Assembly* const wanted = structure.find_assembly(name);
   if (!wanted)
   {
-    throw NoSuchAssembly(path + ": there is no assembly " + name + "; the file describes " +
+    throw UnknownAssembly(path + ": there is no assembly " + name + "; the file describes " +
       (known.empty() ? "none." : known + "."));
   }
   RequireModestBox(structure, *wanted, path);
@@ -145,7 +145,7 @@ void DropOthers(gemmi::cif::Block& block, const std::vector<std::string>& catego
 
 /// Calls `work(value)` for each value of a column, several at once; none where it is missing.
 template <typename Work>
-void ForValues(gemmi::cif::Block& block, const std::string& tag, Work&& work)
+void ForEachValue(gemmi::cif::Block& block, const std::string& tag, Work&& work)
 {
   constexpr std::int64_t valuesAtOnce = 1 << 12;
   gemmi::cif::Column column = block.find_values(tag);
@@ -161,7 +161,7 @@ void ForValues(gemmi::cif::Block& block, const std::string& tag, Work&& work)
 
 void RequireShortNumbers(gemmi::cif::Block& block, const std::string& tag, std::size_t most)
 {
-  ForValues(block, tag,
+  ForEachValue(block, tag,
     [&](const std::string& value)
     {
       std::size_t digits = 0;
@@ -180,7 +180,7 @@ void RequireShortNumbers(gemmi::cif::Block& block, const std::string& tag, std::
 /// Gives unknown values of a column a number by which they are found again.
 void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 {
-  ForValues(block, tag,
+  ForEachValue(block, tag,
     [](std::string& value)
     {
       if (gemmi::cif::is_null(value))
@@ -201,7 +201,7 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
  */
 CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
 {
-  std::vector<StructureRange> structure = StructureOfCIF(block);
+  std::vector<StructureRange> structure = ReadCIFStructure(block);
   DropOthers(block, CategoriesRead);
   CIFAtoms atoms = CompleteAtomTable(block);
   atoms.Structure = std::move(structure);
@@ -250,7 +250,7 @@ std::size_t CountAtoms(const gemmi::Model& model)
 /// pLDDT by model, label_asym_id and label_seq_id.
 using Confidence = decltype(CIFAtoms::Confidence);
 
-double ConfidenceOf(const Confidence& values, std::int64_t model, const gemmi::Residue& residue)
+double GetConfidence(const Confidence& values, std::int64_t model, const gemmi::Residue& residue)
 {
   if (values.empty())
   {
@@ -279,7 +279,7 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted, Re
   {
     for (const gemmi::Residue& residue : chain.residues)
     {
-      const double plddt = ConfidenceOf(confidence, wanted, residue);
+      const double plddt = GetConfidence(confidence, wanted, residue);
       for (const gemmi::Atom& atom : residue.atoms)
       {
         if (!structure.connections.empty())
@@ -339,7 +339,7 @@ std::string RemarksOnAssemblies(std::string_view text)
   return remarks;
 }
 
-gemmi::Atom GemmiAtomOf(const Atom& from)
+gemmi::Atom ToGemmiAtom(const Atom& from)
 {
   gemmi::Atom atom;
   atom.name = from.Name;
@@ -353,7 +353,7 @@ gemmi::Atom GemmiAtomOf(const Atom& from)
   return atom;
 }
 
-gemmi::ResidueId ResidueIdOf(const Atom& atom)
+gemmi::ResidueId ToResidueId(const Atom& atom)
 {
   gemmi::ResidueId id;
   id.seqid.num = atom.ResidueId;
@@ -375,21 +375,21 @@ void FillModel(const PDBMolecule& molecule, gemmi::Model& model)
     {
       model.chains.emplace_back(atom.Chain);
     }
-    model.chains.back().residues.emplace_back(ResidueIdOf(atom));
+    model.chains.back().residues.emplace_back(ToResidueId(atom));
     gemmi::Residue& residue = model.chains.back().residues.back();
     residue.het_flag = atom.IsHetero ? 'H' : 'A';
     for (std::size_t i = first; i < last; ++i)
     {
-      residue.atoms.push_back(GemmiAtomOf(molecule.Atoms[i]));
+      residue.atoms.push_back(ToGemmiAtom(molecule.Atoms[i]));
     }
   }
 }
 
-gemmi::AtomAddress AddressOf(const Atom& atom)
+gemmi::AtomAddress ToAtomAddress(const Atom& atom)
 {
   gemmi::AtomAddress address;
   address.chain_name = atom.Chain;
-  address.res_id = ResidueIdOf(atom);
+  address.res_id = ToResidueId(atom);
   address.atom_name = atom.Name;
   address.altloc = atom.AltLoc == ' ' ? '\0' : atom.AltLoc;
   return address;
@@ -397,7 +397,7 @@ gemmi::AtomAddress AddressOf(const Atom& atom)
 
 /// An assembly of a model. CONECT records name atoms of the file: in copies, bonds are found by
 /// distance.
-Macromolecule AssemblyOf(const PDBMolecule& molecule, const std::string& name,
+Macromolecule BuildAssembly(const PDBMolecule& molecule, const std::string& name,
   std::string_view text, const std::string& path)
 {
   const std::string remarks = RemarksOnAssemblies(text);
@@ -408,8 +408,8 @@ Macromolecule AssemblyOf(const PDBMolecule& molecule, const std::string& name,
     gemmi::Connection connection;
     connection.type = gemmi::Connection::Covale;
     connection.asu = gemmi::Asu::Same;
-    connection.partner1 = AddressOf(molecule.Atoms[static_cast<std::size_t>(bond.First)]);
-    connection.partner2 = AddressOf(molecule.Atoms[static_cast<std::size_t>(bond.Second)]);
+    connection.partner1 = ToAtomAddress(molecule.Atoms[static_cast<std::size_t>(bond.First)]);
+    connection.partner2 = ToAtomAddress(molecule.Atoms[static_cast<std::size_t>(bond.Second)]);
     structure.connections.push_back(connection);
   }
   TakeAssembly(structure, name, path);
@@ -433,7 +433,7 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     report, Between(progress, 0.3, 1.0));
   if (EndsWithinRecord(text, lines))
   {
-    throw std::runtime_error(path + ", " + LineOf(text, UnfinishedLine(text)) +
+    throw std::runtime_error(path + ", " + FormatLineNumber(text, UnfinishedLine(text)) +
       ": the file ends within this record. Fetch or write it again.");
   }
   if (choice.Assembly.empty())
@@ -441,11 +441,11 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     molecule.Atoms = std::move(read.Atoms);
     molecule.Bonds = std::move(read.Links);
     molecule.Bonds.insert(molecule.Bonds.end(), read.Bonds.begin(), read.Bonds.end());
-    SetStructure(StructureOfPDB(text), molecule.Atoms);
+    SetStructure(ReadPDBStructure(text), molecule.Atoms);
   }
   else
   {
-    Macromolecule assembly = AssemblyOf(read, choice.Assembly, text, path);
+    Macromolecule assembly = BuildAssembly(read, choice.Assembly, text, path);
     molecule.Atoms = std::move(assembly.Atoms);
     molecule.Bonds = std::move(assembly.Bonds);
   }
@@ -454,7 +454,7 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
 }
 
 /// Some programs, APBS among them, separate the values by blanks regardless of the columns.
-Macromolecule PDBInWords(std::string_view text, const std::string& path, std::int64_t model,
+Macromolecule ReadPDBByWords(std::string_view text, const std::string& path, std::int64_t model,
   const NonstandardColumnsError& first, const ProgressCallback& progress)
 {
   Macromolecule molecule;
@@ -503,12 +503,12 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
   {
     if (!choice.Assembly.empty())
     {
-      throw NoSuchAssembly(path +
+      throw UnknownAssembly(path +
         ": the values are not in the columns of a PDB file, so its assemblies can't be read. Leave "
         "Assembly empty.");
     }
     // Without progress from the start again, which would not be monotone.
-    return PDBInWords(text, path, choice.Model, error, AbortOnly(progress));
+    return ReadPDBByWords(text, path, choice.Model, error, AbortOnly(progress));
   }
 }
 
@@ -524,14 +524,14 @@ namespace
 {
 
 /// A data block with atoms.
-struct BlockOfAtoms
+struct AtomBlock
 {
   gemmi::cif::Block* Block;
   CIFAtoms Atoms;
 };
 
 /// "A, B, C, ..."
-std::string NamesOf(const std::vector<BlockOfAtoms>& blocks)
+std::string JoinNames(const std::vector<AtomBlock>& blocks)
 {
   constexpr std::size_t mostNamed = 5;
   std::string names;
@@ -543,9 +543,9 @@ std::string NamesOf(const std::vector<BlockOfAtoms>& blocks)
 }
 
 /// The blocks with atoms. Chemical components beside a structure are its dictionary.
-std::vector<BlockOfAtoms> FindAtoms(gemmi::cif::Document& document)
+std::vector<AtomBlock> FindAtoms(gemmi::cif::Document& document)
 {
-  std::vector<BlockOfAtoms> blocks;
+  std::vector<AtomBlock> blocks;
   bool hasReflections = false;
   std::string why; // the first block that can't be read
   for (gemmi::cif::Block& block : document.blocks)
@@ -569,7 +569,7 @@ std::vector<BlockOfAtoms> FindAtoms(gemmi::cif::Document& document)
   {
     throw std::invalid_argument(why);
   }
-  const auto isComponent = [](const BlockOfAtoms& block)
+  const auto isComponent = [](const AtomBlock& block)
   { return block.Atoms.From == CIFAtoms::Source::ChemicalComponent; };
   if (!std::all_of(blocks.begin(), blocks.end(), isComponent))
   {
@@ -591,7 +591,7 @@ std::vector<BlockOfAtoms> FindAtoms(gemmi::cif::Document& document)
 }
 
 /// The structure of a block; if a table beside the atoms is at fault, the atoms alone.
-gemmi::Structure StructureOf(BlockOfAtoms& block, bool needsAssembly)
+gemmi::Structure BuildStructure(AtomBlock& block, bool needsAssembly)
 {
   try
   {
@@ -650,13 +650,13 @@ void AddNamedBonds(CIFAtoms& atoms, Macromolecule& molecule)
 Macromolecule ReadBlocks(
   gemmi::cif::Document& document, const std::string& path, const StructureChoice& choice)
 {
-  std::vector<BlockOfAtoms> blocks = FindAtoms(document);
+  std::vector<AtomBlock> blocks = FindAtoms(document);
   Macromolecule molecule;
   ReadingReport report;
   std::int64_t models = 0;
-  for (BlockOfAtoms& block : blocks)
+  for (AtomBlock& block : blocks)
   {
-    gemmi::Structure structure = StructureOf(block, !choice.Assembly.empty());
+    gemmi::Structure structure = BuildStructure(block, !choice.Assembly.empty());
     block.Block->items.clear(); // 32 bytes for each value
     const auto own = static_cast<std::int64_t>(structure.models.size());
     if (choice.Model >= models && choice.Model < models + own)
@@ -689,7 +689,7 @@ Macromolecule ReadBlocks(
   if (blocks.size() > 1)
   {
     report.Warn("The file has " + std::to_string(blocks.size()) + " data blocks with atoms (" +
-      NamesOf(blocks) + "), which are its models 0 to " + std::to_string(models - 1) +
+      JoinNames(blocks) + "), which are its models 0 to " + std::to_string(models - 1) +
       "; this is model " + std::to_string(choice.Model) + ".");
   }
   report.AddTo(molecule);
@@ -712,7 +712,7 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   {
     throw;
   }
-  catch (const NoSuchAssembly&)
+  catch (const UnknownAssembly&)
   {
     throw;
   }

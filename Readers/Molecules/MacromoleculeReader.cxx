@@ -36,7 +36,7 @@ bool EndsWith(const std::string& text, const std::string& end)
 }
 
 /// A name in small letters, without the extension of a compression.
-std::string Uncompressed(const std::string& path)
+std::string RemoveCompressionSuffix(const std::string& path)
 {
   std::string name = Lower(path);
   for (const char* compression : { ".gz", ".bz2" })
@@ -49,9 +49,9 @@ std::string Uncompressed(const std::string& path)
   return name;
 }
 
-MoleculeFormat FormatOfName(const std::string& path)
+MoleculeFormat FormatFromName(const std::string& path)
 {
-  const std::string name = Uncompressed(path);
+  const std::string name = RemoveCompressionSuffix(path);
   const std::pair<const char*, MoleculeFormat> extensions[] = { { ".pdb", MoleculeFormat::PDB },
     { ".ent", MoleculeFormat::PDB }, { ".cif", MoleculeFormat::MMCIF },
     { ".mmcif", MoleculeFormat::MMCIF }, { ".pqr", MoleculeFormat::PQR },
@@ -71,13 +71,13 @@ MoleculeFormat FormatOfName(const std::string& path)
 }
 
 /// Advice for a file in a format that is not supported; empty if the format is unknown.
-std::string OtherFormat(const std::string& path)
+std::string DescribeForeignFormat(const std::string& path)
 {
-  const std::string name = Uncompressed(path);
+  const std::string name = RemoveCompressionSuffix(path);
   const struct
   {
     const char* Extensions;
-    const char* Sentence;
+    const char* Message;
   } formats[] = {
     { ".bcif ",
       "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif)." },
@@ -115,7 +115,7 @@ std::string OtherFormat(const std::string& path)
     {
       if (EndsWith(name, std::string(extension)))
       {
-        return format.Sentence;
+        return format.Message;
       }
     }
   }
@@ -130,7 +130,7 @@ bool BeginsAs(std::string_view text, std::string_view with)
 }
 
 /// The actual content of a file if it does not match its name, with advice; empty if unknown.
-std::string OtherContent(std::string_view text, MoleculeFormat format)
+std::string DescribeForeignContent(std::string_view text, MoleculeFormat format)
 {
   const std::string_view begin = text.substr(0, 1000);
   const auto has = [begin](std::string_view word) { return begin.find(word) != begin.npos; };
@@ -178,7 +178,7 @@ std::string OtherContent(std::string_view text, MoleculeFormat format)
 }
 
 /// For names without a known extension. mmCIF first, since its text may contain PDB's words.
-MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
+MoleculeFormat FormatFromText(std::string_view text, const std::string& path)
 {
   if (text.substr(0, 5) == "data_" || text.find("\ndata_") != std::string_view::npos)
   {
@@ -196,8 +196,8 @@ MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
   {
     return MoleculeFormat::MOL2;
   }
-  std::string other = OtherFormat(path);
-  other = other.empty() ? OtherContent(text, MoleculeFormat::ByName) : other;
+  std::string other = DescribeForeignFormat(path);
+  other = other.empty() ? DescribeForeignContent(text, MoleculeFormat::ByName) : other;
   if (!other.empty())
   {
     throw std::runtime_error(path + ": " + other);
@@ -213,9 +213,9 @@ Macromolecule Parse(std::string_view text, const std::string& path, MoleculeForm
 {
   if (format == MoleculeFormat::ByName)
   {
-    format = FormatOfText(text, path);
+    format = FormatFromText(text, path);
   }
-  const std::string other = OtherContent(text, format);
+  const std::string other = DescribeForeignContent(text, format);
   if (!other.empty())
   {
     throw std::runtime_error(path + ": " + other);
@@ -261,7 +261,7 @@ void CheckModel(const Macromolecule& molecule, const std::string& path, std::int
 
 /// "3 atoms have ...: FE of HEM 142 A, ..." when `has` holds for any.
 template <typename Predicate>
-std::string SentenceAbout(const Macromolecule& molecule, const char* what, Predicate has)
+std::string DescribeAtoms(const Macromolecule& molecule, const char* what, Predicate has)
 {
   constexpr int mostNamed = 5;
   int count = 0;
@@ -290,7 +290,7 @@ void AddSentence(std::vector<std::string>& to, const std::string& sentence)
 }
 
 /// Properties of some atoms that are reported in messages.
-struct Peculiarities
+struct RadiusFindings
 {
   std::atomic<bool> NoRadius{ false }, ChargedPoint{ false }, NoCharge{ false }, Charge{ false };
 };
@@ -300,7 +300,7 @@ bool IsChargedPoint(const Atom& atom)
   return atom.Radius == 0.0 && atom.Charge != 0.0;
 }
 
-void SetRadii(Macromolecule& molecule, RadiusTable table, Peculiarities& found)
+void SetRadii(Macromolecule& molecule, RadiusTable table, RadiusFindings& found)
 {
   constexpr std::int64_t atomsAtOnce = 1 << 14;
   ParallelFor(0, static_cast<std::int64_t>(molecule.Atoms.size()), atomsAtOnce,
@@ -326,18 +326,18 @@ void SetRadii(Macromolecule& molecule, RadiusTable table, Peculiarities& found)
 
 void SetRadii(Macromolecule& molecule, RadiusTable table)
 {
-  Peculiarities found;
+  RadiusFindings found;
   SetRadii(molecule, table, found);
   if (found.NoRadius)
   {
     AddSentence(molecule.Warnings,
-      SentenceAbout(molecule, "no radius in the table (Radius is NaN)",
+      DescribeAtoms(molecule, "no radius in the table (Radius is NaN)",
         [](const Atom& atom) { return std::isnan(atom.Radius); }));
   }
   if (found.ChargedPoint)
   {
     AddSentence(molecule.Notes,
-      SentenceAbout(molecule, "the radius 0 in the file, and a charge", IsChargedPoint));
+      DescribeAtoms(molecule, "the radius 0 in the file, and a charge", IsChargedPoint));
   }
   if (!found.Charge)
   {
@@ -346,7 +346,7 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   else if (found.NoCharge)
   {
     AddSentence(molecule.Notes,
-      SentenceAbout(molecule, "no charge in the file (Charge is NaN)",
+      DescribeAtoms(molecule, "no charge in the file (Charge is NaN)",
         [](const Atom& atom) { return std::isnan(atom.Charge); }));
   }
 }
@@ -397,7 +397,7 @@ Macromolecule ReadMacromolecule(
   MoleculeOptions named = options;
   if (named.Format == MoleculeFormat::ByName)
   {
-    named.Format = FormatOfName(path);
+    named.Format = FormatFromName(path);
   }
   return ParseMacromolecule(text, path, named, Between(progress, 0.2, 1.0));
 }
@@ -465,7 +465,7 @@ constexpr std::size_t LongestSeparator = 8; ///< "\nENDMDL" and one more
 Separators FindSeparators(ByteSource& source)
 {
   constexpr std::uint64_t part = 1 << 20;
-  const std::uint64_t size = source.MostBytes();
+  const std::uint64_t size = source.MaximumBytes();
   std::mutex mutex;
   Separators all;
   ParallelFor(0, static_cast<std::int64_t>((size + part - 1) / part), 8,
@@ -515,7 +515,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   const auto source = OpenTextSource(path);
   if (format == MoleculeFormat::ByName)
   {
-    format = FormatOfName(path);
+    format = FormatFromName(path);
   }
   const bool isByRecord = format == MoleculeFormat::PDB || format == MoleculeFormat::PQR;
   Separators found;
@@ -531,7 +531,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   const std::string text = ReadAll(*source);
   if (format == MoleculeFormat::ByName)
   {
-    format = FormatOfText(text, path);
+    format = FormatFromText(text, path);
   }
   if (format == MoleculeFormat::PQR)
   {
@@ -552,7 +552,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
 
 bool LooksLikeMolecule(const std::string& path)
 {
-  if (FormatOfName(path) == MoleculeFormat::ByName)
+  if (FormatFromName(path) == MoleculeFormat::ByName)
   {
     return false;
   }

@@ -54,7 +54,7 @@ MakeArray Numbers(const Macromolecule& molecule, const char* name, Value value)
 
 /// The same of a value that few files have; no array where it is NaN for all atoms.
 template <typename Value>
-MakeArray RareNumbers(const Macromolecule& molecule, const char* name, Value value)
+MakeArray OptionalNumbers(const Macromolecule& molecule, const char* name, Value value)
 {
   return [&molecule, name, value]() -> vtkSmartPointer<vtkAbstractArray>
   {
@@ -120,8 +120,8 @@ constexpr std::size_t ElementPlace = 2; ///< among PointArrays
 std::vector<MakeArray> PointArrays(const Macromolecule& molecule, bool withAltLoc)
 {
   using Text = const std::string&;
-  std::vector<MakeArray> arrays{ Numbers<vtkDoubleArray>(
-                                   molecule, "Radius", [](const Atom& a) { return a.Radius; }),
+  std::vector<MakeArray> arrays{
+    Numbers<vtkDoubleArray>(molecule, "Radius", [](const Atom& a) { return a.Radius; }),
     Numbers<vtkDoubleArray>(molecule, "Charge", [](const Atom& a) { return a.Charge; }),
     Numbers<vtkUnsignedShortArray>(
       molecule, "Element", [](const Atom& a) { return static_cast<unsigned short>(a.Element); }),
@@ -134,7 +134,8 @@ std::vector<MakeArray> PointArrays(const Macromolecule& molecule, bool withAltLo
     Numbers<vtkUnsignedCharArray>(molecule, "IsHetero",
       [](const Atom& a) { return static_cast<unsigned char>(a.IsHetero ? 1 : 0); }),
     Letters(molecule, "InsertionCode", [](const Atom& a) { return a.InsertionCode; }),
-    RareNumbers(molecule, "pLDDT", [](const Atom& a) { return a.PLDDT; }), Structures(molecule) };
+    OptionalNumbers(molecule, "pLDDT", [](const Atom& a) { return a.PLDDT; }), Structures(molecule)
+  };
   if (withAltLoc)
   {
     arrays.push_back(Letters(molecule, "AltLoc", [](const Atom& a) { return a.AltLoc; }));
@@ -143,7 +144,7 @@ std::vector<MakeArray> PointArrays(const Macromolecule& molecule, bool withAltLo
 }
 
 /// Calls all of `work`, several at once.
-void DoAll(const std::vector<std::function<void()>>& work)
+void RunAll(const std::vector<std::function<void()>>& work)
 {
   ParallelFor(0, static_cast<std::int64_t>(work.size()), 1,
     [&work](std::int64_t first, std::int64_t last)
@@ -155,7 +156,7 @@ void DoAll(const std::vector<std::function<void()>>& work)
     });
 }
 
-vtkSmartPointer<vtkPoints> PointsOf(const Macromolecule& molecule)
+vtkSmartPointer<vtkPoints> MakePoints(const Macromolecule& molecule)
 {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
@@ -216,7 +217,7 @@ void SetCells(const Macromolecule& molecule, vtkPolyData* to)
 
 void AddSentences(vtkFieldData* to, const char* name, const std::vector<std::string>& sentences)
 {
-  AddColumnOf<vtkStringArray>(
+  AddComputedColumn<vtkStringArray>(
     to, name, sentences, [](const std::string& sentence) { return Printable(sentence); });
 }
 
@@ -264,7 +265,7 @@ void FillOutputs(
   std::vector<vtkSmartPointer<vtkAbstractArray>> arrays(make.size());
   const auto fill = [&make, &arrays](std::size_t i) { arrays[i] = make[i](); };
   vtkSmartPointer<vtkPoints> points;
-  DoAll({ [&] { points = PointsOf(from); }, [&] { fill(ElementPlace); } });
+  RunAll({ [&] { points = MakePoints(from); }, [&] { fill(ElementPlace); } });
   atoms->SetPoints(points);
   // VTK's part of the molecule takes longest and can't be divided, so it comes first.
   auto* const elements = vtkDataArray::SafeDownCast(arrays[ElementPlace]);
@@ -277,7 +278,7 @@ void FillOutputs(
       work.emplace_back([&fill, i] { fill(i); });
     }
   }
-  DoAll(work);
+  RunAll(work);
   for (const auto& array : arrays)
   {
     if (array)

@@ -26,7 +26,7 @@ bool AllHexadecimal(std::string_view text)
 }
 
 /// Columns [from, from + count) with blanks where the line has ended.
-std::string Padded(std::string_view line, std::size_t from, std::size_t count)
+std::string PadColumns(std::string_view line, std::size_t from, std::size_t count)
 {
   std::string text(from < line.size() ? line.substr(from, count) : std::string_view());
   text.resize(count, ' ');
@@ -34,7 +34,7 @@ std::string Padded(std::string_view line, std::size_t from, std::size_t count)
 }
 
 /// Columns 73-76.
-std::string_view SegmentOf(std::string_view line)
+std::string_view GetSegment(std::string_view line)
 {
   return Columns(line, 72 + CoordinateShift(line), 4);
 }
@@ -42,7 +42,7 @@ std::string_view SegmentOf(std::string_view line)
 /// Columns 18-27.
 std::string ResidueColumns(std::string_view line)
 {
-  return Padded(line, 17, 10);
+  return PadColumns(line, 17, 10);
 }
 
 // ------------------------------------------------------------------------------------------
@@ -59,7 +59,7 @@ public:
   bool operator()(std::string_view a, std::string_view b) const
   {
     return a.substr(17, 10) == b.substr(17, 10) &&
-      (!this->WithSegments || SegmentOf(a) == SegmentOf(b));
+      (!this->WithSegments || GetSegment(a) == GetSegment(b));
   }
 
 private:
@@ -87,7 +87,7 @@ std::vector<PDBRun> FindRuns(const PDBLines& lines, const PDBModel& model, bool 
         runs.emplace_back();
         runs.back().First = i;
         runs.back().Part = p;
-        runs.back().Segment = withSegments ? SegmentOf(line) : std::string_view();
+        runs.back().Segment = withSegments ? GetSegment(line) : std::string_view();
       }
       runs.back().Last = i + 1;
     }
@@ -154,7 +154,7 @@ public:
       run.FileChain.clear();
       ++this->Notes.FiveDigits;
     }
-    run.Number = this->Decode(Trimmed(field), run.Segment + run.FileChain);
+    run.Number = this->Decode(Trim(field), run.Segment + run.FileChain);
     this->Last = run.Number;
     this->Chain = run.Segment + run.FileChain;
   }
@@ -259,7 +259,7 @@ bool HasNumbersInFiveColumns(const PDBLines& lines, const std::vector<PDBRun>& r
 // ------------------------------------------------------------------------------------------
 // Chains of several parts
 
-std::string FreeName(const std::string& name, const std::set<std::string>& taken)
+std::string FindFreeName(const std::string& name, const std::set<std::string>& taken)
 {
   constexpr std::string_view letters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
@@ -301,7 +301,7 @@ void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
     const auto [found, isNew] = renamed.emplace(std::pair(run.Part, run.FileChain), "");
     if (isNew)
     {
-      found->second = FreeName(run.FileChain, taken);
+      found->second = FindFreeName(run.FileChain, taken);
       taken.insert(found->second);
       if (list.size() < mostListed)
       {
@@ -475,7 +475,7 @@ PDBResidueNames::PDBResidueNames(const std::vector<PDBRun>& runs, const PDBLines
     const bool isLong = isKnownLong(five);
     anyLong = anyLong || isLong;
     if (!isLong &&
-      FamilyOfResidue(Trimmed(std::string_view(five).substr(0, 3))) != ResidueFamily::Unknown)
+      FindResidueFamily(Trim(std::string_view(five).substr(0, 3))) != ResidueFamily::Unknown)
     {
       chains.insert(five.substr(3));
     }
@@ -515,8 +515,8 @@ std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool 
     const std::string columns = ResidueColumns(lines.Atoms[run.First]);
     const std::string_view text(columns);
     const bool isLong = names.IsLong(text.substr(0, 5));
-    run.Name = Trimmed(text.substr(0, isLong ? 4 : 3));
-    run.FileChain = Trimmed(isLong ? text.substr(4, 1) : text.substr(3, 2));
+    run.Name = Trim(text.substr(0, isLong ? 4 : 3));
+    run.FileChain = Trim(isLong ? text.substr(4, 1) : text.substr(3, 2));
     numbers->Read(columns, run);
     if (run.FileChain.empty() && !run.Segment.empty())
     {

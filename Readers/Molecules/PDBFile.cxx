@@ -63,7 +63,7 @@ struct ResidueKey
   }
 };
 
-struct HashOfResidue
+struct ResidueHash
 {
   std::size_t operator()(const ResidueKey& key) const
   {
@@ -83,10 +83,10 @@ struct Order
   std::size_t Atoms = 0;
 };
 
-Order OrderOf(const std::vector<PDBRun>& runs)
+Order FindResidueOrder(const std::vector<PDBRun>& runs)
 {
   Order order;
-  std::unordered_map<ResidueKey, std::size_t, HashOfResidue> known;
+  std::unordered_map<ResidueKey, std::size_t, ResidueHash> known;
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const PDBRun& run = runs[r];
@@ -153,7 +153,7 @@ bool HasOldColumns(const PDBLines& lines, const PDBModel& model)
 }
 
 /// "2+", "+2" or "2"; nothing otherwise.
-std::optional<double> ChargeOf(std::string_view text)
+std::optional<double> ParseCharge(std::string_view text)
 {
   if (text.empty())
   {
@@ -210,7 +210,7 @@ struct Faults
 };
 
 /// Columns 7-11, or 7-12 where six digits are.
-std::string_view SerialOf(std::string_view line)
+std::string_view GetSerial(std::string_view line)
 {
   const bool isWide = line.size() > 11 && IsDigit(line[11]) && IsDigit(line[10]);
   return Columns(line, 6, isWide ? 6 : 5);
@@ -257,7 +257,7 @@ void ReadAtom(std::string_view line, std::size_t index, bool withColumns73To80, 
   }
   atom.Name = Columns(line, 12, 4);
   atom.AltLoc = line[16];
-  const std::string_view serial = SerialOf(line);
+  const std::string_view serial = GetSerial(line);
   faults.OddSerials += IsNumber(serial, atom.Serial) ? 0 : 1;
   const std::size_t shift = CoordinateShift(line);
   for (const auto& [from, value] :
@@ -281,7 +281,7 @@ void ReadAtom(std::string_view line, std::size_t index, bool withColumns73To80, 
   {
     columns.Symbol[i] = 76 + shift + i < line.size() ? line[76 + shift + i] : ' ';
   }
-  const std::optional<double> charge = ChargeOf(Columns(line, 78 + shift, 2));
+  const std::optional<double> charge = ParseCharge(Columns(line, 78 + shift, 2));
   atom.Charge = charge.value_or(Atom::Unknown);
   if (!charge)
   {
@@ -315,7 +315,7 @@ public:
                         "as in old PDB files; they were ignored.");
     }
     this->Runs = ReadRuns(this->Lines, this->Model, !isOld, this->Names, this->Report);
-    const Order order = OrderOf(this->Runs);
+    const Order order = FindResidueOrder(this->Runs);
     this->ReadAtoms(order, !isOld, progress);
     this->Result.Residues = order.Starts;
     this->ReportFaults();
@@ -367,7 +367,10 @@ private:
       progress);
   }
 
-  std::string Here(std::size_t atom) const { return LineOf(this->Text, this->Lines.Atoms[atom]); }
+  std::string Here(std::size_t atom) const
+  {
+    return FormatLineNumber(this->Text, this->Lines.Atoms[atom]);
+  }
 
   void ReportFaults()
   {
@@ -456,7 +459,7 @@ private:
     {
       for (std::size_t i = part.First; i < part.Last; ++i)
       {
-        serials.emplace(i, decoder.Next(SerialOf(this->Lines.Atoms[i])));
+        serials.emplace(i, decoder.Next(GetSerial(this->Lines.Atoms[i])));
       }
     }
     this->IsHexadecimal = decoder.AnyHexadecimal();
@@ -470,7 +473,7 @@ private:
   // Bonds
 
   /// The part of the model that a record is in; none if it is in none and concerns all.
-  std::optional<std::size_t> PartOf(const PDBRecord& record) const
+  std::optional<std::size_t> FindPart(const PDBRecord& record) const
   {
     if (this->Model.size() < 2)
     {
@@ -500,7 +503,7 @@ private:
   using Places = std::unordered_map<int, std::int64_t>;
 
   /// Those of a part, whose atoms follow each other, or of all.
-  Places PlacesOf(std::optional<std::size_t> part) const
+  Places IndexAtoms(std::optional<std::size_t> part) const
   {
     std::size_t first = 0;
     std::size_t last = this->Result.Atoms.size();
@@ -617,7 +620,7 @@ private:
       const auto [places, isNew] = known.try_emplace(part);
       if (isNew)
       {
-        places->second = this->PlacesOf(part);
+        places->second = this->IndexAtoms(part);
       }
       return places->second;
     };
@@ -631,7 +634,7 @@ private:
       {
         continue;
       }
-      this->AddConect(record, placesOf(this->PartOf(record)), placesOf({}), missing);
+      this->AddConect(record, placesOf(this->FindPart(record)), placesOf({}), missing);
     }
     if (missing > 0)
     {
@@ -644,7 +647,7 @@ private:
   void Count(const char* what, const PDBRecord& record)
   {
     const bool isFirst = this->Counted.insert(what).second;
-    this->Report.Count(what, isFirst ? LineOf(this->Text, record.Line) : std::string());
+    this->Report.Count(what, isFirst ? FormatLineNumber(this->Text, record.Line) : std::string());
   }
 
   /// `ofPart` has the atoms of the part that the record is in, `all` those of the model.
@@ -730,13 +733,13 @@ private:
       return {};
     }
     number = hybrid.value_or(number);
-    const std::optional<std::size_t> part = this->PartOf(record);
+    const std::optional<std::size_t> part = this->FindPart(record);
     for (std::size_t p = part.value_or(0); p < this->Model.size(); ++p)
     {
       const auto run = this->RunOf.find({ p, chain, name, number, code });
       if (run != this->RunOf.end())
       {
-        return this->AtomsOf(run->second);
+        return this->FindAtoms(run->second);
       }
       if (part)
       {
@@ -747,7 +750,7 @@ private:
   }
 
   /// Of the residue that begins with a run.
-  std::vector<std::size_t> AtomsOf(std::size_t run) const
+  std::vector<std::size_t> FindAtoms(std::size_t run) const
   {
     const auto first = this->AtomOfLine.find(this->Runs[run].First);
     if (first == this->AtomOfLine.end())

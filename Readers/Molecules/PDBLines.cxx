@@ -28,7 +28,7 @@ bool IsWord(std::string_view line, std::string_view name)
   return IsRecord(line, name) && (line.size() == name.size() || line[name.size()] <= ' ');
 }
 
-std::optional<PDBRecord::Kind> KindOf(std::string_view line)
+std::optional<PDBRecord::Kind> ParseRecordKind(std::string_view line)
 {
   switch (line[0] & ~0x20)
   {
@@ -71,7 +71,7 @@ void Split(std::string_view text, PDBLines& lines)
     {
       lines.Atoms.push_back(line);
     }
-    else if (const auto kind = KindOf(line))
+    else if (const auto kind = ParseRecordKind(line))
     {
       lines.Records.push_back({ *kind, lines.Atoms.size(), line });
     }
@@ -221,7 +221,7 @@ struct Box
   Point3 High{ 0.0, 0.0, 0.0 };
 };
 
-Box BoxOf(const std::vector<Point3>& places)
+Box ComputeBox(const std::vector<Point3>& places)
 {
   Box box;
   for (std::size_t axis = 0; axis < 3 && !places.empty(); ++axis)
@@ -255,7 +255,7 @@ bool AnyOverlap(const AtomLines& file, const std::vector<PDBModel>& groups)
   for (const PDBModel& group : groups)
   {
     places.push_back(Places(file, group));
-    boxes.push_back(BoxOf(places.back()));
+    boxes.push_back(ComputeBox(places.back()));
     for (std::size_t earlier = places.size() - 1; earlier-- > 0;)
     {
       if (!AreApart(boxes[earlier], boxes.back()) && Overlap(places[earlier], places.back()))
@@ -267,7 +267,7 @@ bool AnyOverlap(const AtomLines& file, const std::vector<PDBModel>& groups)
   return false;
 }
 
-std::vector<PDBModel> Grouped(const std::vector<PDBPart>& parts, std::size_t size)
+std::vector<PDBModel> GroupParts(const std::vector<PDBPart>& parts, std::size_t size)
 {
   std::vector<PDBModel> models;
   for (std::size_t i = 0; i < parts.size(); i += size)
@@ -279,13 +279,13 @@ std::vector<PDBModel> Grouped(const std::vector<PDBPart>& parts, std::size_t siz
 }
 
 /// Models or one structure, of parts that END separates.
-std::vector<PDBModel> ModelsOfParts(
+std::vector<PDBModel> GroupModels(
   const AtomLines& file, const std::vector<PDBPart>& parts, ReadingReport& report)
 {
   const std::string head =
     "END separates " + std::to_string(parts.size()) + " parts of the file, which ";
   const std::size_t period = Period(file, parts);
-  std::vector<PDBModel> models = Grouped(parts, period);
+  std::vector<PDBModel> models = GroupParts(parts, period);
   if (models.size() == 1)
   {
     report.Note(head + "have different atoms: read as one structure.");
@@ -298,7 +298,7 @@ std::vector<PDBModel> ModelsOfParts(
     return models;
   }
   report.Note(head + "repeat the same atoms at places that do not overlap: read as one structure.");
-  return Grouped(parts, parts.size());
+  return GroupParts(parts, parts.size());
 }
 
 /// Parts of atoms between records of the kinds that separate them.
@@ -413,7 +413,7 @@ PDBLines SplitPDB(
   return lines;
 }
 
-std::string LineOf(std::string_view text, std::string_view line)
+std::string FormatLineNumber(std::string_view text, std::string_view line)
 {
   return "line " + std::to_string(1 + std::count(text.data(), line.data(), '\n'));
 }
@@ -430,9 +430,9 @@ std::vector<PDBModel> FindModels(
   const std::vector<PDBPart> parts = PartsBetween(lines);
   if (parts.size() < 2 || Has(lines, PDBRecord::Kind::EndModel))
   {
-    return Grouped(parts, 1);
+    return GroupParts(parts, 1);
   }
-  return ModelsOfParts({ lines, atoms }, parts, report);
+  return GroupModels({ lines, atoms }, parts, report);
 }
 
 }

@@ -61,7 +61,7 @@ PDBLines SplitPDB(
   std::string_view text, std::size_t bytesOfAPiece, const ProgressCallback& progress);
 
 /// "line 7" of `text`, for messages. O(bytes before it).
-std::string LineOf(std::string_view text, std::string_view line);
+std::string FormatLineNumber(std::string_view text, std::string_view line);
 
 /// The parts of the lines of atoms that FindModels reads; by default the columns of PDB.
 struct PDBAtomText

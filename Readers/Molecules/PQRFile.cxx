@@ -81,9 +81,9 @@ bool ReadWords(std::string_view rest, Atom& atom)
     words[count++] = word;
   }
   atom.Element = 0;
-  if (count > 9 && ElementOfSymbol(words[count - 1]) > 0)
+  if (count > 9 && ElementFromSymbol(words[count - 1]) > 0)
   {
-    atom.Element = ElementOfSymbol(words[--count]);
+    atom.Element = ElementFromSymbol(words[--count]);
   }
   constexpr std::size_t fewest = 9; // serial name residue number x y z charge radius
   if (count < fewest || count > fewest + 2 || !ReadNumbers(words.data() + count - 5, atom) ||
@@ -118,20 +118,20 @@ bool ReadColumns(std::string_view line, Atom& atom)
   atom.ResidueName = Columns(line, 16, 5);
   atom.Chain = Columns(line, 21, 1);
   atom.InsertionCode = line[26];
-  atom.Element = ElementOfSymbol(NextWord(rest));
+  atom.Element = ElementFromSymbol(NextWord(rest));
   return !atom.Name.empty();
 }
 
 /// Atoms of amino acids, nucleotides etc. are not dummies, whatever their names.
 bool IsDummy(const Atom& atom)
 {
-  const ResidueFamily family = FamilyOfResidue(atom.ResidueName);
+  const ResidueFamily family = FindResidueFamily(atom.ResidueName);
   return (family == ResidueFamily::Unknown || family == ResidueFamily::Water) &&
     IsDummyName(atom.Name);
 }
 
 /// What is wrong with the numbers of an atom; empty: nothing.
-std::string FaultOfValues(const Atom& atom)
+std::string FindFault(const Atom& atom)
 {
   for (const double value :
     { atom.Position[0], atom.Position[1], atom.Position[2], atom.Charge, atom.Radius })
@@ -163,7 +163,7 @@ bool IsSameAtom(std::string_view a, std::string_view b)
     x.ResidueId == y.ResidueId && x.InsertionCode == y.InsertionCode && x.Chain == y.Chain;
 }
 
-bool PlaceOfAtom(std::string_view line, std::array<double, 3>& place)
+bool ParsePosition(std::string_view line, std::array<double, 3>& place)
 {
   Atom atom;
   const bool isAtom = ReadLine(line, atom);
@@ -171,7 +171,7 @@ bool PlaceOfAtom(std::string_view line, std::array<double, 3>& place)
   return isAtom;
 }
 
-constexpr PDBAtomText textOfAtoms{ IsSameAtom, PlaceOfAtom };
+constexpr PDBAtomText textOfAtoms{ IsSameAtom, ParsePosition };
 
 /// Reads an atom with its element. Returns what is wrong with the line; empty: nothing.
 std::string ReadAtom(std::string_view line, Atom& atom, bool& isDummy)
@@ -184,9 +184,9 @@ std::string ReadAtom(std::string_view line, Atom& atom, bool& isDummy)
   isDummy = atom.Element == 0 && IsDummy(atom);
   if (atom.Element == 0 && !isDummy)
   {
-    atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
+    atom.Element = ElementFromAtomName(atom.Name, atom.ResidueName);
   }
-  return FaultOfValues(atom);
+  return FindFault(atom);
 }
 
 /// The atoms of lines of `text`, and the number of dummies among them.
@@ -224,7 +224,7 @@ std::vector<Atom> ReadAtoms(std::string_view text, const std::string& path,
   {
     Atom atom;
     bool isDummy = false;
-    throw std::runtime_error(path + ", " + LineOf(text, lines[firstFault]) + ": " +
+    throw std::runtime_error(path + ", " + FormatLineNumber(text, lines[firstFault]) + ": " +
       ReadAtom(lines[firstFault], atom, isDummy));
   }
   if (lines.size() > 1 && lines.back().data() == UnfinishedLine(text).data() &&
@@ -234,7 +234,7 @@ std::vector<Atom> ReadAtoms(std::string_view text, const std::string& path,
     const std::string_view before = lines[lines.size() - 2];
     if (last.size() < before.size() && CountWords(last) < CountWords(before))
     {
-      throw std::runtime_error(path + ", " + LineOf(text, last) +
+      throw std::runtime_error(path + ", " + FormatLineNumber(text, last) +
         ": the file ends within this record. Fetch or write it again.");
     }
   }

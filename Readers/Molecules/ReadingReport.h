@@ -63,7 +63,7 @@ public:
         warning += (warning.empty() ? "" : " ") + sentence;
       }
     };
-    for (const Sentence& sentence : this->Sentences)
+    for (const Message& sentence : this->Sentences)
     {
       add(sentence.Text, sentence.IsWarning);
     }
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  struct Sentence
+  struct Message
   {
     std::string Text;
     bool IsWarning;
@@ -93,7 +93,7 @@ private:
     std::size_t Times;
   };
 
-  std::vector<Sentence> Sentences;
+  std::vector<Message> Sentences;
   std::vector<Counted> Counts;
 };
 

@@ -25,7 +25,7 @@ constexpr unsigned char PiHelix = 4;
 
 std::optional<int> ResidueNumber(std::string_view text)
 {
-  const std::string_view digits = Trimmed(text);
+  const std::string_view digits = Trim(text);
   int value = 0;
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return fault == std::errc() && end == digits.data() + digits.size() ? std::optional(value)
@@ -33,7 +33,7 @@ std::optional<int> ResidueNumber(std::string_view text)
 }
 
 /// Classes of HELIX: 1 alpha, 3 pi, 5 3-10, 10 polyproline; the rare others count as alpha.
-unsigned char HelixOfClass(std::optional<int> number)
+unsigned char HelixFromClass(std::optional<int> number)
 {
   switch (number.value_or(1))
   {
@@ -67,7 +67,7 @@ std::optional<StructureRange> RangeIn(std::string_view line, const RangeColumns&
     return {};
   }
   StructureRange range;
-  range.Chain = std::string(Trimmed(line.substr(columns.Chain, 1)));
+  range.Chain = std::string(Trim(line.substr(columns.Chain, 1)));
   range.First = *first;
   range.Last = *last;
   const auto code = [line](std::size_t at)
@@ -78,7 +78,7 @@ std::optional<StructureRange> RangeIn(std::string_view line, const RangeColumns&
 }
 
 /// The type of a helix or strand of ModelCIF, or of a helix of the PDB with its class.
-std::optional<unsigned char> StructureOfType(const std::string& type, std::optional<int> number)
+std::optional<unsigned char> StructureFromType(const std::string& type, std::optional<int> number)
 {
   const std::string upper = gemmi::to_upper(type);
   if (upper == "STRN")
@@ -90,7 +90,7 @@ std::optional<unsigned char> StructureOfType(const std::string& type, std::optio
     return {};
   }
   const auto has = [&upper](const char* part) { return upper.find(part) != std::string::npos; };
-  return has("_3T") ? Helix310 : has("_PI") ? PiHelix : has("_PP") ? Coil : HelixOfClass(number);
+  return has("_3T") ? Helix310 : has("_PI") ? PiHelix : has("_PP") ? Coil : HelixFromClass(number);
 }
 
 /// Chain, numbers and codes in columns `from` to `from` + 4 of a row.
@@ -113,7 +113,7 @@ std::optional<StructureRange> RangeIn(gemmi::cif::Table::Row& row, std::size_t f
 
 }
 
-std::vector<StructureRange> StructureOfPDB(std::string_view text)
+std::vector<StructureRange> ReadPDBStructure(std::string_view text)
 {
   constexpr RangeColumns helix{ 19, 21, 25, 33, 37 };
   constexpr RangeColumns strand{ 21, 22, 26, 33, 37 };
@@ -135,15 +135,16 @@ std::vector<StructureRange> StructureOfPDB(std::string_view text)
     }
     if (auto range = RangeIn(line, isHelix ? helix : strand))
     {
-      range->Structure =
-        isHelix ? HelixOfClass(ResidueNumber(line.size() > 38 ? line.substr(38, 2) : "")) : Strand;
+      range->Structure = isHelix
+        ? HelixFromClass(ResidueNumber(line.size() > 38 ? line.substr(38, 2) : ""))
+        : Strand;
       ranges.push_back(std::move(*range));
     }
   }
   return ranges;
 }
 
-std::vector<StructureRange> StructureOfCIF(gemmi::cif::Block& block)
+std::vector<StructureRange> ReadCIFStructure(gemmi::cif::Block& block)
 {
   std::vector<StructureRange> ranges;
   for (gemmi::cif::Table::Row row : block.find("_struct_conf.",
@@ -151,7 +152,7 @@ std::vector<StructureRange> StructureOfCIF(gemmi::cif::Block& block)
            "end_auth_seq_id", "?pdbx_end_PDB_ins_code", "?pdbx_PDB_helix_class" }))
   {
     const auto structure =
-      StructureOfType(row.str(0), row.has(6) ? ResidueNumber(row.str(6)) : std::nullopt);
+      StructureFromType(row.str(0), row.has(6) ? ResidueNumber(row.str(6)) : std::nullopt);
     auto range = structure ? RangeIn(row, 1) : std::nullopt;
     if (range)
     {

@@ -29,11 +29,11 @@ struct StructureRange
 };
 
 /// Of the lines before the first atom. Records that cannot be read are ignored.
-std::vector<StructureRange> StructureOfPDB(std::string_view text);
+std::vector<StructureRange> ReadPDBStructure(std::string_view text);
 
 /// Rows that lack a chain or a number are ignored. Helices of ModelCIF have a type, those of the
 /// PDB a class.
-std::vector<StructureRange> StructureOfCIF(gemmi::cif::Block& block);
+std::vector<StructureRange> ReadCIFStructure(gemmi::cif::Block& block);
 
 /// Sets Structure of all atoms, 0 outside of the ranges; changes nothing if no atom is in any.
 /// O(atoms + ranges) for each chain.

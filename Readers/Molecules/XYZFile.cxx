@@ -30,13 +30,13 @@ struct XYZColumns
   bool IsExtended = false;
 };
 
-bool IsOneOf(std::string_view word, std::initializer_list<std::string_view> words)
+bool IsInList(std::string_view word, std::initializer_list<std::string_view> words)
 {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// The value of `Properties=` in the comment, in quotes or not; empty: there is none.
-std::string_view PropertiesOf(std::string_view comment)
+std::string_view FindProperties(std::string_view comment)
 {
   constexpr std::string_view key = "Properties=";
   const auto at = comment.find(key);
@@ -52,10 +52,10 @@ std::string_view PropertiesOf(std::string_view comment)
 }
 
 /// Extended XYZ says in its comment which columns there are: name:type:count, repeated.
-XYZColumns ColumnsOf(std::string_view comment, const TextLines& lines)
+XYZColumns ParseColumns(std::string_view comment, const TextLines& lines)
 {
   XYZColumns columns;
-  std::string_view rest = PropertiesOf(comment);
+  std::string_view rest = FindProperties(comment);
   if (rest.empty())
   {
     return columns;
@@ -75,7 +75,7 @@ XYZColumns ColumnsOf(std::string_view comment, const TextLines& lines)
     const std::string_view name = next();
     const std::string_view type = next();
     int count = 0;
-    if (!IsOneOf(type, { "S", "R", "I", "L" }) || !IsNumber(next(), count) || count < 1 ||
+    if (!IsInList(type, { "S", "R", "I", "L" }) || !IsNumber(next(), count) || count < 1 ||
       count > static_cast<int>(MostColumns))
     {
       lines.Fail(
@@ -87,16 +87,16 @@ XYZColumns ColumnsOf(std::string_view comment, const TextLines& lines)
       columns.Position = column;
     }
     else if (count == 1 && columns.Species < 0 &&
-      IsOneOf(name, { "species", "element", "elements", "symbol", "symbols", "Z", "numbers" }))
+      IsInList(name, { "species", "element", "elements", "symbol", "symbols", "Z", "numbers" }))
     {
       columns.Species = column;
     }
     else if (count == 1 && type == "R" &&
-      IsOneOf(name, { "charge", "charges", "initial_charges", "initial_charge", "q" }))
+      IsInList(name, { "charge", "charges", "initial_charges", "initial_charge", "q" }))
     {
       columns.Charge = column;
     }
-    else if (count == 1 && type == "R" && IsOneOf(name, { "radius", "radii" }))
+    else if (count == 1 && type == "R" && IsInList(name, { "radius", "radii" }))
     {
       columns.Radius = column;
     }
@@ -147,7 +147,7 @@ Atom ReadAtom(std::string_view line, const XYZColumns& columns,
   }
   else if (!IsDummyName(symbol))
   {
-    atom.Element = ElementOfAtomName(symbol, symbol); // "C", "Fe", and "C1" of some programs
+    atom.Element = ElementFromAtomName(symbol, symbol); // "C", "Fe", and "C1" of some programs
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -200,7 +200,7 @@ bool IsTinker(std::string_view text)
 {
   TextLines lines(text, {}, {});
   std::string_view line;
-  while (lines.Next(line) && Trimmed(line).empty())
+  while (lines.Next(line) && Trim(line).empty())
   {
   }
   std::int64_t count = 0;
@@ -212,12 +212,12 @@ bool IsTinker(std::string_view text)
 }
 
 /// TINKER's names are those of atom types: "CA", "HN", "OW", "Na+".
-int ElementOfTinkerName(std::string_view name)
+int ElementFromTinkerName(std::string_view name)
 {
   const auto end = name.find_first_of("+-0123456789");
   const bool isIon = name.find_first_of("+-") != std::string_view::npos;
-  const int ion = isIon ? ElementOfSymbol(name.substr(0, end)) : 0;
-  return ion > 0 ? ion : ElementOfAtomName(name, {});
+  const int ion = isIon ? ElementFromSymbol(name.substr(0, end)) : 0;
+  return ion > 0 ? ion : ElementFromAtomName(name, {});
 }
 
 Atom ReadTinkerRow(std::string_view line, std::vector<std::int64_t>& bonded, const TextLines& lines)
@@ -231,7 +231,7 @@ Atom ReadTinkerRow(std::string_view line, std::vector<std::int64_t>& bonded, con
   }
   IsNumber(NextWord(line), atom.Serial);
   atom.Name = NextWord(line);
-  atom.Element = ElementOfTinkerName(atom.Name);
+  atom.Element = ElementFromTinkerName(atom.Name);
   for (double& x : atom.Position)
   {
     IsNumber(NextWord(line), x);
@@ -260,7 +260,7 @@ Macromolecule ParseTinker(std::string_view text, const std::string& path, std::i
   std::vector<std::int64_t> bonded;
   for (std::string_view line; lines.Next(line);)
   {
-    if (Trimmed(line).empty())
+    if (Trim(line).empty())
     {
       continue;
     }
@@ -318,19 +318,19 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
   std::vector<std::string_view> words;
   for (std::string_view line; lines.Next(line);)
   {
-    if (Trimmed(line).empty())
+    if (Trim(line).empty())
     {
       continue;
     }
     std::int64_t count = 0;
-    if (!IsNumber(Trimmed(line), count) || count < 0)
+    if (!IsNumber(Trim(line), count) || count < 0)
     {
       lines.Fail("the number of atoms belongs here. Is it an XYZ file?");
     }
     XYZColumns columns;
     if (lines.Next(line))
     {
-      columns = ColumnsOf(line, lines);
+      columns = ParseColumns(line, lines);
     }
     const bool isWanted = molecule.NumberOfModels == model;
     if (isWanted && !columns.Others.empty())

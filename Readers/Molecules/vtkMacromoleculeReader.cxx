@@ -40,7 +40,7 @@ public:
   };
   isthmus::Cached<Key, Counted> Models;
 
-  static Key KeyOf(const std::string& file, isthmus::MoleculeFormat format)
+  static Key MakeKey(const std::string& file, isthmus::MoleculeFormat format)
   {
     return { file, vtksys::SystemTools::ModifiedTime(file), vtksys::SystemTools::FileLength(file),
       format };
@@ -122,12 +122,12 @@ std::int64_t vtkMacromoleculeReader::CountModels()
     return counted;
   };
   return this->Internals->Models
-    .Get(vtkInternals::KeyOf(this->FileName, this->Parameters.Format), count)
+    .Get(vtkInternals::MakeKey(this->FileName, this->Parameters.Format), count)
     .Number;
 }
 
 /// The model of the requested time if models are time steps, otherwise ModelIndex.
-std::int64_t vtkMacromoleculeReader::ModelOf(vtkInformation* request)
+std::int64_t vtkMacromoleculeReader::GetModel(vtkInformation* request)
 {
   if (!request->Has(Pipeline::UPDATE_TIME_STEP()) || !request->Has(Pipeline::TIME_STEPS()))
   {
@@ -152,9 +152,9 @@ int vtkMacromoleculeReader::RequestData(
     }
     return 1; // the first rank has the molecule
   }
-  const int result = isthmus::GuardedRead(
+  const int result = isthmus::ReadGuarded(
     this, this->FileName, atoms, [this](unsigned long code) { this->SetErrorCode(code); },
-    [&] { this->Read(this->ModelOf(request), atoms, molecule); });
+    [&] { this->Read(this->GetModel(request), atoms, molecule); });
   if (request->Has(Pipeline::UPDATE_TIME_STEP()) && request->Has(Pipeline::TIME_STEPS()))
   {
     for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ atoms, molecule })
@@ -174,10 +174,10 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
 {
   isthmus::MoleculeOptions options = this->Parameters;
   options.ModelIndex = model;
-  const auto progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::MakeProgress(this);
   const auto reading = isthmus::Between(progress, 0.0, 0.8);
   vtkInternals::Counted* const counted =
-    this->Internals->Models.Find(vtkInternals::KeyOf(this->FileName, this->Parameters.Format));
+    this->Internals->Models.Find(vtkInternals::MakeKey(this->FileName, this->Parameters.Format));
   if (!counted)
   {
     this->Internals->Models.Clear(); // of another file
@@ -197,7 +197,7 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   }
   if (!all.empty())
   {
-    vtkWarningMacro(<< isthmus::TextOf(this->FileName, ": ", isthmus::Printable(all)));
+    vtkWarningMacro(<< isthmus::JoinText(this->FileName, ": ", isthmus::Printable(all)));
   }
 }
 

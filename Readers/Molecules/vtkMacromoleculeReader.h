@@ -174,7 +174,7 @@ private:
 
   void Read(std::int64_t model, vtkPolyData* atoms, vtkMolecule* molecule);
   std::int64_t CountModels();
-  std::int64_t ModelOf(vtkInformation* request);
+  std::int64_t GetModel(vtkInformation* request);
 
   char* FileName = nullptr;
   isthmus::MoleculeOptions Parameters;

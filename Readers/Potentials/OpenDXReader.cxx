@@ -25,7 +25,7 @@ void CheckAxes(const VoxelLattice& grid, const TextWords& text)
   {
     if (!(spacing[a] > 0.0) || !std::isfinite(spacing[a]) || !std::isfinite(grid.Origin[a]))
     {
-      text.Refuse("origin and deltas should be finite, and no delta of length zero.");
+      text.Reject("origin and deltas should be finite, and no delta of length zero.");
     }
   }
   const Matrix3& m = grid.Steps;
@@ -34,7 +34,7 @@ void CheckAxes(const VoxelLattice& grid, const TextWords& text)
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   if (!(std::abs(volume / (spacing[0] * spacing[1] * spacing[2])) > 1e-6))
   {
-    text.Refuse("the three deltas lie in one plane, so they span no grid.");
+    text.Reject("the three deltas lie in one plane, so they span no grid.");
   }
 }
 
@@ -52,7 +52,7 @@ void ReadArrayType(TextWords& text, std::string& word, OpenDXArray& array)
   array.ItemBytes = word == "double" ? 8 : 4;
   if (!array.Single && !array.Whole && word != "double")
   {
-    text.Refuse("values of type " + word + " are not read, only float, double and int.");
+    text.Reject("values of type " + word + " are not read, only float, double and int.");
   }
 }
 
@@ -86,14 +86,14 @@ VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
   word = text.Word();
   if (word != "counts")
   {
-    text.Refuse("the grid should state its counts, not '" + word + "'.");
+    text.Reject("the grid should state its counts, not '" + word + "'.");
   }
   for (std::int64_t& count : grid.Dimensions)
   {
     count = text.Whole("a count of the grid");
     if (count < 1 || count > std::numeric_limits<int>::max())
     {
-      text.Refuse("a count of the grid is " + std::to_string(count) +
+      text.Reject("a count of the grid is " + std::to_string(count) +
         ", but should be between 1 and 2147483647.");
     }
   }
@@ -104,7 +104,7 @@ VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
     std::array<double, 3> delta{};
     if (!ReadRow(text, word, "delta", delta))
     {
-      text.Refuse("three rows of delta should follow, but '" + word + "' was found instead.");
+      text.Reject("three rows of delta should follow, but '" + word + "' was found instead.");
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -136,7 +136,7 @@ OpenDXArray ReadOpenDXArray(TextWords& text, std::string& word)
     {
       if (text.Whole("the rank") > 1)
       {
-        text.Refuse("values of rank 2 and more (matrices) are not read.");
+        text.Reject("values of rank 2 and more (matrices) are not read.");
       }
     }
     else if (word == "shape")
@@ -163,7 +163,7 @@ OpenDXArray ReadOpenDXArray(TextWords& text, std::string& word)
     }
     else if (word != "data" && word != "category" && word != "real")
     {
-      text.Refuse(word.empty() ? std::string("the file ends within the description of an array.")
+      text.Reject(word.empty() ? std::string("the file ends within the description of an array.")
                                : "'" + word +
             "' is not understood in the description of an array: its values "
             "should follow in this file, as text or IEEE numbers.");
@@ -245,7 +245,7 @@ bool OpenDXReader::NextArray()
     }
     else if (this->Word == "regulararray" || this->Word == "product" || this->Word == "path")
     {
-      this->Text.Refuse("positions of class " + this->Word +
+      this->Text.Reject("positions of class " + this->Word +
         " are not read: write the grid as gridpositions with counts, origin and deltas.");
     }
     else
@@ -262,7 +262,7 @@ void OpenDXReader::ReadObject()
   this->Word = this->Text.Word();
   if (this->Word != "class")
   {
-    this->Text.Refuse("an object should have a name or number and a class, but '" + this->Word +
+    this->Text.Reject("an object should have a name or number and a class, but '" + this->Word +
       "' was found instead of class.");
   }
   this->Word = this->Text.Word();
@@ -272,24 +272,24 @@ void OpenDXReader::CheckArray() const
 {
   if (!this->HasGrid)
   {
-    this->Text.Refuse("values come before the grid (gridpositions) that they lie on.");
+    this->Text.Reject("values come before the grid (gridpositions) that they lie on.");
   }
   std::int64_t nodes = 1;
   for (const std::int64_t count : this->Grid.Dimensions)
   {
     if (__builtin_mul_overflow(nodes, count, &nodes))
     {
-      this->Text.Refuse("the grid has more nodes than 64 bits can count.");
+      this->Text.Reject("the grid has more nodes than 64 bits can count.");
     }
   }
   if (this->Values.Items != nodes)
   {
-    this->Text.Refuse("the array has " + std::to_string(this->Values.Items) +
+    this->Text.Reject("the array has " + std::to_string(this->Values.Items) +
       " items, but the grid has " + std::to_string(nodes) + " nodes.");
   }
   if (this->Values.Components < 1 || nodes > std::numeric_limits<std::int64_t>::max() / 16000)
   {
-    this->Text.Refuse("the shape of the array should be 1 to 1000 numbers for each node of a grid "
+    this->Text.Reject("the shape of the array should be 1 to 1000 numbers for each node of a grid "
                       "that memory can hold.");
   }
 }
@@ -301,7 +301,7 @@ void OpenDXReader::CheckPromisedSize(const ProgressCallback& progress)
   const auto numbers = static_cast<std::uint64_t>(this->Values.Items) *
     static_cast<std::uint64_t>(this->Values.Components);
   const std::uint64_t least = this->Values.Binary ? numbers * this->Values.ItemBytes : 2 * numbers;
-  std::uint64_t most = this->Source->MostBytes();
+  std::uint64_t most = this->Source->MaximumBytes();
   if (least <= most && !this->Source->RandomAccess() &&
     least > std::max(harmless, usual * this->Source->FileSize()))
   {
@@ -401,7 +401,7 @@ void OpenDXReader::ReadRest()
   double value;
   if (FromText(std::string_view(this->Word), value))
   {
-    this->Text.Refuse("there are more values than the " + std::to_string(this->Values.Items) +
+    this->Text.Reject("there are more values than the " + std::to_string(this->Values.Items) +
       " items that the array declares.");
   }
   for (; !this->Word.empty(); this->Word = this->Text.Word())
@@ -442,7 +442,7 @@ void OpenDXReader::CheckField()
   }
   if (data == this->ArrayName && !positions.empty() && positions != this->GridName)
   {
-    this->Text.Refuse("the field says that array " + data + " lies on the grid " + positions +
+    this->Text.Reject("the field says that array " + data + " lies on the grid " + positions +
       ", but the grid before the array is " + this->GridName +
       ": files whose grids and arrays do not alternate are not supported. Write one field per "
       "file.");

@@ -58,7 +58,7 @@ bool IsOrthogonal(const VoxelLattice& lattice)
 }
 
 /// The grid of the output: the file's own, or an orthogonal one around it.
-VoxelLattice TargetOf(const OpenDXReader& file, const char* path)
+VoxelLattice ChooseTargetLattice(const OpenDXReader& file, const char* path)
 {
   if (IsOrthogonal(file.Lattice()))
   {
@@ -84,7 +84,7 @@ NodeBox AllNodes(const VoxelLattice& lattice)
 }
 
 /// The direction matrix holds the unit steps as its columns.
-isthmus::GridInformation InformationOf(const VoxelLattice& grid)
+isthmus::GridInformation MakeGridInformation(const VoxelLattice& grid)
 {
   isthmus::GridInformation information;
   information.Dimensions = grid.Dimensions;
@@ -124,7 +124,7 @@ std::int64_t CountNotFinite(const T* values, std::int64_t count)
 
 /// Interpolates to the nodes `box` of `target`; what lies outside becomes NaN. Returns InsideMap.
 template <typename T>
-vtkSmartPointer<vtkUnsignedCharArray> Resampled(OpenDXReader& file, const VoxelLattice& target,
+vtkSmartPointer<vtkUnsignedCharArray> ResampleArray(OpenDXReader& file, const VoxelLattice& target,
   const NodeBox& box, T* out, const isthmus::ProgressCallback& progress)
 {
   const std::int64_t components = file.Array().Components;
@@ -172,7 +172,7 @@ int vtkOpenDXReader::CanReadFile(const char* fileName)
 template <typename Body>
 int vtkOpenDXReader::Try(vtkInformation* info, Body&& body)
 {
-  return isthmus::GuardedRead(
+  return isthmus::ReadGuarded(
     this, this->FileName, vtkDataObject::GetData(info),
     [this](unsigned long code) { this->SetErrorCode(code); }, body);
 }
@@ -186,8 +186,8 @@ int vtkOpenDXReader::RequestInformation(
     [&]()
     {
       const OpenDXReader file(this->FileName, this->FieldIndex);
-      const VoxelLattice grid = TargetOf(file, this->FileName);
-      isthmus::Describe(InformationOf(grid), info);
+      const VoxelLattice grid = ChooseTargetLattice(file, this->FileName);
+      isthmus::Describe(MakeGridInformation(grid), info);
       vtkDataObject::SetPointDataActiveScalarInfo(
         info, file.Array().Single ? VTK_FLOAT : VTK_DOUBLE, file.Array().Components);
       info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
@@ -203,9 +203,9 @@ int vtkOpenDXReader::RequestData(
     [&]()
     {
       OpenDXReader file(
-        this->FileName, this->FieldIndex, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.2));
+        this->FileName, this->FieldIndex, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.2));
       isthmus::RequireUnchanged(
-        InformationOf(TargetOf(file, this->FileName)), info, this->FileName);
+        MakeGridInformation(ChooseTargetLattice(file, this->FileName)), info, this->FileName);
       isthmus::StartImage(info, output);
       if (output->GetNumberOfPoints() > 0)
       {
@@ -218,8 +218,9 @@ int vtkOpenDXReader::RequestData(
 template <typename Array>
 void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
 {
-  const isthmus::ProgressCallback progress = isthmus::Between(isthmus::ProgressOf(this), 0.2, 1.0);
-  const VoxelLattice target = TargetOf(file, this->FileName);
+  const isthmus::ProgressCallback progress =
+    isthmus::Between(isthmus::MakeProgress(this), 0.2, 1.0);
+  const VoxelLattice target = ChooseTargetLattice(file, this->FileName);
   NodeBox box{};
   std::copy_n(output->GetExtent(), 6, box.begin());
   const NodeBox all = AllNodes(target);
@@ -245,7 +246,8 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
   }
   else
   {
-    output->GetPointData()->AddArray(Resampled(file, target, box, values->GetPointer(0), progress));
+    output->GetPointData()->AddArray(
+      ResampleArray(file, target, box, values->GetPointer(0), progress));
     note = "the deltas are skewed: the values are interpolated (trilinearly) to an orthogonal grid "
            "around the file's; outside, they are NaN and InsideMap is 0.";
   }
@@ -256,7 +258,7 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
   AddTexts(output->GetFieldData(), "Notes", { note });
   if (!note.empty())
   {
-    vtkWarningMacro(<< isthmus::TextOf(this->FileName, ": ", note));
+    vtkWarningMacro(<< isthmus::JoinText(this->FileName, ": ", note));
   }
 }
 

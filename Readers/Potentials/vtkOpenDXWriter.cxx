@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkOpenDXWriter);
 namespace
 {
 
-isthmus::VoxelLattice LatticeOf(vtkImageData* image)
+isthmus::VoxelLattice MakeLattice(vtkImageData* image)
 {
   isthmus::VoxelLattice lattice;
   const int* extent = image->GetExtent();
@@ -40,7 +40,7 @@ isthmus::VoxelLattice LatticeOf(vtkImageData* image)
   return lattice;
 }
 
-vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
+vtkDataArray* FindArray(vtkImageData* image, const std::string& name)
 {
   vtkPointData* const data = image->GetPointData();
   vtkDataArray* array = data->GetArray(name.empty() ? "Potential" : name.c_str());
@@ -97,12 +97,12 @@ void vtkOpenDXWriter::WriteFile()
   {
     throw std::invalid_argument("The image has no nodes: there is nothing to write.");
   }
-  vtkDataArray* const array = ArrayOf(image, this->ArrayName);
+  vtkDataArray* const array = FindArray(image, this->ArrayName);
   const std::vector<std::string> names = Texts(image->GetFieldData(), "FieldName");
   isthmus::OpenDXLabels labels{ names.empty() ? (array->GetName() ? array->GetName() : "data")
                                               : names.front(),
     Texts(image->GetFieldData(), "Comments") };
   const auto write =
     array->GetDataType() == VTK_FLOAT ? &WriteAs<vtkFloatArray> : &WriteAs<vtkDoubleArray>;
-  write(array, this->FileName, LatticeOf(image), labels, isthmus::ProgressOf(this));
+  write(array, this->FileName, MakeLattice(image), labels, isthmus::MakeProgress(this));
 }

@@ -43,7 +43,7 @@ Worst& Misses()
   return worst;
 }
 
-void Judge(double ratio, double& worst)
+void UpdateWorst(double ratio, double& worst)
 {
   worst = std::max({ worst, ratio, 1.0 / ratio });
 }
@@ -73,11 +73,11 @@ void Draw(benchmark::State& state, ChokingLoops& loops)
   if (sampled > began && end - sampled > WorthTelling)
   {
     state.counters["estimated/drawn_s"] = told / (end - sampled);
-    Judge(told / (end - sampled), Misses().Drawing);
+    UpdateWorst(told / (end - sampled), Misses().Drawing);
   }
 }
 
-void EstimateOf(benchmark::State& state, const std::function<TriangleMesh()>& make)
+void MeasureEstimate(benchmark::State& state, const std::function<TriangleMesh()>& make)
 {
   for (auto _ : state)
   {
@@ -92,8 +92,8 @@ void EstimateOf(benchmark::State& state, const std::function<TriangleMesh()>& ma
     Draw(state, loops);
     const double bytes = PeakMemory() - before; // of both
     const AnalysisCost& cost = loops.Cost();
-    Judge(told.Last.Seconds / took, Misses().Time);
-    Judge(cost.Bytes / bytes, Misses().Memory);
+    UpdateWorst(told.Last.Seconds / took, Misses().Time);
+    UpdateWorst(cost.Bytes / bytes, Misses().Memory);
     state.counters["samples"] = static_cast<double>(cost.Samples);
     state.counters["rank"] = static_cast<double>(cost.Rank);
     state.counters["took_s"] = took;
@@ -110,7 +110,7 @@ void EstimateOf(benchmark::State& state, const std::function<TriangleMesh()>& ma
 
 void OfSurface(benchmark::State& state, const char* name)
 {
-  EstimateOf(state, [name] { return ReadSurface(name); });
+  MeasureEstimate(state, [name] { return ReadSurface(name); });
 }
 #define ISTHMUS_SURFACE(id, name)                                                                  \
   BENCHMARK_CAPTURE(OfSurface, id, name)->Unit(benchmark::kMillisecond)->Iterations(1)
@@ -160,7 +160,7 @@ bool IsAtBorder(double x, double y, double z)
 /// `noise`.
 void OfNoise(benchmark::State& state, Shape shape, double noise, int n, unsigned seed = 7)
 {
-  EstimateOf(state,
+  MeasureEstimate(state,
     [=]
     {
       std::mt19937 random(seed);
@@ -197,7 +197,7 @@ ISTHMUS_UNSEEN(unseen_dust, Nothing, 0.22, 28, 26);
 /// Gaussian blobs at random places.
 void OfBlobs(benchmark::State& state, int count, double width, double level, unsigned seed)
 {
-  EstimateOf(state,
+  MeasureEstimate(state,
     [=]
     {
       std::mt19937 random(seed);

@@ -46,7 +46,7 @@ double Seconds(const std::function<void()>& work)
 }
 
 /// Everything for a surface; seconds by stage, microseconds a sample, peak memory.
-void WholeOf(benchmark::State& state, const TriangleMesh& mesh)
+void MakeWhole(benchmark::State& state, const TriangleMesh& mesh)
 {
   for (auto _ : state)
   {
@@ -76,7 +76,7 @@ void WholeOf(benchmark::State& state, const TriangleMesh& mesh)
 
 void BM_Soccerball(benchmark::State& state)
 {
-  WholeOf(state, ReadSurface("soccerball.obj"));
+  MakeWhole(state, ReadSurface("soccerball.obj"));
 }
 BENCHMARK(BM_Soccerball)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(3.0);
 
@@ -150,7 +150,7 @@ void BM_Growth(benchmark::State& state)
       1.0 + 0.05 * std::sin(5.0 * p[0] + 3.0 * p[1]) * std::cos(4.0 * p[1] - p[2]);
     p = bulge * p;
   }
-  WholeOf(state, mesh);
+  MakeWhole(state, mesh);
 }
 BENCHMARK(BM_Growth)
   ->Arg(10000)
@@ -178,7 +178,7 @@ TriangleMesh SplitTo(const TriangleMesh& mesh, std::size_t points)
 /// Flat pieces: the most degenerate input, since new points lie in the planes of the old triangles.
 void BM_ArmadilloSplit(benchmark::State& state)
 {
-  WholeOf(state, SplitTo(ReadSurface("armadillo.obj"), static_cast<std::size_t>(state.range(0))));
+  MakeWhole(state, SplitTo(ReadSurface("armadillo.obj"), static_cast<std::size_t>(state.range(0))));
 }
 BENCHMARK(BM_ArmadilloSplit)
   ->Arg(30000)
@@ -198,7 +198,7 @@ void BM_ArmadilloSmooth(benchmark::State& state)
   subdivision->SetInputData(coarse);
   subdivision->SetNumberOfSubdivisions(3);
   subdivision->Update();
-  WholeOf(state, SplitTo(MeshOf(subdivision->GetOutput()), 1000000));
+  MakeWhole(state, SplitTo(ToTriangleMesh(subdivision->GetOutput()), 1000000));
 }
 BENCHMARK(BM_ArmadilloSmooth)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 

@@ -31,7 +31,7 @@ using namespace isthmus::testing;
 
 void BuildOurs(benchmark::State& state)
 {
-  const GeneratedMesh mesh = MeshOf(static_cast<double>(state.range(0)));
+  const GeneratedMesh mesh = MakeMesh(static_cast<double>(state.range(0)));
   TimeBuild(state, NumberOfTetrahedra(mesh),
     [&](std::size_t before)
     {
@@ -94,7 +94,7 @@ void StarFromTableOurs(benchmark::State& state)
   const Map& map = OurMap();
   const auto& stars = map.Stars();
   Sweep<Map::Vertex>(state, map.NumberOfVertices(),
-    [&](Map::Vertex vertex) { return SumOfCells(map, stars.Of(vertex)); });
+    [&](Map::Vertex vertex) { return SumOfCells(map, stars.Find(vertex)); });
 }
 BENCHMARK(StarFromTableOurs)->Unit(benchmark::kMillisecond);
 
@@ -121,7 +121,8 @@ void VertexNeighboursOurs(benchmark::State& state)
     [&](Map::Vertex vertex)
     {
       star.Gather(vertex);
-      return SumOf(star.EdgeDarts(), [&map](Map::Dart dart) { return map.EndVertex(dart).Value; });
+      return ComputeSum(
+        star.EdgeDarts(), [&map](Map::Dart dart) { return map.EndVertex(dart).Value; });
     });
 }
 BENCHMARK(VertexNeighboursOurs)->Unit(benchmark::kMillisecond);
@@ -173,7 +174,7 @@ void FanVTK(benchmark::State& state)
   Sweep<Map::Edge>(state, map.Edges().Size(),
     [&](Map::Edge edge)
     {
-      const Map::Dart dart = map.Edges().DartOf(edge);
+      const Map::Dart dart = map.Edges().GetDart(edge);
       ends->SetId(0, map.StartVertex(dart).Value);
       ends->SetId(1, map.EndVertex(dart).Value);
       grid->GetCellNeighbors(-1, ends, cells);
@@ -196,7 +197,7 @@ void SweepDartToEdge(benchmark::State& state, const Edges& edges)
     for (std::uint32_t c = 0; c < map.NumberOfCells(); ++c)
     {
       checksum +=
-        SumOf(map.Darts(Map::Cell(c)), [&](Map::Dart dart) { return edges.Of(dart).Value; });
+        ComputeSum(map.Darts(Map::Cell(c)), [&](Map::Dart dart) { return edges.Find(dart).Value; });
     }
   }
   ReportSweep(state, map.NumberOfDarts(), checksum);
@@ -222,7 +223,7 @@ void DartToEdgeVTK(benchmark::State& state)
   table->InitEdgeInsertion(static_cast<vtkIdType>(map.NumberOfVertices()), 1);
   for (std::uint32_t e = 0; e < map.Edges().Size(); ++e)
   {
-    const Map::Dart dart = map.Edges().DartOf(Map::Edge(e));
+    const Map::Dart dart = map.Edges().GetDart(Map::Edge(e));
     table->InsertEdge(map.StartVertex(dart).Value, map.EndVertex(dart).Value, e);
   }
   const CellType& type = CellType::Tetrahedron();
@@ -252,8 +253,8 @@ void CellNeighboursOurs(benchmark::State& state)
   Sweep<Map::Cell>(state, map.NumberOfCells(),
     [&map](Map::Cell cell)
     {
-      return SumOf(map.Neighbours(cell),
-        [&map](Map::Dart across) { return map.IsOutside(across) ? 0 : map.CellOf(across).Value; });
+      return ComputeSum(map.Neighbours(cell),
+        [&map](Map::Dart across) { return map.IsOutside(across) ? 0 : map.GetCell(across).Value; });
     });
 }
 BENCHMARK(CellNeighboursOurs)->Unit(benchmark::kMillisecond);

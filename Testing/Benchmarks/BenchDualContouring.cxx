@@ -29,7 +29,7 @@ namespace
 const double Half = 0.55; // of the cube's side
 const double Radius = 0.7;
 
-Point3 Turned(const Point3& p)
+Point3 Rotate(const Point3& p)
 {
   const double c = std::cos(0.4), s = std::sin(0.4);
   const Point3 q{ c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
@@ -44,7 +44,7 @@ double BallDistance(const Point3& p)
 
 double CubeDistance(const Point3& p)
 {
-  const Point3 q = Turned(p);
+  const Point3 q = Rotate(p);
   double outside = 0.0, inside = -1e300;
   for (const double x : q)
   {
@@ -57,7 +57,7 @@ double CubeDistance(const Point3& p)
 
 using Distance = double (*)(const Point3&);
 
-vtkSmartPointer<vtkImageData> Sampled(int n, Distance distance)
+vtkSmartPointer<vtkImageData> SampleImage(int n, Distance distance)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   const double h = 2.0 / (n - 1);
@@ -109,7 +109,7 @@ TriangleMesh CubeEdges()
   return edges;
 }
 
-void Tell(benchmark::State& state, const TriangleMesh& mesh, Distance distance, double h)
+void ReportCounters(benchmark::State& state, const TriangleMesh& mesh, Distance distance, double h)
 {
   std::vector<CellAngles> cells;
   const QualitySummary quality = MeasureQuality(mesh, 18, cells);
@@ -138,7 +138,7 @@ template <typename Filter, typename Change>
 void Run(benchmark::State& state, Distance distance, const Change& change)
 {
   const auto n = static_cast<int>(state.range(0));
-  const auto image = Sampled(n, distance);
+  const auto image = SampleImage(n, distance);
   vtkNew<Filter> filter;
   filter->SetInputData(image);
   change(filter.Get());
@@ -147,7 +147,7 @@ void Run(benchmark::State& state, Distance distance, const Change& change)
     filter->Modified();
     filter->Update();
   }
-  Tell(state, MeshOf(filter->GetOutput()), distance, 2.0 / (n - 1));
+  ReportCounters(state, ToTriangleMesh(filter->GetOutput()), distance, 2.0 / (n - 1));
 }
 
 void FlyingEdges(benchmark::State& state, Distance distance)
@@ -174,7 +174,7 @@ void DualOfVolume(benchmark::State& state, Distance distance)
 }
 
 /// Exact crossings and normals of the distance.
-HermiteGrid HermiteOf(std::int64_t n, Distance distance)
+HermiteGrid MakeHermiteGrid(std::int64_t n, Distance distance)
 {
   HermiteGrid grid;
   const double h = 2.0 / static_cast<double>(n - 1);
@@ -225,7 +225,7 @@ HermiteGrid HermiteOf(std::int64_t n, Distance distance)
 /// range(1): tolerance as above; range(2): 1 free of crossings, 2 with a reach of 1.
 void DualOfCrossings(benchmark::State& state, Distance distance)
 {
-  const HermiteGrid grid = HermiteOf(state.range(0), distance);
+  const HermiteGrid grid = MakeHermiteGrid(state.range(0), distance);
   const double h = grid.Shape.Spacing[0];
   DualContouringParameters parameters;
   parameters.Tolerance = 1e-3 * static_cast<double>(state.range(1)) * h;
@@ -245,7 +245,7 @@ void DualOfCrossings(benchmark::State& state, Distance distance)
   {
     mesh.Triangles.push_back({ q[0], q[1], q[2] });
   }
-  Tell(state, mesh, distance, h);
+  ReportCounters(state, mesh, distance, h);
 }
 
 }

@@ -23,14 +23,14 @@
 namespace
 {
 
-using isthmus::testing::CentredCube;
+using isthmus::testing::CenteredCube;
 using isthmus::testing::SampledImage;
 
 /// 256^3 floats whose level set 0 has about a million points.
 vtkImageData* Map()
 {
   static const vtkSmartPointer<vtkImageData> map = SampledImage(
-    CentredCube(256, 1.0),
+    CenteredCube(256, 1.0),
     [](double x, double y, double z)
     {
       constexpr double w = 10.0; // a gyroid: as folded as a protein

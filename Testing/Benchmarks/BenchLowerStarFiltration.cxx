@@ -50,7 +50,7 @@ Case Make(const std::string& file, double volumes)
 using Bar3 = std::array<double, 3>; ///< dimension, birth, death
 
 /// Loops and voids that last and end.
-std::vector<Bar3> BarsOf(const CellFiltration& f, const FiltrationPairs& pairs)
+std::vector<Bar3> CollectBars(const CellFiltration& f, const FiltrationPairs& pairs)
 {
   std::vector<Bar3> bars;
   const auto add = [&bars](double dimension, double birth, double death)
@@ -80,7 +80,7 @@ std::vector<Bar3> BarsOf(const CellFiltration& f, const FiltrationPairs& pairs)
   return bars;
 }
 
-std::vector<Bar3> BarsOf(const DiphaPairs& pairs)
+std::vector<Bar3> CollectBars(const DiphaPairs& pairs)
 {
   std::vector<Bar3> bars;
   for (const DiphaPair& pair : pairs)
@@ -112,7 +112,7 @@ double RunOurs(benchmark::State& state, const Case& made, std::vector<Bar3>& bar
       state.counters["filtration_s"] = Since(start);
       const FiltrationPairs pairs(f);
       seconds = Since(start);
-      bars = BarsOf(f, pairs);
+      bars = CollectBars(f, pairs);
       state.counters["cells"] = static_cast<double>(
         f.Points.size() + f.Edges.size() + f.TriangleCount() + f.Tetrahedra.size());
     });
@@ -148,7 +148,7 @@ void BesideTTK(benchmark::State& state, const std::string& file, double volumes)
     state.counters["TTK_s"] = ttk;
     state.counters["TTK_2_threads_wall_s"] = RunMeshPeer(theirs, 2)->Wall;
     state.counters["ours/TTK"] = ours / ttk;
-    if (bars != BarsOf(before->Pairs))
+    if (bars != CollectBars(before->Pairs))
     {
       state.SkipWithError("the pairs differ from TTK's");
       return;

@@ -338,7 +338,7 @@ void GzipAgainstZlib(benchmark::State& state, const Order& order, Packed packed)
     [&]() { Inflate(map.Path, DataBytes(4)); });
 }
 
-std::string NameOf(int mode, bool bigEndian, const Order& order)
+std::string FormatName(int mode, bool bigEndian, const Order& order)
 {
   return "FreadAndWrite/mode" + std::to_string(mode) + (bigEndian ? "/bigEndian" : "") + "/axes" +
     std::to_string(order[0]) + std::to_string(order[1]) + std::to_string(order[2]);
@@ -359,7 +359,7 @@ void Register()
     for (const Order& order : { Order{ 1, 2, 3 }, Order{ 2, 1, 3 }, Order{ 3, 2, 1 } })
     {
       const bool bigEndian = mode == 1 || mode == 2;
-      add(NameOf(mode, bigEndian, order),
+      add(FormatName(mode, bigEndian, order),
         [mode, bigEndian, order](benchmark::State& state)
         { AnyAgainstFreadAndWrite(state, mode, bigEndian, order); });
     }

@@ -93,7 +93,7 @@ const Files& TheFiles()
 std::map<std::string, double> Ours;
 
 template <typename Work>
-double Timed(Work&& work)
+double MeasureSeconds(Work&& work)
 {
   const auto start = std::chrono::steady_clock::now();
   work();
@@ -117,7 +117,7 @@ void Read(benchmark::State& state, const std::string& file, bool bonds)
 {
   for (auto _ : state)
   {
-    Ours[file] = Timed([&] { ReadOnce(state, file, bonds); });
+    Ours[file] = MeasureSeconds([&] { ReadOnce(state, file, bonds); });
   }
 }
 
@@ -153,7 +153,8 @@ void FreadStrtod(benchmark::State& state)
 {
   for (auto _ : state)
   {
-    state.counters["reader/this"] = Ours[TheFiles().PQR] / Timed([&] { FreadStrtodOnce(state); });
+    state.counters["reader/this"] =
+      Ours[TheFiles().PQR] / MeasureSeconds([&] { FreadStrtodOnce(state); });
   }
 }
 
@@ -162,7 +163,7 @@ void GemmiPDB(benchmark::State& state)
   for (auto _ : state)
   {
     const double seconds =
-      Timed([] { benchmark::DoNotOptimize(gemmi::read_pdb_file(TheFiles().PDB)); });
+      MeasureSeconds([] { benchmark::DoNotOptimize(gemmi::read_pdb_file(TheFiles().PDB)); });
     state.counters["reader/this"] = Ours[TheFiles().PDB] / seconds;
   }
 }
@@ -171,7 +172,7 @@ void GemmiMMCIF(benchmark::State& state)
 {
   for (auto _ : state)
   {
-    const double seconds = Timed([]
+    const double seconds = MeasureSeconds([]
       { benchmark::DoNotOptimize(gemmi::make_structure(gemmi::cif::read_file(TheFiles().CIF))); });
     state.counters["reader/this"] = Ours[TheFiles().CIF] / seconds;
   }

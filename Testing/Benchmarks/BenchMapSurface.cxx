@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> Gyroid(int n)
   return image;
 }
 
-double LevelOf(std::int64_t turn)
+double ChooseLevel(std::int64_t turn)
 {
   return turn % 2 == 0 ? 0.1 : 0.2;
 }
@@ -51,7 +51,7 @@ void MapSurface(benchmark::State& state)
   std::int64_t turn = 0;
   for (auto _ : state)
   {
-    filter->SetLevel(LevelOf(turn++));
+    filter->SetLevel(ChooseLevel(turn++));
     filter->Update();
   }
   state.counters["triangles"] = static_cast<double>(filter->GetOutput()->GetNumberOfPolys());
@@ -64,7 +64,7 @@ void FlyingEdges(benchmark::State& state)
   std::int64_t turn = 0;
   for (auto _ : state)
   {
-    filter->SetValue(0, LevelOf(turn++));
+    filter->SetValue(0, ChooseLevel(turn++));
     filter->Update();
   }
   state.counters["triangles"] = static_cast<double>(filter->GetOutput()->GetNumberOfPolys());

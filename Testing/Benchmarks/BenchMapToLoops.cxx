@@ -47,7 +47,7 @@ enum Map
 };
 
 /// The map of a file, by trilinear interpolation on n^3 nodes.
-vtkSmartPointer<vtkImageData> Resampled(const std::string& name, int n)
+vtkSmartPointer<vtkImageData> ResampleMap(const std::string& name, int n)
 {
   const char* folder = std::getenv("ISTHMUS_DATA_DIR");
   vtkNew<vtkMRCMapReader> reader;
@@ -135,7 +135,7 @@ vtkSmartPointer<vtkImageData> NoisyFrame(int n)
 vtkSmartPointer<vtkImageData> Load(std::int64_t map, int n)
 {
   return map == Phantom ? NoisyFrame(n)
-                        : Resampled(map == EMD5170 ? "emd_5170.map" : "emd_5043.map", n);
+                        : ResampleMap(map == EMD5170 ? "emd_5170.map" : "emd_5043.map", n);
 }
 
 /// Of this process and of the TetGen that it has waited for.

@@ -30,7 +30,7 @@ TriangleMesh Sphere(int resolution)
   source->SetThetaResolution(resolution);
   source->SetPhiResolution(resolution / 2);
   source->Update();
-  return MeshOf(source->GetOutput());
+  return ToTriangleMesh(source->GetOutput());
 }
 
 /// Largest memory of this process, or of its children, so far, in MB.

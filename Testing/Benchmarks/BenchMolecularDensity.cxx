@@ -53,7 +53,7 @@ struct Case
 double Ours = 0.0;
 
 template <typename Work>
-double Timed(Work&& work)
+double MeasureSeconds(Work&& work)
 {
   const auto start = std::chrono::steady_clock::now();
   work();
@@ -65,7 +65,8 @@ void Gaussians(benchmark::State& state)
   Case c(state.range(0));
   for (auto _ : state)
   {
-    const double seconds = Timed([&] { GaussianSum(c.Balls, 2.3, c.Grid.Origin, c.View()); });
+    const double seconds =
+      MeasureSeconds([&] { GaussianSum(c.Balls, 2.3, c.Grid.Origin, c.View()); });
     Ours = state.range(0) == 100000 ? seconds : Ours;
   }
   state.counters["nodes"] = static_cast<double>(c.Nodes.size());
@@ -87,7 +88,7 @@ void FillTheGrid(benchmark::State& state)
   Case c(state.range(0));
   for (auto _ : state)
   {
-    const double seconds = Timed(
+    const double seconds = MeasureSeconds(
       [&]
       {
         std::fill(c.Nodes.begin(), c.Nodes.end(), 1.0F);
@@ -104,7 +105,7 @@ void VTKGaussianSplatter(benchmark::State& state)
   vtkNew<vtkPoints> points;
   for (const Ball& ball : c.Balls)
   {
-    points->InsertNextPoint(ball.Centre.data());
+    points->InsertNextPoint(ball.Center.data());
   }
   atoms->SetPoints(points);
   const auto& n = c.Grid.Dimensions;
@@ -134,7 +135,7 @@ void VTKGaussianSplatter(benchmark::State& state)
   for (auto _ : state)
   {
     splatter->Modified();
-    state.counters["Gaussians/this"] = Ours / Timed([&] { splatter->Update(); });
+    state.counters["Gaussians/this"] = Ours / MeasureSeconds([&] { splatter->Update(); });
   }
 }
 

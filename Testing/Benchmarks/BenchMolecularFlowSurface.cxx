@@ -42,7 +42,7 @@ std::vector<Ball> Atoms(std::int64_t count)
   return balls;
 }
 
-void Tell(benchmark::State& state, const std::vector<Ball>& balls,
+void ReportCounters(benchmark::State& state, const std::vector<Ball>& balls,
   const SurfaceFlowParameters& parameters, const SurfaceFlowResult& result)
 {
   double bytes = 0.0;
@@ -61,7 +61,7 @@ void Run(
   {
     result = SurfaceFlow(balls, parameters);
   }
-  Tell(state, balls, parameters, result);
+  ReportCounters(state, balls, parameters, result);
 }
 
 void ThesisTime(benchmark::State& state)
@@ -126,7 +126,8 @@ void RegisterFile(const std::string& file)
   vtkNew<vtkMacromoleculeReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
-  const std::vector<Ball> balls = ReadAtoms(reader->GetOutput(), WholeMolecule("Radius")).Balls;
+  const std::vector<Ball> balls =
+    ReadAtoms(reader->GetOutput(), SelectWholeMolecule("Radius")).Balls;
   const double spacing = balls.size() > 20000 ? 0.8 : 0.5;
   for (const bool steady : { false, true })
   {

@@ -35,7 +35,7 @@ struct Input
 const Input Inputs[] = { { "1hew.pdb", "" }, { "1aon.pdb.gz", "" },
   { "1aon.pdb.gz", "A B C D E F G H I J K L M N" } };
 
-std::vector<Ball> AtomsOf(const Input& input)
+std::vector<Ball> ReadHeavyAtoms(const Input& input)
 {
   const char* given = std::getenv("ISTHMUS_DATA_DIR");
   vtkNew<vtkMacromoleculeReader> reader;
@@ -50,7 +50,7 @@ std::vector<Ball> AtomsOf(const Input& input)
   for (vtkIdType i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i)
   {
     Ball ball{ {}, reader->GetOutput()->GetPointData()->GetArray("Radius")->GetComponent(i, 0) };
-    reader->GetOutput()->GetPoint(i, ball.Centre.data());
+    reader->GetOutput()->GetPoint(i, ball.Center.data());
     atoms.push_back(ball);
   }
   return atoms;
@@ -63,21 +63,21 @@ double CpuSeconds()
 
 void Triangulate(const std::vector<Ball>& atoms)
 {
-  std::vector<Point3> centres;
+  std::vector<Point3> centers;
   std::vector<double> radii;
   for (const Ball& atom : atoms)
   {
-    centres.push_back(atom.Centre);
+    centers.push_back(atom.Center);
     radii.push_back(atom.Radius + 1.4);
   }
-  benchmark::DoNotOptimize(MakeRegularFiltration(std::move(centres), std::move(radii)));
+  benchmark::DoNotOptimize(MakeRegularFiltration(std::move(centers), std::move(radii)));
 }
 
 /// Runs `work` on the atoms, beside the triangulation.
 template <typename Work>
 void Measure(benchmark::State& state, Work work)
 {
-  const auto atoms = AtomsOf(Inputs[state.range(0)]);
+  const auto atoms = ReadHeavyAtoms(Inputs[state.range(0)]);
   double begin = CpuSeconds();
   Triangulate(atoms);
   const double floor = CpuSeconds() - begin;

@@ -56,7 +56,7 @@ static void BM_MoleculeCartoon(benchmark::State& state)
   }
   for (auto _ : state)
   {
-    const auto residues = isthmus::ResiduesOf(atoms, all);
+    const auto residues = isthmus::FindResidues(atoms, all);
     isthmus::CartoonMesh mesh;
     isthmus::DrawCartoon(
       atoms, residues, isthmus::FindSecondaryStructure(atoms, residues), {}, mesh);

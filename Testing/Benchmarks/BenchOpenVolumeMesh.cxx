@@ -65,7 +65,8 @@ void Build(benchmark::State& state, Make make)
 
 /// `sweep` adds up the answers to `queries` questions; all that answer one `question` must agree.
 template <typename Sweep>
-void Ask(benchmark::State& state, const std::string& question, std::size_t queries, Sweep sweep)
+void RunQueries(
+  benchmark::State& state, const std::string& question, std::size_t queries, Sweep sweep)
 {
   static std::map<std::string, std::uint64_t> answers;
   std::uint64_t sum = 0;
@@ -97,7 +98,7 @@ void BuildOurs(benchmark::State& state)
 void StarOurs(benchmark::State& state)
 {
   const Map& map = Ours();
-  Ask(state, "star", map.NumberOfVertices(),
+  RunQueries(state, "star", map.NumberOfVertices(),
     [&]()
     {
       isthmus::VertexStar<> star(map);
@@ -106,7 +107,7 @@ void StarOurs(benchmark::State& state)
       {
         for (const Map::Dart dart : star.Gather(Map::Vertex(v)))
         {
-          sum += map.CellOf(dart).Value;
+          sum += map.GetCell(dart).Value;
         }
       }
       return sum;
@@ -117,7 +118,7 @@ void FanOurs(benchmark::State& state)
 {
   const Map& map = Ours();
   const auto& edges = map.Edges();
-  Ask(state, "fan", edges.Size(),
+  RunQueries(state, "fan", edges.Size(),
     [&]()
     {
       std::uint64_t sum = 0;
@@ -125,7 +126,7 @@ void FanOurs(benchmark::State& state)
       {
         for (const Map::Dart dart : edges.Fan(Map::Edge(e)))
         {
-          sum += map.CellOf(dart).Value;
+          sum += map.GetCell(dart).Value;
         }
       }
       return sum;
@@ -170,7 +171,7 @@ void BuildPeer(benchmark::State& state)
 void StarPeer(benchmark::State& state)
 {
   const Peer& peer = OpenVolumeMeshPeer();
-  Ask(state, "star", peer.n_vertices(),
+  RunQueries(state, "star", peer.n_vertices(),
     [&]()
     {
       std::uint64_t sum = 0;
@@ -188,7 +189,7 @@ void StarPeer(benchmark::State& state)
 void FanPeer(benchmark::State& state)
 {
   const Peer& peer = OpenVolumeMeshPeer();
-  Ask(state, "fan", peer.n_edges(),
+  RunQueries(state, "fan", peer.n_edges(),
     [&]()
     {
       std::uint64_t sum = 0;

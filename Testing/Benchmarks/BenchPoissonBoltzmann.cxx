@@ -67,7 +67,7 @@ std::filesystem::path Lysozyme()
   return isthmus::testing::SharedDataFolder() / "molecules/1hew/1hew.pqr";
 }
 
-Point3 CentreOf(const std::vector<ChargedAtom>& atoms)
+Point3 BoundsCenter(const std::vector<ChargedAtom>& atoms)
 {
   Point3 low{ 1e9, 1e9, 1e9 }, high{ -1e9, -1e9, -1e9 };
   for (const ChargedAtom& atom : atoms)
@@ -131,12 +131,12 @@ Run Solve(benchmark::State& state, const std::vector<ChargedAtom>& atoms, std::i
 void AddLysozyme(const Point3& place, std::vector<ChargedAtom>& atoms)
 {
   const std::vector<ChargedAtom> one = ReadPQR(Lysozyme());
-  const Point3 centre = CentreOf(one);
+  const Point3 center = BoundsCenter(one);
   for (ChargedAtom atom : one)
   {
     for (std::size_t a = 0; a < 3; ++a)
     {
-      atom.Position[a] += place[a] - centre[a];
+      atom.Position[a] += place[a] - center[a];
     }
     atoms.push_back(atom);
   }
@@ -176,15 +176,15 @@ void Apbs(benchmark::State& state)
   const std::int64_t n = state.range(0);
   const auto folder = std::filesystem::temp_directory_path() / "isthmus-apbs";
   std::filesystem::create_directories(folder);
-  const Point3 centre = CentreOf(ReadPQR(Lysozyme()));
+  const Point3 center = BoundsCenter(ReadPQR(Lysozyme()));
   const double h = Side / static_cast<double>(n - 1);
   std::ofstream input(folder / "in");
   input << "read mol pqr " << Lysozyme().string() << " end\n";
   for (const char* kind : { "solv", "ref" })
   {
     input << "elec name " << kind << " mg-manual dime " << n << " " << n << " " << n << " grid "
-          << h << " " << h << " " << h << " gcent " << centre[0] << " " << centre[1] << " "
-          << centre[2] << " mol 1 lpbe bcfl mdh pdie 2.0 sdie " << (kind[0] == 's' ? 80.0 : 2.0)
+          << h << " " << h << " " << h << " gcent " << center[0] << " " << center[1] << " "
+          << center[2] << " mol 1 lpbe bcfl mdh pdie 2.0 sdie " << (kind[0] == 's' ? 80.0 : 2.0)
           << " chgm spl0 srfm mol srad 1.4 swin 0.3 sdens 10.0 temp 298.15 calcenergy total"
              " calcforce no end\n";
   }

@@ -1,4 +1,4 @@
-// Kirkwood's spheres K1 (Born's ion, 1/80) and K2 (three charges off the centre, 2/80) on 65^3
+// Kirkwood's spheres K1 (Born's ion, 1/80) and K2 (three charges off the center, 2/80) on 65^3
 // nodes of 0.5 angstrom and the same box at 1 and 0.25: errors of the energy and of the potential
 // outside against the series, by this solver with the border it makes itself, and by APBS (srfm mol
 // and smol, bcfl mdh; two solutions) with the same charges, radii and grid in the same run; and the
@@ -34,7 +34,7 @@ void Isthmus(benchmark::State& state)
     problem.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
     problem.Parameters.Tolerance = 1e-6;
     const auto solution = problem.Solve();
-    const SphereErrors errors = ErrorsOf(problem, *solution);
+    const SphereErrors errors = RecordErrors(problem, *solution);
     Ours[{ number, static_cast<int>(state.range(1)) }] = errors;
     state.counters["energy"] = errors.Energy;
     state.counters["outside_kT"] = errors.Outside;
@@ -66,7 +66,7 @@ void WriteInput(const std::filesystem::path& folder, const KirkwoodSphere& s, st
   double h, const std::string& surface)
 {
   std::ofstream molecule(folder / "sphere.pqr");
-  molecule << "ATOM 1 C BAL 1 " << s.Centre[0] << " " << s.Centre[1] << " " << s.Centre[2]
+  molecule << "ATOM 1 C BAL 1 " << s.Center[0] << " " << s.Center[1] << " " << s.Center[2]
            << " 0.0 " << s.Radius << "\n";
   int serial = 2;
   for (const ChargedAtom& q : s.Charges)

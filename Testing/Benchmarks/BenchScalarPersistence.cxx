@@ -73,7 +73,7 @@ Volume<float> Make(const std::string& name)
     std::uniform_real_distribution<double> value(-1.0, 1.0);
     return Fill<float>({ 96, 96, 96 }, [&](double, double, double) { return value(random); });
   }
-  return MapOf(SharedDataFolder() / "maps/emd_5043.map");
+  return ReadMap(SharedDataFolder() / "maps/emd_5043.map");
 }
 
 template <typename Work>
@@ -155,7 +155,7 @@ void BesidePeers(benchmark::State& state, const std::string& name, bool superlev
   for (auto _ : state)
   {
     const double ours = RunOurs(state, volume, superlevel);
-    const Bars expected = BarsOf(volume.View(), superlevel);
+    const Bars expected = CollectBars(volume.View(), superlevel);
     std::string missing;
 #if ISTHMUS_HAS_GUDHI_CUBICAL
     const double before = MemoryNow();
@@ -173,7 +173,7 @@ void BesidePeers(benchmark::State& state, const std::string& name, bool superlev
     {
       if (!RunBeside(state, peerProgram, volume, superlevel, ours, expected))
       {
-        missing += "no " + PathOf(peerProgram).filename().string() + " in $ISTHMUS_PEERS ";
+        missing += "no " + FindPeerProgram(peerProgram).filename().string() + " in $ISTHMUS_PEERS ";
       }
     }
     state.SetLabel(missing);
@@ -211,7 +211,7 @@ void FeaturesBesidePeers(benchmark::State& state)
       state.SkipWithError("no ttk_grid_persistence in $ISTHMUS_PEERS");
       return;
     }
-    const Bars ours = BarsOf(volume.View());
+    const Bars ours = CollectBars(volume.View());
     for (const int d : { 0, 1, 2 })
     {
       const std::vector<double> mine = Lengths(ours, d, 0.05 * range);
@@ -240,7 +240,7 @@ void SharedMapsBesideGudhi(benchmark::State& state)
 #if ISTHMUS_HAS_GUDHI_CUBICAL
     for (const std::filesystem::path& file : SharedMapFiles())
     {
-      const Volume<float> map = MapOf(file);
+      const Volume<float> map = ReadMap(file);
       for (const bool superlevel : { false, true })
       {
         if (!IsSmall(map))
@@ -248,7 +248,8 @@ void SharedMapsBesideGudhi(benchmark::State& state)
           continue;
         }
         ++all;
-        const bool same = BarsOf(map.View(), superlevel) == BarsOfGudhi(map.View(), superlevel);
+        const bool same =
+          CollectBars(map.View(), superlevel) == BarsOfGudhi(map.View(), superlevel);
         equal += same ? 1 : 0;
         if (!same)
         {

@@ -34,7 +34,7 @@ void Curvature(benchmark::State& state, CurvatureEstimate estimate, CurvatureNei
   options.Neighbourhood = where;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(CurvatureOfSurface(Mesh().View(), options));
+    benchmark::DoNotOptimize(ComputeSurfaceCurvature(Mesh().View(), options));
   }
   Count(state);
 }

@@ -42,7 +42,7 @@ void SweepCGAL(benchmark::State& state, const Items& items, Of&& of)
   std::uint64_t checksum = 0;
   for (auto _ : state)
   {
-    checksum = SumOf(items, of);
+    checksum = ComputeSum(items, of);
   }
   ReportSweep(state, items.size(), checksum);
 }

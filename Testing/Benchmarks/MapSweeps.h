@@ -35,7 +35,7 @@ inline std::size_t HeldBytes()
   return info.uordblks + info.hblkhd;
 }
 
-inline GeneratedMesh MeshOf(double tetrahedra)
+inline GeneratedMesh MakeMesh(double tetrahedra)
 {
   return Tetrahedra(std::llround(std::cbrt(tetrahedra / 6.0)));
 }
@@ -51,7 +51,7 @@ inline const GeneratedMesh& Mesh()
   static const GeneratedMesh mesh = []()
   {
     const char* chosen = std::getenv("ISTHMUS_BENCH_TETRAHEDRA");
-    return MeshOf(chosen ? std::atof(chosen) : 5e6);
+    return MakeMesh(chosen ? std::atof(chosen) : 5e6);
   }();
   return mesh;
 }
@@ -114,7 +114,7 @@ void Sweep(benchmark::State& state, std::size_t count, Of&& of)
 
 /// The sum of of(item) over a range.
 template <typename Items, typename Of>
-std::uint64_t SumOf(const Items& items, Of&& of)
+std::uint64_t ComputeSum(const Items& items, Of&& of)
 {
   std::uint64_t sum = 0;
   for (const auto item : items)
@@ -128,12 +128,12 @@ std::uint64_t SumOf(const Items& items, Of&& of)
 template <typename Darts>
 std::uint64_t SumOfCells(const Map& map, const Darts& darts)
 {
-  return SumOf(darts, [&map](Map::Dart dart) { return map.CellOf(dart).Value; });
+  return ComputeSum(darts, [&map](Map::Dart dart) { return map.GetCell(dart).Value; });
 }
 
 inline std::uint64_t SumOfIds(vtkIdList* ids)
 {
-  return SumOf(*ids, [](vtkIdType id) { return static_cast<std::uint64_t>(id); });
+  return ComputeSum(*ids, [](vtkIdType id) { return static_cast<std::uint64_t>(id); });
 }
 
 /// Times `build`, which makes something of `cells` cells and answers the bytes that it holds.

@@ -84,7 +84,7 @@ inline PeerRun RunProgram(const std::vector<std::string>& words)
     1024.0 * static_cast<double>(used.ru_maxrss), {} };
 }
 
-inline std::filesystem::path PathOf(PeerProgram peer)
+inline std::filesystem::path FindPeerProgram(PeerProgram peer)
 {
   const char* folder = std::getenv("ISTHMUS_PEERS");
   return std::filesystem::path(folder ? folder : "") /
@@ -95,7 +95,7 @@ inline std::filesystem::path PathOf(PeerProgram peer)
 inline std::optional<PeerRun> RunPeer(
   PeerProgram peer, const VolumeView& volume, bool superlevel = false)
 {
-  const std::filesystem::path program = PathOf(peer);
+  const std::filesystem::path program = FindPeerProgram(peer);
   if (!std::filesystem::exists(program))
   {
     return {};

@@ -35,7 +35,7 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|StretchOfDNA|NarrowCavity|HasItsLoops/1514499|EqualsGudhiOn|DamagedSurfacesAreFilled"
   "|ChokingLoopsOfNeedlesEnd|TestPoissonBoltzmann.All"
   "|ProbeBetweenThreeBalls|SpheresThatCross|SteadyLysozyme|LysozymeByTime|AnglesStayWithinTheBounds"
-  "|GradingKeepsTheSurface|SurfaceFlow.ThreadsLeaveNoTrace|CoarseToFineEnds|ThesisFlow.ComesToRest"
+  "|GradingKeepsTheSurface|SurfaceFlow.DoesNotDependOnThreads|CoarseToFineEnds|ThesisFlow.ComesToRest"
   "|SharedMaps.EqualGudhi|TurnsMirrorsAndShifts|ClosedWindows|ManufacturedInterface|IonsHaveBornsEnergy"
   "|IonsInTheSmoothMode"
   "|AgreesWithItself/(129110|72214|65004|1514499|emd_5043|bumpy|botijo|elk|cup|3holes)"

@@ -70,7 +70,7 @@ void Walk(const isthmus::CombinatorialMesh& mesh)
     {
       for (const auto dart : map.Edges().Fan(isthmus::EdgeHandle<std::uint32_t>(e)))
       {
-        if (map.Edges().Of(dart).Value != e)
+        if (map.Edges().Find(dart).Value != e)
         {
           std::abort();
         }
@@ -78,7 +78,7 @@ void Walk(const isthmus::CombinatorialMesh& mesh)
     }
     for (std::uint32_t f = 0; f < map.Faces().Size(); ++f)
     {
-      if (map.Faces().Of(map.Faces().DartOf(isthmus::FaceHandle<std::uint32_t>(f))).Value != f)
+      if (map.Faces().Find(map.Faces().GetDart(isthmus::FaceHandle<std::uint32_t>(f))).Value != f)
       {
         std::abort();
       }

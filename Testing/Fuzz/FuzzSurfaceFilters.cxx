@@ -44,7 +44,7 @@ const double Odd[] = { 0.0, -1.0, 1e-300, 1e-38, 1e-12, 1e-3, 0.3, 2.0, 1e3, 1e9
 
 /// What asks for millions of triangles or nodes by its meaning takes minutes under sanitizers, and
 /// is not the point; what is to be refused stays as it is.
-double Bounded(double length, double least)
+double LimitLength(double length, double least)
 {
   return length > 1e-6 && length < least ? least : length;
 }
@@ -63,7 +63,7 @@ struct Bytes
   }
 };
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(Bytes bytes, bool damagedSphere)
+vtkSmartPointer<vtkPolyData> MakeSurface(Bytes bytes, bool damagedSphere)
 {
   Model model;
   if (damagedSphere)
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(Bytes bytes, bool damagedSphere)
   return ToPolyData(model);
 }
 
-vtkSmartPointer<vtkAlgorithm> FilterOf(Bytes& bytes)
+vtkSmartPointer<vtkAlgorithm> MakeFilter(Bytes& bytes)
 {
   const uint8_t kind = bytes.Take() % 9;
   if (kind == 0)
@@ -114,8 +114,8 @@ vtkSmartPointer<vtkAlgorithm> FilterOf(Bytes& bytes)
   {
     auto filter = vtkSmartPointer<vtkSurfaceRemesh>::New();
     filter->SetTarget(bytes.Take() % 3);
-    filter->SetRelativeEdgeLength(Bounded(bytes.Number(), 0.2));
-    filter->SetEdgeLength(Bounded(std::abs(bytes.Number()), 0.1));
+    filter->SetRelativeEdgeLength(LimitLength(bytes.Number(), 0.2));
+    filter->SetEdgeLength(LimitLength(std::abs(bytes.Number()), 0.1));
     filter->SetNumberOfTriangles(bytes.Take());
     filter->SetFeatureAngle(bytes.Number());
     return filter;
@@ -124,7 +124,7 @@ vtkSmartPointer<vtkAlgorithm> FilterOf(Bytes& bytes)
   {
     auto filter = vtkSmartPointer<vtkSurfaceToGrid>::New();
     const double spacing = bytes.Number();
-    filter->SetSpacing(Bounded(spacing, 0.05));
+    filter->SetSpacing(LimitLength(spacing, 0.05));
     filter->SetPadding(bytes.Take() % 8);
     const double band = bytes.Number();
     filter->SetBandWidth(spacing > 0.2 ? band : std::min(band, 3.0));
@@ -192,8 +192,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     return 0;
   }
   Bytes head{ data, data + HeadBytes };
-  const auto filter = FilterOf(head);
-  const auto surface = SurfaceOf({ data + HeadBytes, data + size }, data[HeadBytes - 1] % 2 == 0);
+  const auto filter = MakeFilter(head);
+  const auto surface = MakeSurface({ data + HeadBytes, data + size }, data[HeadBytes - 1] % 2 == 0);
   int errors = 0;
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&errors);

@@ -44,7 +44,7 @@ protected:
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
   {
-    return isthmus::Guarded(this, vtkPolyData::GetData(output), [this] { this->Fail(); });
+    return isthmus::RunGuarded(this, vtkPolyData::GetData(output), [this] { this->Fail(); });
   }
 
   int RequestData(
@@ -52,7 +52,7 @@ protected:
   {
     auto* result = vtkPolyData::GetData(output);
     result->ShallowCopy(vtkPolyData::GetData(input[0]));
-    return isthmus::Guarded(this, output, [this] { this->Fail(); });
+    return isthmus::RunGuarded(this, output, [this] { this->Fail(); });
   }
 
 private:
@@ -82,7 +82,7 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector* outputs) override
   {
-    return isthmus::Guarded(this, outputs,
+    return isthmus::RunGuarded(this, outputs,
       [&]
       {
         for (int port = 0; port < 2; ++port)
@@ -127,7 +127,7 @@ public:
 
 }
 
-TEST(AlgorithmGuard, OneSentenceOnce)
+TEST(AlgorithmGuard, EachMessageIsReportedOnce)
 {
   vtkNew<vtkSphereSource> sphere;
   vtkNew<Failing> failing;
@@ -143,7 +143,7 @@ TEST(AlgorithmGuard, OneSentenceOnce)
   EXPECT_EQ(failing->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(AlgorithmGuard, IsToldAgainWhenAnythingHasChanged)
+TEST(AlgorithmGuard, IsReportedAgainAfterAnyChange)
 {
   vtkNew<vtkSphereSource> sphere;
   vtkNew<Failing> failing;
@@ -164,7 +164,7 @@ TEST(AlgorithmGuard, IsToldAgainWhenAnythingHasChanged)
   EXPECT_NE(ear.Said[3].find("The sea is up."), std::string::npos);
 }
 
-TEST(AlgorithmGuard, WhatStandsOnItIsEmptiedAndComesBack)
+TEST(AlgorithmGuard, DownstreamOutputsAreEmptiedAndComeBack)
 {
   vtkNew<vtkSphereSource> sphere;
   vtkNew<Failing> failing;
@@ -210,7 +210,7 @@ TEST(AlgorithmGuard, AllOutputsAreEmptyAfterAnErrorAndAfterAnAbort)
   EXPECT_EQ(ear.Said.size(), 1U); // an abort is no error
 }
 
-TEST(AlgorithmGuard, AFilterThatLooksAheadSaysItOnce)
+TEST(AlgorithmGuard, AnUpdateInRequestInformationReportsOnce)
 {
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkSurfaceToGrid> grid;
@@ -223,7 +223,7 @@ TEST(AlgorithmGuard, AFilterThatLooksAheadSaysItOnce)
   EXPECT_EQ(grid->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(AlgorithmGuard, AStopOfWhatComesBeforeIsHeardAndForgotten)
+TEST(AlgorithmGuard, AnAbortUpstreamIsNoticedAndReset)
 {
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkSurfaceToGrid> grid;
@@ -254,7 +254,7 @@ TEST(AlgorithmGuard, AStopOfWhatComesBeforeIsHeardAndForgotten)
   EXPECT_TRUE(ear.Said.empty()) << ear.Said[0];
 }
 
-TEST(AlgorithmGuard, AFileThatIsCutShortSaysItOnceAndKeepsItsCode)
+TEST(AlgorithmGuard, ATruncatedFileIsReportedOnceWithItsCode)
 {
   const isthmus::TemporaryFolder folder;
   const auto path = folder.Path() / "isthmus_cut_short.map";

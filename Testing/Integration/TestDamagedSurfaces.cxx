@@ -50,7 +50,7 @@ TriangleMesh SharedSurface(Chance& chance)
     decimation->SetTargetReduction(std::max(0.0, 1.0 - 800.0 / triangles));
     decimation->Update();
     const TriangleMesh mesh = MeshOf(decimation->GetOutput());
-    const Bounds3 box = BoundsOf(mesh);
+    const Bounds3 box = ComputeBounds(mesh);
     const Point3 middle = 0.5 * (box.Min + box.Max);
     const double scale = 2.0 / box.Diagonal();
     read[name] = Moved(mesh, -scale * middle, scale);
@@ -78,7 +78,7 @@ double AreaOf(const TriangleMesh& mesh)
 
 void Fill(const DamagedSurface& surface, Row& row)
 {
-  TetrahedralParameters parameters = Limited();
+  TetrahedralParameters parameters = LimitedParameters();
   Bounds3 box{ { 1e300, 1e300, 1e300 }, { -1e300, -1e300, -1e300 } };
   for (const Point3& p : surface.Mesh.Points)
   {
@@ -95,7 +95,7 @@ void Fill(const DamagedSurface& surface, Row& row)
   EXPECT_NEAR(Solids(made.Mesh) / made.VolumeAfter, 1.0, 1e-6);
   if (made.Backend == MeshingBackend::Stuffing)
   {
-    const QualitySummary quality = QualityOf(made.Mesh);
+    const QualitySummary quality = MeasureQualityRange(made.Mesh);
     EXPECT_GE(quality.SmallestAngle, 10.7);
     EXPECT_LE(quality.LargestAngle, 164.8);
   }
@@ -190,7 +190,7 @@ int MadeOf(const std::vector<std::uint64_t>& seeds, Make&& make)
 }
 
 /// Among them six for which CGAL's smoothing ended in SIGFPE.
-TEST(SurfaceRepair, OddCoordinatesEndInASurfaceOrASentence)
+TEST(SurfaceRepair, OddCoordinatesGiveASurfaceOrAMessage)
 {
   const auto seeds = SeedsAnd({ 2014, 2042, 2908, 3099, 3717, 4209 }, 200);
   const int made = MadeOf(seeds,
@@ -205,7 +205,7 @@ TEST(SurfaceRepair, OddCoordinatesEndInASurfaceOrASentence)
 
 /// Stars of flat triangles, for which CGAL's relaxation looked up edges that there are none of:
 /// every fiftieth ended in SIGSEGV.
-TEST(SurfaceRemesh, TracesEndInASurfaceOrASentence)
+TEST(SurfaceRemesh, TinyValuesGiveASurfaceOrAMessage)
 {
   SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.1;
@@ -218,9 +218,9 @@ TEST(SurfaceRemesh, TracesEndInASurfaceOrASentence)
 }
 
 /// Coordinates of 1e-300, with which products became no numbers (SIGFPE), are taken for 0.
-TEST(TetrahedralMesher, TracesEndInAMeshOrASentence)
+TEST(TetrahedralMesher, TinyValuesGiveAMeshOrAMessage)
 {
-  TetrahedralParameters parameters = Limited();
+  TetrahedralParameters parameters = LimitedParameters();
   parameters.Library = TetrahedralLibrary::CGAL;
   parameters.CGAL.MaximumPoints = 5000;
   const std::vector<std::uint64_t> seeds{ 304, 364, 572, 1470 };

@@ -60,7 +60,7 @@ TEST(Extremes, RepairOfAPointFarAway)
 
 // Found by the soak: next to a point that far away all others are one, and CGAL's smoothing of what
 // they span gave points that are not finite, on which its next step ended the program.
-TEST(Extremes, OnePointFarAwayIsToldByAllThatMesh)
+TEST(Extremes, AnOutlierIsReportedByAllMeshers)
 {
   for (const double place : { 1e18, 1e38 }) // CGAL's relaxation, by SIGSEGV
   {
@@ -100,7 +100,7 @@ TEST(Extremes, DelaunayIsosurfaceOfExtremeSpacings)
   }
 }
 
-TEST(Extremes, DelaunayIsosurfaceRefusesWhatHasNoEnd)
+TEST(Extremes, DelaunayIsosurfaceRefusesInfiniteValues)
 {
   const auto messages = [](vtkImageData* image, double radius, double distance)
   {
@@ -163,7 +163,7 @@ TEST(Extremes, SurfaceRemeshInterpolatesFiniteNumbers)
 }
 
 // Found by FuzzSurfaceFilters: the mean edge was taken before corners were checked.
-TEST(Extremes, CornersThatAreNoPointsAreToldByAllThatMesh)
+TEST(Extremes, CornersThatAreNoPointsAreReportedByAllMeshers)
 {
   for (const vtkIdType corner : { vtkIdType(-1), vtkIdType(1) << 40 })
   {
@@ -197,7 +197,7 @@ TEST(Extremes, SurfaceRemeshOfLongNeedlesIsRefused)
   EXPECT_NE(run.Messages().find("50 million"), std::string::npos) << run.Messages();
 }
 
-TEST(Extremes, AnAbortOfTheCGALMesherIsHeardWithinASecond)
+TEST(Extremes, TheCGALMesherAbortsWithinASecond)
 {
   using Clock = std::chrono::steady_clock;
   struct State
@@ -230,7 +230,7 @@ TEST(Extremes, AnAbortOfTheCGALMesherIsHeardWithinASecond)
   RecordProperty("LongestSilence", std::to_string(state.LongestSilence));
 }
 
-TEST(Extremes, TetGenCommandsThatAreNoneAreTold)
+TEST(Extremes, InvalidTetGenCommandsAreReported)
 {
   const isthmus::TemporaryFolder own;
   const std::filesystem::path& folder = own.Path();

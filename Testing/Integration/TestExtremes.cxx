@@ -21,7 +21,7 @@
 
 using namespace isthmus::testing;
 
-TEST(Extremes, HessianCurvatureRefusesScalesAndSpacingsThatAreNone)
+TEST(Extremes, HessianCurvatureRefusesInvalidScalesAndSpacings)
 {
   const auto messages = [](double scale, double spacing)
   {
@@ -53,7 +53,7 @@ TEST(Extremes, HessianCurvatureOfTinyAndHugeSpacingsIsFiniteOrMarked)
   }
 }
 
-TEST(Extremes, ChokingLoopsWithoutTrianglesIsASentence)
+TEST(Extremes, ChokingLoopsReportsASurfaceWithoutTriangles)
 {
   Model model = Icosphere(3, 1.0);
   model.Triangles.clear();
@@ -124,7 +124,7 @@ TEST(Extremes, MeshQualityAtAnyScale)
   EXPECT_NE(run.Messages().find("1e+300"), std::string::npos) << run.Messages();
 }
 
-TEST(Extremes, DiffusionHighPassTellsWhatItWouldTake)
+TEST(Extremes, DiffusionHighPassReportsItsIterations)
 {
   const auto messages = [](double diffusivity, double time, int steps)
   {

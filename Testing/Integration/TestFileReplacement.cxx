@@ -450,7 +450,7 @@ TEST(FileReplacement, OldFilesSurviveAnAbort)
 }
 
 /// Cells of an earlier mesh must not be read with the points of a new one.
-TEST(FileReplacement, OldCellsGoWithTheOldPoints)
+TEST(FileReplacement, OldCellFilesAreRemovedWithTheOldPoints)
 {
   const std::string oldFaces = "1 0\n1 1 2 3\n", oldCells = "1 4 0\n1 1 2 3 4\n";
   const std::string ofMSMS = "# MSMS\n4 4 1.00 1.50\n";

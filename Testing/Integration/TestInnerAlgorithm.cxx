@@ -66,7 +66,7 @@ protected:
   {
     if (this->Ending == Guard)
     {
-      return isthmus::Guarded(
+      return isthmus::RunGuarded(
         this, output, [] { throw std::runtime_error("It fails within a guard."); });
     }
     if (this->Ending == Macro)
@@ -78,7 +78,7 @@ protected:
     {
       vtkWarningMacro("It has doubts.");
     }
-    isthmus::Guarded(this, output,
+    isthmus::RunGuarded(this, output,
       [this]
       {
         for (double done = 0.0; done <= 1.0 && !this->GetAbortExecute(); done += 0.25)
@@ -92,7 +92,7 @@ protected:
 };
 vtkStandardNewMacro(Inner);
 
-std::string ErrorOf(Inner* inner)
+std::string RecordError(Inner* inner)
 {
   try
   {
@@ -108,27 +108,27 @@ std::string ErrorOf(Inner* inner)
 TEST(InnerAlgorithm, EveryKindOfFailureIsThrown)
 {
   vtkNew<Inner> inner;
-  EXPECT_EQ(ErrorOf(inner), "");
+  EXPECT_EQ(RecordError(inner), "");
   const std::pair<int, const char*> ways[] = { { Inner::Guard, "It fails within a guard." },
     { Inner::Macro, "It fails as filters of VTK do." }, { Inner::Return, "Algorithm " } };
   for (const auto& [way, words] : ways)
   {
     inner->Ending = way;
     inner->Modified();
-    EXPECT_EQ(ErrorOf(inner).substr(0, std::string(words).size()), words);
+    EXPECT_EQ(RecordError(inner).substr(0, std::string(words).size()), words);
   }
   // The same again: the filter itself would not repeat its message.
   inner->Ending = Inner::Guard;
   inner->Modified();
-  EXPECT_NE(ErrorOf(inner), "");
+  EXPECT_NE(RecordError(inner), "");
   inner->Modified();
   vtkObject::GlobalWarningDisplayOff();
-  const std::string unseen = ErrorOf(inner);
+  const std::string unseen = RecordError(inner);
   vtkObject::GlobalWarningDisplayOn();
   EXPECT_EQ(unseen, "It fails within a guard.");
   inner->Ending = Inner::Success;
   inner->Modified();
-  EXPECT_EQ(ErrorOf(inner), "");
+  EXPECT_EQ(RecordError(inner), "");
 }
 
 TEST(InnerAlgorithm, WarningsProgressAndAbortArePassedOn)
@@ -262,7 +262,7 @@ void ExpectErrors(vtkAlgorithm* filter, const char* name)
   EXPECT_GT(ends[1], 0) << name;
 }
 
-TEST(InnerAlgorithm, WantOfMemoryIsOneErrorOfTheOuterFilter)
+TEST(InnerAlgorithm, AllocationFailureIsOneErrorOfTheOuterFilter)
 {
   vtkNew<vtkDenoiseFromHalfMaps> denoise;
   const auto one = Map(56, 0.1), other = Map(56, -0.1);

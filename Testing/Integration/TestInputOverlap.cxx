@@ -99,7 +99,7 @@ TEST(InputOverlap, SharesOfShiftedCubesAreKnown)
     const auto other = Lattice({ c.Low, c.Low, c.Low }, c.Side, 10);
     for (const bool swapped : { false, true })
     {
-      const auto overlap = swapped ? OverlapOf(other, cube) : OverlapOf(cube, other);
+      const auto overlap = swapped ? MeasureOverlap(other, cube) : MeasureOverlap(cube, other);
       ASSERT_TRUE(overlap.has_value());
       EXPECT_NEAR(overlap->Share, c.Share, 1e-12) << c.Low;
       EXPECT_NEAR(overlap->Ratio, swapped ? 10.0 / c.Side : c.Side / 10.0, 1e-12);
@@ -115,41 +115,42 @@ TEST(InputOverlap, TenTimesLargerIsAnotherUnit)
     { std::pair{ 2.0, true }, { 2.09, true }, { 2.11, false }, { 1.89, false }, { 1.91, true },
       { 200.0, true }, { 209.0, true }, { 211.0, false }, { 189.0, false }, { 20.0, false } })
   {
-    EXPECT_EQ(OverlapOf(cube, Lattice({ 0.0, 0.0, 0.0 }, side, 3))->IsOfOtherUnit(), other) << side;
+    EXPECT_EQ(MeasureOverlap(cube, Lattice({ 0.0, 0.0, 0.0 }, side, 3))->IsOfOtherUnit(), other)
+      << side;
   }
 }
 
-TEST(InputOverlap, WhatHasAPlaceAndWhatHasNone)
+TEST(InputOverlap, InputsWithAndWithoutPositions)
 {
   const auto cube = Lattice({ 0.0, 0.0, 0.0 }, 10.0, 3);
-  EXPECT_FALSE(OverlapOf(cube, vtkNew<vtkTable>()).has_value());
-  EXPECT_FALSE(OverlapOf(cube, vtkNew<vtkPolyData>()).has_value());
-  EXPECT_FALSE(OverlapOf(cube, nullptr).has_value());
-  EXPECT_FALSE(OverlapOf(vtkNew<vtkImageData>(), cube).has_value());
+  EXPECT_FALSE(MeasureOverlap(cube, vtkNew<vtkTable>()).has_value());
+  EXPECT_FALSE(MeasureOverlap(cube, vtkNew<vtkPolyData>()).has_value());
+  EXPECT_FALSE(MeasureOverlap(cube, nullptr).has_value());
+  EXPECT_FALSE(MeasureOverlap(vtkNew<vtkImageData>(), cube).has_value());
   vtkNew<vtkMolecule> molecule;
   molecule->AppendAtom(6, 5.0, 5.0, 5.0);
   molecule->AppendAtom(6, 50.0, 5.0, 5.0);
   molecule->AppendAtom(6, 5.0, 5.0, 11.0);
-  EXPECT_NEAR(OverlapOf(molecule, Lattice({ 0.0, 0.0, 0.0 }, 100.0, 3))->Share, 1.0, 1e-12);
+  EXPECT_NEAR(MeasureOverlap(molecule, Lattice({ 0.0, 0.0, 0.0 }, 100.0, 3))->Share, 1.0, 1e-12);
   // Of a turned image the nodes count, not the box along the axes.
   vtkNew<vtkImageData> turned;
   turned->SetDimensions(11, 11, 11);
   turned->SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
   turned->SetOrigin(0.0, 0.0, 0.0); // it covers [-10, 0] x [0, 10] x [0, 10]
-  EXPECT_NEAR(OverlapOf(turned, cube)->First.Min[0], -10.0, 1e-12);
-  EXPECT_NEAR(OverlapOf(turned, Lattice({ -9.0, 1.0, 1.0 }, 8.0, 3))->Share, 1.0, 1e-12);
-  EXPECT_NEAR(OverlapOf(turned, Lattice({ 12.0, 1.0, 1.0 }, 8.0, 3))->Share, 0.0, 1e-12);
+  EXPECT_NEAR(MeasureOverlap(turned, cube)->First.Min[0], -10.0, 1e-12);
+  EXPECT_NEAR(MeasureOverlap(turned, Lattice({ -9.0, 1.0, 1.0 }, 8.0, 3))->Share, 1.0, 1e-12);
+  EXPECT_NEAR(MeasureOverlap(turned, Lattice({ 12.0, 1.0, 1.0 }, 8.0, 3))->Share, 0.0, 1e-12);
   // Points that are nowhere do not count, nor do those that no polygon uses.
   const auto stray = Lattice({ 1.0, 1.0, 1.0 }, 8.0, 3);
   stray->GetPoints()->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  EXPECT_NEAR(OverlapOf(cube, stray)->Share, 1.0, 1e-12);
+  EXPECT_NEAR(MeasureOverlap(cube, stray)->Share, 1.0, 1e-12);
   stray->GetPoints()->InsertNextPoint(1e6, 0.0, 0.0);
-  EXPECT_LT(OverlapOf(cube, stray)->Share, 1.0 + 1e-12);
-  EXPECT_GT(OverlapOf(cube, stray)->Ratio, 1e4);
+  EXPECT_LT(MeasureOverlap(cube, stray)->Share, 1.0 + 1e-12);
+  EXPECT_GT(MeasureOverlap(cube, stray)->Ratio, 1e4);
   vtkNew<vtkCellArray> polygons;
   polygons->InsertNextCell({ 0, 2, 26 });
   stray->SetPolys(polygons);
-  EXPECT_LT(OverlapOf(cube, stray)->Ratio, 1.0);
+  EXPECT_LT(MeasureOverlap(cube, stray)->Ratio, 1.0);
 }
 
 TEST(InputOverlap, FiltersRefuseOrWarn)

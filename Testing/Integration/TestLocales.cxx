@@ -327,7 +327,7 @@ TEST(Locales, Messages)
  * std::to_string of a floating point number and std::stod follow the locale; a search of the text
  * can't see which to_string is called, but libstdc++ makes both of __to_xstring and __stoa.
  */
-TEST(Locales, LibrariesFormatNoNumberByFunctionsOfC)
+TEST(Locales, LibrariesAvoidLocaleDependentFormatting)
 {
   // The tests link archives; the libraries lie in the build tree, and in that of one module not
   // all.

@@ -29,7 +29,7 @@ vtkSmartPointer<vtkPolyData> Sphere(int precision)
   return source->GetOutput();
 }
 
-std::string WhyRefused(vtkPointSet* data)
+std::string CatchMessage(vtkPointSet* data)
 {
   try
   {
@@ -42,25 +42,25 @@ std::string WhyRefused(vtkPointSet* data)
   return {};
 }
 
-TEST(PipelineInputs, PointsInUseNeedAPlace)
+TEST(PipelineInputs, UsedPointsNeedFinitePositions)
 {
   for (const int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
   {
     const auto sphere = Sphere(precision);
-    EXPECT_EQ(WhyRefused(sphere), "");
+    EXPECT_EQ(CatchMessage(sphere), "");
     const vtkIdType unused = sphere->GetPoints()->InsertNextPoint(0.0, 0.0, std::nan(""));
-    EXPECT_EQ(WhyRefused(sphere), "");
+    EXPECT_EQ(CatchMessage(sphere), "");
     sphere->GetPoints()->SetPoint(7, 0.0, -std::numeric_limits<double>::infinity(), 1.5);
-    EXPECT_EQ(WhyRefused(sphere).find("Point 7 of the surface is at (0, -inf, 1.5)"), 0u);
+    EXPECT_EQ(CatchMessage(sphere).find("Point 7 of the surface is at (0, -inf, 1.5)"), 0u);
     // Where there are no cells, each point counts.
     vtkNew<vtkPolyData> atoms;
     atoms->SetPoints(sphere->GetPoints());
     sphere->GetPoints()->SetPoint(7, 0.0, 0.0, 0.0);
     EXPECT_EQ(
-      WhyRefused(atoms).find("Point " + std::to_string(unused) + " of the surface is at"), 0u);
+      CatchMessage(atoms).find("Point " + std::to_string(unused) + " of the surface is at"), 0u);
   }
-  EXPECT_EQ(WhyRefused(nullptr), "");
-  EXPECT_EQ(WhyRefused(vtkNew<vtkPolyData>()), "");
+  EXPECT_EQ(CatchMessage(nullptr), "");
+  EXPECT_EQ(CatchMessage(vtkNew<vtkPolyData>()), "");
 }
 
 TEST(PipelineInputs, HiddenPointsAndCellsAreRefused)

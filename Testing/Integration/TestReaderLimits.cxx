@@ -89,7 +89,7 @@ std::string OpenDX(const std::string& type, const std::string& values)
 
 }
 
-TEST(ReaderLimits, PipesAreRefusedAndNotWaitedFor)
+TEST(ReaderLimits, PipesAreRefusedWithoutWaiting)
 {
   for (const char* name :
     { "pipe.cmesh", "pipe.vert", "pipe.face", "pipe.pdb", "pipe.dx", "pipe.mrc" })
@@ -129,7 +129,7 @@ TEST(ReaderLimits, FoldersAreCalledFolders)
 
 /// ParaView asks the readers of a name in turn, and then offers those that do not look at files: of
 /// ParaView 5.11's, one never ends on an empty file, and GDAL's waits for pipes.
-TEST(ReaderLimits, WhatHasNoContentsIsTakenByItsName)
+TEST(ReaderLimits, EmptyFilesAreJudgedByTheirName)
 {
   const std::string empty = Folder() / "empty.any";
   std::ofstream(empty).flush();
@@ -156,7 +156,7 @@ TEST(ReaderLimits, WhatHasNoContentsIsTakenByItsName)
   expect(vtkSmartPointer<vtkMRCMapReader>::New(), "map");
 }
 
-TEST(ReaderLimits, MSMSFilesKeepThePromiseOfTheirFirstLine)
+TEST(ReaderLimits, MSMSCountsMustMatchTheHeader)
 {
   EXPECT_EQ(Complaint<vtkMSMSReader>(MSMSPair(4, 4)).first, "");
   const auto [faces, code] = Complaint<vtkMSMSReader>(MSMSPair(4, 3));
@@ -166,7 +166,7 @@ TEST(ReaderLimits, MSMSFilesKeepThePromiseOfTheirFirstLine)
   EXPECT_NE(vertices.find("promises 4 vertices, but there are 3"), std::string::npos) << vertices;
 }
 
-TEST(ReaderLimits, MoleculesPackedToNothingAreRefusedBeforeTheyFillMemory)
+TEST(ReaderLimits, DecompressionBombsAreRefusedEarly)
 {
   const TemporaryFile newlines(Gzip(std::string(100'000'000, '\n')), "newlines.cif.gz");
   EXPECT_NE(Complaint<vtkMacromoleculeReader>(newlines.Path()).first.find("unpack to more than"),
@@ -202,7 +202,7 @@ TEST(ReaderLimits, OpenDXUnsignedIntegersHaveNoSign)
   EXPECT_EQ(array->GetComponent(1, 0), 7.0);
 }
 
-TEST(ReaderLimits, OpenDXGridsThatDoNotBelongToTheArrayAreTold)
+TEST(ReaderLimits, OpenDXGridsThatDoNotMatchTheArrayAreReported)
 {
   const std::string two = "object 1 class gridpositions counts 2 1 1\norigin 0 0 0\ndelta 1 0 0\n"
                           "delta 0 1 0\ndelta 0 0 1\n"
@@ -252,7 +252,7 @@ TEST(ReaderLimits, AMapThatWasReplacedIsNotShownInTheOldGeometry)
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(ReaderLimits, SentencesAreTextWhateverTheFileHolds)
+TEST(ReaderLimits, MessagesAreValidTextForAnyFile)
 {
   EXPECT_EQ(isthmus::Printable("a\xff\x01z"), "a??z");
   EXPECT_EQ(isthmus::Printable("\xc3\xa5ngstr\xc3\xb6m\n"), "\xc3\xa5ngstr\xc3\xb6m\n");

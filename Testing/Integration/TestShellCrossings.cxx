@@ -71,19 +71,19 @@ TriangleMesh TurnedByOneRadian(TriangleMesh mesh)
   return mesh;
 }
 
-vtkSmartPointer<vtkPolyData> DataOf(const SurfaceView& mesh)
+vtkSmartPointer<vtkPolyData> ToPolyData(const SurfaceView& mesh)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   SetMesh(mesh, data);
   return data;
 }
 
-/// Two spheres of radius 7 whose centres are 10 apart.
+/// Two spheres of radius 7 whose centers are 10 apart.
 vtkSmartPointer<vtkPolyData> CrossingSpheres()
 {
   TriangleMesh both = Sphere({ 0.3, 0.2, 0.1 }, 7.0, 40);
   Append(both, Sphere({ 10.3, 0.2, 0.1 }, 7.0, 40));
-  return DataOf(both);
+  return ToPolyData(both);
 }
 
 }
@@ -112,16 +112,16 @@ TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiSay)
     if (crossing)
     {
       ++crossings;
-      const Point3 centre{ 0.6 * distance, 0.0, 0.8 * distance };
+      const Point3 center{ 0.6 * distance, 0.0, 0.8 * distance };
       EXPECT_NEAR(Length(crossing->Place), r, 0.02 * r);
-      EXPECT_NEAR(Distance(crossing->Place, centre), s, 0.02 * s);
+      EXPECT_NEAR(Distance(crossing->Place, center), s, 0.02 * s);
       EXPECT_FALSE(crossing->Coincide);
     }
   }
   EXPECT_GT(crossings, 50);
 }
 
-TEST(ShellCrossings, BoxesWithFacesInOnePlaneAreDecidedByWhatTheyEnclose)
+TEST(ShellCrossings, BoxesWithCoplanarFacesAreDecidedByContainment)
 {
   const TriangleMesh cube = Cube({ 0.0, 0.0, 0.0 }, 1.0);
   struct Case
@@ -171,7 +171,7 @@ TEST(ShellCrossings, TheSameShellTwiceIsFound)
   EXPECT_FALSE(CrossingOf(sheet, InsideOut(sheet)).has_value());
 }
 
-TEST(ShellCrossings, NestedShellsAndOpenOnesAreNotLookedAt)
+TEST(ShellCrossings, NestedAndOpenShellsAreSkipped)
 {
   TriangleMesh nested = Sphere({ 0.0, 0.0, 0.0 }, 5.0);
   for (const double radius : { 4.0, 3.0, 2.0, 1.0 })
@@ -214,7 +214,7 @@ TEST(ShellCrossings, CavitiesThatTouchTheirWallCountAlike)
       TriangleMesh mesh = TurnedByOneRadian(c.Outer);
       Append(mesh, TurnedByOneRadian(turned ? InsideOut(c.Inner) : c.Inner));
       vtkNew<vtkSurfaceMeasures> measures;
-      measures->SetInputData(DataOf(mesh));
+      measures->SetInputData(ToPolyData(mesh));
       measures->Update();
       const double volume =
         measures->GetOutputDataObject(0)->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
@@ -246,7 +246,7 @@ TEST(ShellCrossings, NestedShellsCountAlikeWhicheverWayTheyFace)
       Append(mesh, turned >> k & 1 ? InsideOut(sphere) : sphere);
     }
     vtkNew<vtkSurfaceMeasures> measures;
-    measures->SetInputData(DataOf(mesh));
+    measures->SetInputData(ToPolyData(mesh));
     measures->Update();
     const double volume =
       measures->GetOutputDataObject(0)->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
@@ -307,11 +307,11 @@ TEST(ShellCrossings, FiltersNameThePlaceInWorldCoordinates)
   EXPECT_NEAR(fields->GetArray("Area")->GetComponent(0, 0), 2.0 * 4.0 * Pi * 49.0, 12.0);
 }
 
-TEST(ShellCrossings, WhatTheMessageAdvisesUnitesThem)
+TEST(ShellCrossings, TheAdviceOfTheMessageWorks)
 {
   const double r = 7.0, d = 10.0; // the lens that two balls share
   const double lens = Pi * (4.0 * r + d) * std::pow(2.0 * r - d, 2) / 12.0;
-  TetrahedralParameters parameters = Limited();
+  TetrahedralParameters parameters = LimitedParameters();
   parameters.CGAL.CellSize = 0.7;
   const TriangleMesh united =
     BoundarySurface(AutomaticTetrahedra(MeshOf(CrossingSpheres()), parameters).Mesh);

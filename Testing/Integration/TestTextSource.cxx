@@ -202,7 +202,7 @@ TEST(TextSource, MarksOfUTF8AreSkipped)
   }
 }
 
-TEST(TextSource, FourBytesTellUTF16AndOtherCompressionsAreNamed)
+TEST(TextSource, UTF16AndOtherCompressionsAreReported)
 {
   const auto complaint = [](const std::string& bytes)
   {
@@ -231,7 +231,7 @@ TEST(TextSource, FourBytesTellUTF16AndOtherCompressionsAreNamed)
   }
 }
 
-TEST(TextSource, LinesAreCountedAcrossQuotesAndRests)
+TEST(TextSource, LinesAreCountedAcrossQuotesAndRemainders)
 {
   const TemporaryFile file("a \"b\nc\" d # note\ne\nf", "text");
   const auto source = OpenByteSource(file.Path());
@@ -465,7 +465,7 @@ TEST(TextSource, ReportedFile)
   EXPECT_EQ(molecule.Atoms[0].Charge + molecule.Atoms[1].Charge, 0.0);
 }
 
-TEST(TextSource, IsTheContentBehindTheMark)
+TEST(TextSource, IsTheContentAfterTheMark)
 {
   std::string content(300000, ' ');
   for (std::size_t i = 0; i < content.size(); ++i)

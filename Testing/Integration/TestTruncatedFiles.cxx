@@ -45,7 +45,7 @@ struct Outcome
   std::string Warning;
 };
 
-std::string TextOf(vtkDataSet* data)
+std::string JoinText(vtkDataSet* data)
 {
   std::ostringstream text;
   text.precision(17);
@@ -91,7 +91,7 @@ Outcome ReadWith(const std::string& path)
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
   reader->SetFileName(path.c_str());
   reader->Update();
-  Outcome outcome{ TextOf(vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0))),
+  Outcome outcome{ JoinText(vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0))),
     observer->GetErrorMessage(), observer->GetWarningMessage() };
   EXPECT_EQ(outcome.Error.empty(),
     reader->GetErrorCode() == static_cast<unsigned long>(vtkErrorCode::NoError));

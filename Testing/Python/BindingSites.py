@@ -74,7 +74,7 @@ residues = ranking.GetValueByName(0, "Residues").ToString()
 for residue in ("ASP 52", "GLU 35", "TRP 62", "TRP 63"):
     assert residue in residues, (residue, residues)
 assert ranking.GetValueByName(0, "Class").ToString() == "for + ligands"
-assert 10.0 < first["Volume"] < 2000.0, first["Volume"]  # that water's centre can reach
+assert 10.0 < first["Volume"] < 2000.0, first["Volume"]  # that water's center can reach
 pockets.UsePockets = 0
 pockets.UpdatePipeline()
 assert servermanager.Fetch(pockets, idx=1).GetNumberOfRows() == len(rows)

@@ -103,11 +103,11 @@ assert servermanager.Fetch(offset).GetNumberOfCells() > 300
 def contour_of_blobs(seed):
     """Points and triangles of a surface around fourteen Gaussians."""
     random = numpy.random.default_rng(seed)
-    centres, widths = random.uniform(-1.0, 1.0, (14, 3)), random.uniform(0.3, 0.45, 14)
+    centers, widths = random.uniform(-1.0, 1.0, (14, 3)), random.uniform(0.3, 0.45, 14)
     axis = numpy.linspace(-2.2, 2.2, 26)
     z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
     values = sum(numpy.exp(-((x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2) / w ** 2 * 1.5)
-                 for c, w in zip(centres, widths))
+                 for c, w in zip(centers, widths))
     image = vtkImageData()
     image.SetDimensions(26, 26, 26)
     image.SetOrigin(-2.2, -2.2, -2.2)

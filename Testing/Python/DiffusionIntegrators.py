@@ -15,7 +15,7 @@ from volume_quality import as_volume, filtered, phantom, with_noise
 EULER, SUPER = 0, 1
 
 
-def centre(volume, nodes):
+def center(volume, nodes):
     """The middle of a volume, in units of its standard deviation."""
     box = tuple(slice((n - nodes) // 2, (n + nodes) // 2) for n in volume.shape)
     return volume[box] / volume[box].std()
@@ -23,12 +23,12 @@ def centre(volume, nodes):
 
 def volumes(nodes):
     for seed in (2, 3):
-        yield f"phantom {seed}, SNR 1", with_noise(centre(phantom(seed), nodes), 1.0, seed)
-        yield f"phantom {seed}, SNR 0.3", with_noise(centre(phantom(seed), nodes), 0.3, seed)
+        yield f"phantom {seed}, SNR 1", with_noise(center(phantom(seed), nodes), 1.0, seed)
+        yield f"phantom {seed}, SNR 0.3", with_noise(center(phantom(seed), nodes), 0.3, seed)
     reader = isthmus.vtkMRCMapReader()
     reader.SetFileName(str(shared_data("maps/emd_5043.map")))
     reader.Update()
-    yield "EMD-5043, SNR 1", with_noise(centre(as_volume(reader.GetOutput()), nodes), 1.0, 7)
+    yield "EMD-5043, SNR 1", with_noise(center(as_volume(reader.GetOutput()), nodes), 1.0, 7)
 
 
 def evolve(volume, integrator, sigma, end):

@@ -142,7 +142,7 @@ half = {}
 for port in (0, 1):
     reader, name = open_models("".join(text[: text.index("ENDMDL\n") * 6 + 6]) + "END\n", ".pdb")
     finder = isthmus.vtkMolecularPockets()
-    finder.SetFindSites(False)  # the table's centre of a site is a mode, that of its cells their mean
+    finder.SetFindSites(False)  # the table's center of a site is a mode, that of its cells their mean
     table = run(reader, finder, port, 4).GetOutput()
     os.remove(name)
     half[port] = {

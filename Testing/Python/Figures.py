@@ -89,8 +89,8 @@ def check_view():
     embedded = re.search(r"base64,([A-Za-z0-9+/=]+)", svg.read_text())
     (FOLDER / "embedded.png").write_bytes(base64.b64decode(embedded[1]))
     inner = pixels_of(FOLDER / "embedded.png")
-    centre = slice(inner.shape[0] // 3, 2 * inner.shape[0] // 3), slice(inner.shape[1] // 3, 2 * inner.shape[1] // 3)
-    assert inner.shape == pixels.shape and numpy.abs(inner - pixels)[centre].max() < 24
+    center = slice(inner.shape[0] // 3, 2 * inner.shape[0] // 3), slice(inner.shape[1] // 3, 2 * inner.shape[1] // 3)
+    assert inner.shape == pixels.shape and numpy.abs(inner - pixels)[center].max() < 24
     dark_png, _ = pipelines.figure(view, WIDTH_MM, DPI, str(FOLDER / "dark.png"), background=[0.0, 0.0, 0.0],
                                    scale_bar=False)
     dark_pixels = pixels_of(dark_png)

@@ -16,8 +16,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 n, h = (121, 75, 25), 0.05
 x, y, z = numpy.meshgrid(*[h * (numpy.arange(k) - (k - 1) / 2.0) for k in n], indexing="ij")
 value = numpy.max([abs(x) - 2.6, abs(y) - 1.6, abs(z) - 0.4], axis=0)
-for centre, radius in ((-1.213, 0.3), (1.207, 0.6)):
-    value = numpy.maximum(value, radius - numpy.hypot(x - centre, y - 0.013))
+for center, radius in ((-1.213, 0.3), (1.207, 0.6)):
+    value = numpy.maximum(value, radius - numpy.hypot(x - center, y - 0.013))
 output.SetDimensions(n)
 output.SetSpacing(h, h, h)
 array = numpy_to_vtk(value.ravel(order="F"), deep=True)

@@ -27,8 +27,8 @@ def noisy():
     places = numpy.indices(SIZE[::-1])
     values = random.normal(0, 0.3, SIZE[::-1])
     for _ in range(12):
-        centre = random.uniform(0.2, 0.8, 3) * SIZE[::-1]
-        values += numpy.exp(-((places - centre.reshape(3, 1, 1, 1)) ** 2).sum(0) / (2 * random.uniform(3, 6) ** 2))
+        center = random.uniform(0.2, 0.8, 3) * SIZE[::-1]
+        values += numpy.exp(-((places - center.reshape(3, 1, 1, 1)) ** 2).sum(0) / (2 * random.uniform(3, 6) ** 2))
     with mrcfile.new(source, values.astype("f4"), overwrite=True) as file:
         file.voxel_size, file.header.origin = SPACING, ORIGIN
 

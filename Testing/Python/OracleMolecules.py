@@ -35,7 +35,7 @@ def molecular_density(draw):
     compared where a place's rounding does not decide."""
     unit = draw.unit
     count = draw.whole(1, 12)
-    places = draw.centre(unit * 20.0) + draw.random.normal(size=(count, 3)) * unit * 2.0
+    places = draw.center(unit * 20.0) + draw.random.normal(size=(count, 3)) * unit * 2.0
     radii = unit * draw.between(0.8, 2.0, count)
     data = atoms(draw, places, radii)
     places, radii = points_of(data), array(data.GetPointData(), "Radius")
@@ -139,7 +139,7 @@ def handle_filling(draw):
 def pore_profile(draw):
     """A tube of rings with a waist: the radius at each ring, the narrowest one.
     Tolerance, s = Spacing: a plane lies within s / 2 of a ring, sqrt(r^2 + s^2 / 4) - r, r the ring's radius; half
-    of the rest, as far as neighbouring rings are wider; the centre is found to 1e-3."""
+    of the rest, as far as neighbouring rings are wider; the center is found to 1e-3."""
     count, n = draw.whole(9, 13), draw.whole(16, 20)
     atom, gap, waist = draw.between(1.5, 1.9), draw.between(1.0, 1.5), draw.whole(3, 5)
     narrow = draw.between(3.8, 4.4)
@@ -151,7 +151,7 @@ def pore_profile(draw):
     pose = Pose(draw, 20.0)
     data = atoms(draw, pose.world(shape), atom)
     spacing = draw.between(0.1, 0.3)
-    filter_ = settle(isthmus.vtkPoreProfile(), [data], Mode=2, Point=tuple(pose.centre),
+    filter_ = settle(isthmus.vtkPoreProfile(), [data], Mode=2, Point=tuple(pose.center),
                      Direction=tuple(pose.axes[:, 2] * draw.choice([-1.0, 1.0])), Spacing=spacing, EndRadius=8.0)
     table = filter_.GetPoreTable()
     yield "pores", table.GetNumberOfRows() - 1, 0
@@ -164,8 +164,8 @@ def pore_profile(draw):
 
 
 def sphere_distance(draw, radius, h, margin, upright=False):
-    """Signed distance to a sphere on a grid of cubes around it, and its centre."""
-    centre = draw.centre(10.0)
+    """Signed distance to a sphere on a grid of cubes around it, and its center."""
+    center = draw.center(10.0)
     axes = numpy.eye(3) if upright else draw.rotation(mirrored=draw.chance(0.25))
     n = int(numpy.ceil(2 * (radius + margin) / h)) + 1
     first = numpy.array([draw.whole(-9, 9) for _ in range(3)])
@@ -173,14 +173,14 @@ def sphere_distance(draw, radius, h, margin, upright=False):
     data = vtkImageData()
     data.SetExtent(*(int(v) for f in first for v in (f, f + n - 1)))
     data.SetSpacing(h, h, h)
-    data.SetOrigin(*(centre + axes @ (low - h * first)))
+    data.SetOrigin(*(center + axes @ (low - h * first)))
     data.SetDirectionMatrix(*axes.ravel())
     k, j, i = numpy.meshgrid(*3 * [numpy.arange(n)], indexing="ij")
     nodes = low + h * numpy.stack([i.ravel(), j.ravel(), k.ravel()], 1)
     distance = numpy.linalg.norm(nodes, axis=1) - radius
     add_array(data.GetPointData(), "SignedDistance", distance.astype(draw.choice([numpy.float32, numpy.float64])))
     data.GetPointData().SetActiveScalars("SignedDistance")
-    return data, centre
+    return data, center
 
 
 @oracle("Nonpolar Solvation")
@@ -190,10 +190,10 @@ def nonpolar_solvation(draw):
     Tolerance: second order in the spacing over the radius, (h / R)^2; of energies the same."""
     radius = draw.between(1.8, 4.0)
     h = draw.between(0.35, 0.5)
-    image, centre = sphere_distance(draw, radius, h, 2.0, upright=True)
+    image, center = sphere_distance(draw, radius, h, 2.0, upright=True)
     own, depth = draw.between(1.2, 2.0), draw.between(0.01, 0.3)
     tension, pressure, density = draw.between(0.01, 0.1), draw.between(0.01, 0.1), draw.between(0.01, 0.05)
-    data = atoms(draw, centre[None], own, WellDepth=depth)
+    data = atoms(draw, center[None], own, WellDepth=depth)
     filter_ = settle(isthmus.vtkNonpolarSolvation(), [data, image], SurfaceTension=tension, Pressure=pressure,
                      SolventDensity=density)
     table, share = filter_.GetOutputDataObject(1), (h / radius)**2
@@ -216,11 +216,11 @@ def poisson_boltzmann(draw):
     Tolerance: second order in the spacing over the radius, (h / R)^2, at a spacing of a fifth to a seventh of R."""
     radius = draw.between(2.0, 4.0)
     h = radius / draw.between(5.0, 7.0)
-    image, centre = sphere_distance(draw, radius, h, 3.0 * h)
+    image, center = sphere_distance(draw, radius, h, 3.0 * h)
     charge = draw.between(0.2, 3.0) * draw.choice([-1, 1])
     solute, solvent = draw.between(1.0, 4.0), draw.between(40.0, 80.0)
     salt, ion, kelvin = draw.choice([0.0, draw.between(0.05, 0.3)]), draw.between(0.0, 2.0), 298.15
-    data = atoms(draw, centre[None], 0.5 * radius, Charge=charge)
+    data = atoms(draw, center[None], 0.5 * radius, Charge=charge)
     filter_ = settle(isthmus.vtkPoissonBoltzmann(), [data, image], Level=0.0, InsideIsHigher=False,
                      SoluteDielectric=solute, SolventDielectric=solvent, IonicStrength=salt, IonRadius=ion,
                      Padding=2.0 * radius)
@@ -241,7 +241,7 @@ def poisson_boltzmann(draw):
         at / (length * charge / radius), share
     slope = length * charge / (solvent * radius**2)
     yield "NormalField", array(surface.GetPointData(), "NormalField") / slope - 1, 4 * share
-    normals = points_of(surface) - centre
+    normals = points_of(surface) - center
     normals /= numpy.linalg.norm(normals, axis=1)[:, None]
     along = (array(surface.GetPointData(), "Normals") * normals).sum(1)
     yield "Normals", along - 1, share

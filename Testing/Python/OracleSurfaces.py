@@ -92,7 +92,7 @@ def surface_to_grid(draw):
     pose = Pose(draw, size)
     points, triangles = box(sides, draw.whole(1, 3), draw)
     data = poly_data(draw, pose.world(points), triangles)
-    grid = Volume(draw, lambda p: p[:, 0], pose.centre, 0.75 * size, 13)
+    grid = Volume(draw, lambda p: p[:, 0], pose.center, 0.75 * size, 13)
     exact_everywhere = draw.chance(0.3)
     filter_ = settle(isthmus.vtkSurfaceToGrid(), [data, grid.data], ExactEverywhere=exact_everywhere)
     output = filter_.GetOutput().GetPointData()
@@ -228,10 +228,10 @@ def polarized_curvature(draw):
     grid = None
 
     def potential(p):
-        x, y, z = ((p - pose.centre) @ axes / radius).T
+        x, y, z = ((p - pose.center) @ axes / radius).T
         return c[0] + c[1] * x + c[2] * y + c[3] * z + c[4] * x * y + c[5] * y * z + c[6] * z * x + c[7] * x * y * z
     axes = numpy.eye(3)
-    grid = Volume(draw, lambda p: p[:, 0], pose.centre, draw.choice([0.8, 1.2]) * radius, 12,
+    grid = Volume(draw, lambda p: p[:, 0], pose.center, draw.choice([0.8, 1.2]) * radius, 12,
                   kinds=[numpy.float32, numpy.float64])
     axes = grid.axes
     kind = draw.choice([numpy.float32, numpy.float64])
@@ -526,12 +526,12 @@ def mesh_quality(draw):
     p = points[cells]
     shortest = numpy.min([numpy.linalg.norm(p[:, i] - p[:, j], axis=1)
                           for i in range(p.shape[1]) for j in range(i)], axis=0)
-    # The circumcentre has equal distances: linear equations, for triangles by the least norm.
+    # The circumcenter has equal distances: linear equations, for triangles by the least norm.
     radius = []
     for q in p:
         rows = q[1:] - q[0]
-        centre = numpy.linalg.lstsq(rows, (rows**2).sum(1) / 2, rcond=None)[0]
-        radius.append(numpy.linalg.norm(centre))
+        center = numpy.linalg.lstsq(rows, (rows**2).sum(1) / 2, rcond=None)[0]
+        radius.append(numpy.linalg.norm(center))
     ratio = numpy.array(radius) / shortest
     yield "RadiusEdgeRatio", array(values, "RadiusEdgeRatio") / ratio - 1, 1e-9 / sine**2
     table = filter_.GetOutputDataObject(1)

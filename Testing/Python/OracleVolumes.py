@@ -16,22 +16,22 @@ class Ball:
 
     def __init__(self, draw, size, count):
         self.radii = size * draw.between(0.6, 1.0, count)
-        self.centres = numpy.zeros((count, 3))
-        self.centres[:, 0] = 2.6 * size * (numpy.arange(count) - (count - 1) / 2)
+        self.centers = numpy.zeros((count, 3))
+        self.centers[:, 0] = 2.6 * size * (numpy.arange(count) - (count - 1) / 2)
         self.half = size * (1.4 + 1.3 * (count - 1))
         self.pose = Pose(draw, size)
-        self.centres = self.pose.world(self.centres)
+        self.centers = self.pose.world(self.centers)
 
     def __call__(self, points):
-        return numpy.max([1 - ((points - c)**2).sum(1) / r**2 for c, r in zip(self.centres, self.radii)], axis=0)
+        return numpy.max([1 - ((points - c)**2).sum(1) / r**2 for c, r in zip(self.centers, self.radii)], axis=0)
 
     def at_level(self, level):
         return self.radii * numpy.sqrt(1 - level)
 
 
-def sphere_gap(points, centres, radii):
+def sphere_gap(points, centers, radii):
     """Signed distance to the nearest of some spheres that are apart."""
-    gaps = numpy.array([numpy.linalg.norm(points - c, axis=1) - r for c, r in zip(centres, radii)])
+    gaps = numpy.array([numpy.linalg.norm(points - c, axis=1) - r for c, r in zip(centers, radii)])
     return numpy.take_along_axis(gaps, numpy.abs(gaps).argmin(0)[None], 0)[0]
 
 
@@ -45,7 +45,7 @@ def map_surface(draw):
     ball = Ball(draw, size, count)
     inverse = draw.chance(0.3)
     sign = -1.0 if inverse else 1.0
-    volume = Volume(draw, lambda p: sign * numpy.maximum(ball(p), -3.0), ball.pose.centre, ball.half, 16 * count)
+    volume = Volume(draw, lambda p: sign * numpy.maximum(ball(p), -3.0), ball.pose.center, ball.half, 16 * count)
     level = draw.between(-0.1, 0.3)
     radii = ball.at_level(level)
     filter_ = settle(isthmus.vtkMapSurface(), [volume.data], Level=float(volume.stored(sign * level)),
@@ -57,7 +57,7 @@ def map_surface(draw):
     quantum = volume.quantum * ball.radii.max()**2 / (2 * small)
     diagonal = numpy.linalg.norm(volume.spacing)
     off = small - numpy.sqrt(small**2 - volume.h**2 / 4) + 2 * quantum + 1e-5 * size
-    yield "distance of points", sphere_gap(points, ball.centres, radii), off
+    yield "distance of points", sphere_gap(points, ball.centers, radii), off
     share = 2 * (off + diagonal**2 / (8 * small)) / small + (diagonal / (2 * small))**2
     exact = numpy.sort(4 * numpy.pi * radii**2)[::-1]
     found = array(output.GetFieldData(), "ComponentArea")
@@ -75,7 +75,7 @@ def delaunay_isosurface(draw):
     type; volume: that and Distance over the area; angles at least 30 degrees (the header)."""
     size = draw.unit * 5.0
     ball = Ball(draw, size, 1)
-    volume = Volume(draw, ball, ball.pose.centre, ball.half, 14, stretch=1.3)
+    volume = Volume(draw, ball, ball.pose.center, ball.half, 14, stretch=1.3)
     level = draw.between(-0.1, 0.3)
     radius = ball.at_level(level)[0]
     distance = 0.3 * volume.h
@@ -83,7 +83,7 @@ def delaunay_isosurface(draw):
                     Radius=2.0 * volume.h, Distance=distance).GetOutput()
     points, cells = points_of(output), triangles_of(output)
     off = 3 * volume.h**2 / (8 * radius) + 2 * volume.quantum * ball.radii[0]**2 / (2 * radius) + 1e-4 * size
-    yield "distance of points", sphere_gap(points, ball.centres, [radius]), off
+    yield "distance of points", sphere_gap(points, ball.centers, [radius]), off
     yield "volume", volume_of(points, cells) / (4 / 3 * numpy.pi * radius**3) - 1, 3 * (off + distance) / radius
     yield "least angle", max(30.0 - triangle_angles(points, cells).min(), 0), 1e-3
     yield "Euler number", euler_number(cells) - 2, 0
@@ -96,7 +96,7 @@ def isosurface_stuffing(draw):
     of the type; volume: that and the sag of facets of a cell, over the area; angles as in the header."""
     size = draw.unit * 5.0
     ball = Ball(draw, size, 1)
-    volume = Volume(draw, ball, ball.pose.centre, ball.half, 12, stretch=1.3)
+    volume = Volume(draw, ball, ball.pose.center, ball.half, 12, stretch=1.3)
     level = draw.between(-0.1, 0.3)
     radius = ball.at_level(level)[0]
     side = draw.choice([0, 0, 1, 2])
@@ -107,7 +107,7 @@ def isosurface_stuffing(draw):
     region = array(output.GetCellData(), "RegionId")
     off = 6 * volume.h**2 / (8 * radius) + 2 * volume.quantum * ball.radii[0]**2 / (2 * radius) + 1e-5 * size
     on = points[array(output.GetPointData(), "OnSurface") > 0]
-    yield "distance of points", sphere_gap(on, ball.centres, [radius]), off
+    yield "distance of points", sphere_gap(on, ball.centers, [radius]), off
     yield "orientation", volumes <= 0, 0
     if side != 1:
         yield "volume inside", volumes[region == 1].sum() / (4 / 3 * numpy.pi * radius**3) - 1, \
@@ -132,15 +132,15 @@ def hessian_curvature(draw):
     Tolerance, e = rounding of a value by its type: second differences are off by 4 e / h^2, in nine entries,
     first ones by e / h, over the gradient; a tenth of the output's single precision."""
     size = draw.unit * 5.0
-    centre = draw.centre(size)
+    center = draw.center(size)
     form = draw.random.normal(size=(3, 3))
     form = (form + form.T) / size**2
     slope = draw.direction() * 2.0 / size
 
     def value(p):
-        x = p - centre
+        x = p - center
         return numpy.einsum("ni,ij,nj->n", x, form, x) / 2 + x @ slope
-    volume = Volume(draw, value, centre, size, 12, kinds=[numpy.float32, numpy.float64, numpy.int32])
+    volume = Volume(draw, value, center, size, 12, kinds=[numpy.float32, numpy.float64, numpy.int32])
     order = draw.choice([2, 4])
     higher = draw.chance()
     filter_ = settle(isthmus.vtkHessianCurvature(), [volume.data], AutomaticScale=False, Scale=0.0, Accuracy=order,
@@ -148,7 +148,7 @@ def hessian_curvature(draw):
     values = filter_.GetOutput().GetPointData()
     valid = array(values, "CurvatureValid") > 0
     border = ((volume.index < order // 2) | (volume.index >= volume.counts - order // 2)).any(1)
-    x = volume.points - centre
+    x = volume.points - center
     gradient = x @ form + slope
     length = numpy.linalg.norm(gradient, axis=1)
     yield "validity", (valid == border) & (length > 1e-3 / size), 0
@@ -173,15 +173,15 @@ def curvature_error(draw):
     """A ball with a soft edge in white noise: CurvatureError is the standard error of the mean curvature at the edge.
     Tolerance: none but that, as the filter states it. Surroundings without structure show it the noise."""
     size = draw.unit * 10.0
-    centre, radius, width = draw.centre(size), size * draw.between(0.5, 0.7), size * draw.between(0.08, 0.12)
+    center, radius, width = draw.center(size), size * draw.between(0.5, 0.7), size * draw.between(0.08, 0.12)
     noise = draw.between(0.01, 0.05)
 
     def value(p):
-        r = numpy.linalg.norm(p - centre, axis=1)
+        r = numpy.linalg.norm(p - center, axis=1)
         return 1 / (1 + numpy.exp((r - radius) / width)) + noise * draw.random.normal(size=len(p))
-    volume = Volume(draw, value, centre, 1.2 * size, 32, kinds=[numpy.float32], stretch=1.01)
+    volume = Volume(draw, value, center, 1.2 * size, 32, kinds=[numpy.float32], stretch=1.01)
     values = settle(isthmus.vtkHessianCurvature(), [volume.data]).GetOutput().GetPointData()
-    r = numpy.linalg.norm(volume.points - centre, axis=1)
+    r = numpy.linalg.norm(volume.points - center, axis=1)
     use = (array(values, "CurvatureValid") > 0) & (numpy.abs(r - radius) < width)
     yield "MeanCurvature", (array(values, "MeanCurvature") - 1 / r)[use], \
         Standards(array(values, "CurvatureError")[use])
@@ -207,7 +207,7 @@ def scalar_persistence(draw):
         return numpy.minimum(((q - [radius, 0, 0])**2).sum(1), ((q + [radius, 0, 0])**2).sum(1))
     over = draw.chance()
     sign = -1.0 if over else 1.0
-    volume = Volume(draw, lambda p: sign * value(p), pose.centre, size, 18, stretch=1.2)
+    volume = Volume(draw, lambda p: sign * value(p), pose.center, size, 18, stretch=1.2)
     filter_ = settle(isthmus.vtkScalarPersistence(), [volume.data], Superlevel=over,
                      MinimumPersistence=float(0.4 * radius**2 * volume.scale))
     table = filter_.GetDiagram()
@@ -237,7 +237,7 @@ def map_handles(draw):
 
     def value(p):
         return numpy.exp(-torus_distance(pose.local(p), radius, 0.0)**2 / (2 * width**2))
-    volume = Volume(draw, value, pose.centre, 1.2 * size, 20, kinds=[numpy.float32, numpy.float64], stretch=1.2)
+    volume = Volume(draw, value, pose.center, 1.2 * size, 20, kinds=[numpy.float32, numpy.float64], stretch=1.2)
     low = float(numpy.exp(-radius**2 / (2 * width**2)))
     levels = volume.stored([low / 2, 1.0])
     filter_ = settle(isthmus.vtkMapHandles(), [volume.data], Range=(float(levels[0]), float(levels[1])),
@@ -346,7 +346,7 @@ def map_to_loops(draw):
     pose = Pose(draw, size)
     small = size * draw.between(0.18, 0.25)
     big = size * draw.between(0.55, 0.65)
-    volume = Volume(draw, lambda p: -torus_distance(pose.local(p), big, small), pose.centre, 1.1 * size, 26,
+    volume = Volume(draw, lambda p: -torus_distance(pose.local(p), big, small), pose.center, 1.1 * size, 26,
                     kinds=[numpy.float32, numpy.float64, numpy.int16], stretch=1.2)
     surface = settle(isthmus.vtkMapSurface(), [volume.data], Level=float(volume.stored(0.0)))
     filter_ = settle(isthmus.vtkChokingLoops(), [surface.GetOutput()], SampleSpacing=0.15 * size)

@@ -69,14 +69,14 @@ for name, lines, mask in list(tools.complexes())[:3]:
     cells = finder.GetOutput().GetCellData()
     assert numpy.array_equal(vtk_to_numpy(cells.GetArray("SiteProbability")), probabilities[rows]), name
     assert numpy.array_equal(vtk_to_numpy(cells.GetArray("Burial")), values[rows, names.index("Atoms10")]), name
-    # Centres are modes of the density; probabilities follow from the densities.
+    # Centers are modes of the density; probabilities follow from the densities.
     table = tools.columns(finder.GetPocketTable())
-    centres = tools.centres(finder)
+    centers = tools.centers(finder)
     densities = []
-    for centre in centres:
-        density, after = density_at(centre, places, probabilities)
+    for center in centers:
+        density, after = density_at(center, places, probabilities)
         densities.append(density)
-        assert numpy.linalg.norm(after - centre) < 1e-3, (name, after, centre)
+        assert numpy.linalg.norm(after - center) < 1e-3, (name, after, center)
     densities = numpy.array(densities)
     for first in set(table["CopyOf"]):  # copies of a site have the mean of their densities
         densities[table["CopyOf"] == first] = densities[table["CopyOf"] == first].mean()
@@ -85,12 +85,12 @@ for name, lines, mask in list(tools.complexes())[:3]:
         calibration[2] * numpy.log(numpy.maximum(shares, 1e-6)))
     assert numpy.allclose(1.0 / (1.0 + numpy.exp(-odds)), table["Probability"], atol=1e-9), name
     assert (numpy.diff(table["Probability"]) <= 0.0).all(), name
-    apart = numpy.linalg.norm(centres[:, None] - centres, axis=2) + 100.0 * numpy.eye(len(centres))
+    apart = numpy.linalg.norm(centers[:, None] - centers, axis=2) + 100.0 * numpy.eye(len(centers))
     assert apart.min() >= 4.0 - 1e-6, (name, apart.min())
     # The same sites without what only the training needs.
     plain = tools.pockets(atoms)
-    assert numpy.array_equal(tools.centres(plain), centres), name
-    print(f"{name}: {len(centres)} sites, the first {table['Probability'][0]:.2f}")
+    assert numpy.array_equal(tools.centers(plain), centers), name
+    print(f"{name}: {len(centers)} sites, the first {table['Probability'][0]:.2f}")
 
 sys.path.insert(0, str(ROOT / "Testing/Studies"))
 import evaluate_pockets as evaluation  # noqa: E402

@@ -30,9 +30,9 @@ def poly(coordinates, cells, kind="Polys"):
     return surface
 
 
-def sphere(centre=(0, 0, 0)):
+def sphere(center=(0, 0, 0)):
     source = vtkSphereSource()
-    source.SetCenter(centre)
+    source.SetCenter(center)
     source.SetThetaResolution(12)
     source.SetPhiResolution(12)
     source.Update()

@@ -75,7 +75,7 @@ class Draw:
             matrix[:, 0] *= -1.0
         return matrix
 
-    def centre(self, size):
+    def center(self, size):
         return self.between(-3.0, 3.0, 3) * size
 
 
@@ -278,13 +278,13 @@ class Pose:
     """From local coordinates to the world's: a rotation, then a translation."""
 
     def __init__(self, draw, size):
-        self.axes, self.centre = draw.rotation(), draw.centre(size)
+        self.axes, self.center = draw.rotation(), draw.center(size)
 
     def world(self, points):
-        return points @ self.axes.T + self.centre
+        return points @ self.axes.T + self.center
 
     def local(self, points):
-        return (points - self.centre) @ self.axes
+        return (points - self.center) @ self.axes
 
 
 # ---- Volumes
@@ -294,11 +294,11 @@ class Volume:
 
     The stored values are Offset + Scale x field, rounded for whole numbers, so that levels convert by
     stored(). `quantum` is the largest error of a value by its type, in units of the field. The grid covers
-    a ball of `half` around `centre`, with about `nodes` nodes along it; its axes, spacings (up to
+    a ball of `half` around `center`, with about `nodes` nodes along it; its axes, spacings (up to
     1 : stretch) and first indices are random.
     """
 
-    def __init__(self, draw, field, centre, half, nodes, kinds=None, stretch=1.6, dimensions=None):
+    def __init__(self, draw, field, center, half, nodes, kinds=None, stretch=1.6, dimensions=None):
         kind = draw.choice(kinds or [numpy.float32, numpy.float64, numpy.int16, numpy.uint8, numpy.int32])
         self.axes = draw.rotation(mirrored=draw.chance(0.25))
         h = 2.0 * half / (nodes - 1)
@@ -309,11 +309,11 @@ class Volume:
         first = numpy.array([draw.whole(-20, 20) for _ in range(3)])
         # A fraction of a cell, so that nodes are nowhere special.
         low = -self.spacing * (counts - 1) / 2 + draw.between(-0.4, 0.4, 3) * self.spacing
-        origin = centre + self.axes @ (low - first * self.spacing)
+        origin = center + self.axes @ (low - first * self.spacing)
         k, j, i = numpy.meshgrid(*(numpy.arange(c) for c in counts[::-1]), indexing="ij")
         index = numpy.stack([i.ravel(), j.ravel(), k.ravel()], 1)
         self.counts, self.index = counts, index
-        self.points = centre + (low + index * self.spacing) @ self.axes.T
+        self.points = center + (low + index * self.spacing) @ self.axes.T
         self.values = field(self.points)
         self.scale, self.offset, self.quantum = self.conversion(draw, kind)
         stored = self.stored(self.values)

@@ -69,12 +69,12 @@ def columns(table):
     }
 
 
-def centres(finder):
+def centers(finder):
     values = columns(finder.GetPocketTable())
     return numpy.stack([values["Center" + axis] for axis in "XYZ"], axis=1)
 
 
 def distances(finder, ligand, count=3):
-    """Of the first centres from the nearest of the ligand's atoms."""
+    """Of the first centers from the nearest of the ligand's atoms."""
     ligand = numpy.asarray(ligand)
-    return [numpy.linalg.norm(ligand - c, axis=1).min() for c in centres(finder)[:count]]
+    return [numpy.linalg.norm(ligand - c, axis=1).min() for c in centers(finder)[:count]]

@@ -18,25 +18,25 @@ def phantom(seed, n=64):
     grid = numpy.stack(numpy.meshgrid(*[numpy.arange(n)] * 3, indexing="ij")).astype(float)
     volume = numpy.zeros((n, n, n))
 
-    def from_centre():
+    def from_center():
         return grid - random.uniform(0.2 * n, 0.8 * n, 3)[:, None, None, None]
 
     for _ in range(8):
-        square = (from_centre() ** 2).sum(axis=0)
+        square = (from_center() ** 2).sum(axis=0)
         volume += random.uniform(0.6, 1.2) * numpy.exp(-square / (2 * random.uniform(3, 6) ** 2))
     for _ in range(5):
-        offset = from_centre()
+        offset = from_center()
         axis = random.normal(size=3)
         along = numpy.tensordot(axis / numpy.linalg.norm(axis), offset, 1)
         across = numpy.sqrt(numpy.maximum((offset**2).sum(axis=0) - along**2, 0))
         tube = sigmoid(across - random.uniform(2, 3.5))
         volume = numpy.maximum(volume, tube * sigmoid(abs(along) - random.uniform(10, 20)))
     for _ in range(3):
-        radius = numpy.sqrt((from_centre() ** 2).sum(axis=0))
+        radius = numpy.sqrt((from_center() ** 2).sum(axis=0))
         volume = numpy.maximum(volume, abs(radius - random.uniform(7, 12)) < 1.6)
     for _ in range(3):
         half = random.uniform(4, 8, 3)[:, None, None, None]
-        inside = (abs(from_centre()) < half).all(axis=0)
+        inside = (abs(from_center()) < half).all(axis=0)
         volume = numpy.maximum(volume, inside * random.uniform(0.8, 1.2))
     return volume
 

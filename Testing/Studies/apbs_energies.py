@@ -34,12 +34,12 @@ class Case:
     """A row: kind of surface ("balls" or "ses"), dielectrics of solute, solvent, reference."""
 
     def __init__(self, name, files, surface, dielectrics, published=None, other=None, run=None,
-                 salt=0.0, kelvin=KELVIN, spacing=0.25, large=False, nonlinear=False, centre=None):
+                 salt=0.0, kelvin=KELVIN, spacing=0.25, large=False, nonlinear=False, center=None):
         self.name, self.files, self.surface, self.dielectrics = name, files, surface, dielectrics
         self.published, self.other = published, other  # other: (value, whose)
         self.run = run  # (.in file, number of its printed energy)
         self.salt, self.kelvin, self.spacing, self.large = salt, kelvin, spacing, large
-        self.nonlinear, self.centre = nonlinear, centre
+        self.nonlinear, self.center = nonlinear, center
 
 
 def cases():

@@ -7,7 +7,7 @@ FOLDER contains ligands.csv (file, ligand_residue) and the complexes listed ther
 the ligand, and APBS' potentials are kept in the folder --work, if given, and reused. --surfaces: gaussian
 (Molecular Density), flow (Molecular Flow Surface) or both. --potentials: ours (Poisson Boltzmann, fitted
 at the surface), apbs (interpolated in its grid) or both. Default: gaussian, ours; a table for each.
-Success: the centre of the best patch (of one of the three best) within 4 angstrom of an atom of the
+Success: the center of the best patch (of one of the three best) within 4 angstrom of an atom of the
 ligand. --sweep repeats polarized curvature over surface decay, quantile and merge distance, and
 cross-validates: each complex is evaluated with the setting that is best on all others.
 Needs scipy (python3-scipy) for the random patches. Prints Markdown.
@@ -82,10 +82,10 @@ class Complex:
         return self.surfaces[key]
 
     def distances(self, decay, settings):
-        """Distances of the three best centres from the ligand, and the areas of the patches."""
+        """Distances of the three best centers from the ligand, and the areas of the patches."""
         _, rows = site_pipeline.sites(self.surface(decay), **settings)
         found = [
-            site_pipeline.distance_to(self.ligand, site_pipeline.centre(row)) for row in rows[:3]
+            site_pipeline.distance_to(self.ligand, site_pipeline.center(row)) for row in rows[:3]
         ]
         return found, [row["Area"] for row in rows[:3]]
 

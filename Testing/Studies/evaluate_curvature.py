@@ -54,13 +54,13 @@ def ellipsoid(axes, seed):
     return field
 
 
-def blobs(centres, deviation, level):
+def blobs(centers, deviation, level):
     """The distance, to first order, from a level set of a sum of Gaussians; exact on the surface.
     Far from the surface, where the first order is meaningless, the slope has a lower bound."""
     def field(points):
         total, slope = 0.0, 0.0
-        for centre in centres:
-            step = points - numpy.asarray(centre, float).reshape(3, *[1] * (points.ndim - 1))
+        for center in centers:
+            step = points - numpy.asarray(center, float).reshape(3, *[1] * (points.ndim - 1))
             weight = numpy.exp(-(step ** 2).sum(0) / (2 * deviation ** 2))
             total, slope = total + weight, slope + weight * step / deviation ** 2
         steepness = numpy.sqrt((slope ** 2).sum(0)) / total

@@ -69,7 +69,7 @@ def volume_of(image):
     return scalars.reshape(image.GetDimensions()[::-1]).astype(float)
 
 
-def centre(volume, side=64):
+def center(volume, side=64):
     """The central part of a volume, with at most side nodes along each axis."""
     begins = [max(0, (n - side) // 2) for n in volume.shape]
     return volume[tuple(slice(begin, begin + side) for begin in begins)].copy()
@@ -79,7 +79,7 @@ def public_map(data, name, side=64):
     reader = isthmus.vtkMRCMapReader()
     reader.SetFileName(str(data / "maps" / name))
     reader.Update()
-    return centre(volume_of(reader.GetOutput()), side)
+    return center(volume_of(reader.GetOutput()), side)
 
 
 def model_density(data, name, resolution, spacing, side):

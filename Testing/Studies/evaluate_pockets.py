@@ -4,7 +4,7 @@ all without the ligand.
 Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM] [--p2rank FOLDER] [--whole] [--each] [--sweep]
 
 FOLDER contains ligands.csv (file, ligand_residue, chain, residue_number; optional: family) and the complexes listed
-there. The ligand's lines are removed from each file before all computations. Success: the centre within 4 angstrom
+there. The ligand's lines are removed from each file before all computations. Success: the center within 4 angstrom
 of an atom of the ligand; top-1 for the pocket that ranks first, top-3 for one of the first three. Intervals are 95
 % intervals from resampling the families (without that column, every file is a family).
 
@@ -13,7 +13,7 @@ with the same residues, after superposition): as a miss, as a hit, or with all c
 
 With the probabilities of the pockets: their reliability in bins, the expected calibration error and the
 Brier score. --fpocket runs fpocket (no part of Debian: build it with its own qhull), whose score depends on
-what else is in the file; its centre is the mean of a pocket's alpha spheres. --p2rank reads
+what else is in the file; its center is the mean of a pocket's alpha spheres. --p2rank reads
 NAME*_predictions.csv of P2Rank for each file NAME.pdb. --whole adds whole pockets,
 ranked by Score. --each prints the distances. --sweep: 40 settings of inner and outer radius of the
 whole pockets, and of 9 of them with burial radii of 8 to 12 angstrom and powers 0 to 3 of the
@@ -68,7 +68,7 @@ def split(path, row):
 
 
 def by_isthmus(path, sites=True):
-    """Centres by rank, and their probabilities (none for whole pockets)."""
+    """Centers by rank, and their probabilities (none for whole pockets)."""
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(str(path))
     finder = isthmus.vtkMolecularPockets()
@@ -81,7 +81,7 @@ def by_isthmus(path, sites=True):
 
 
 def by_scores(path, inner, outer, burial):
-    """Centres of the pockets by rank, for each power in the score of the number of surrounding atoms."""
+    """Centers of the pockets by rank, for each power in the score of the number of surrounding atoms."""
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(str(path))
     finder = isthmus.vtkMolecularPockets()
@@ -93,12 +93,12 @@ def by_scores(path, inner, outer, burial):
     finder.Update()
     cells = finder.GetOutput().GetCellData()
     owner, volume, atoms = (vtk_to_numpy(cells.GetArray(name)) for name in ("PocketId", "EmptyVolume", "Burial"))
-    centres = vtk_to_numpy(finder.GetAlphaBalls().GetPoints().GetData())
+    centers = vtk_to_numpy(finder.GetAlphaBalls().GetPoints().GetData())
     found = {}
     for power in POWERS:
         weights = volume * (atoms / 100.0) ** power
         scores = numpy.bincount(owner, weights)
-        sums = numpy.stack([numpy.bincount(owner, weights * centres[:, k]) for k in range(3)], axis=1)
+        sums = numpy.stack([numpy.bincount(owner, weights * centers[:, k]) for k in range(3)], axis=1)
         ranks = [i for i in numpy.argsort(-scores, kind="stable") if i > 0 and scores[i] > 0.0]
         found[power] = [sums[i] / scores[i] for i in ranks]
     return found
@@ -153,31 +153,31 @@ class Copies:
 
 
 def superposition(a, b):
-    """(centre of a, rotation, centre of b), least squares (W. Kabsch, Acta Cryst. A 32 (1976) 922)."""
+    """(center of a, rotation, center of b), least squares (W. Kabsch, Acta Cryst. A 32 (1976) 922)."""
     here, there = a.mean(axis=0), b.mean(axis=0)
     u, _, v = numpy.linalg.svd((a - here).T @ (b - there))
     u[:, -1] *= numpy.sign(numpy.linalg.det(u @ v))
     return here, u @ v, there
 
 
-def distance(places, centre):
-    return numpy.linalg.norm(places - centre, axis=1).min()
+def distance(places, center):
+    return numpy.linalg.norm(places - center, axis=1).min()
 
 
-def three_counts(centres, ligand, copies):
+def three_counts(centers, ligand, copies):
     """For each counting rule, whether each rank succeeds."""
     targets = copies.images(ligand)
-    miss = [distance(ligand, c) <= SUCCESS for c in centres]
-    hit = [min(distance(target, c) for target in targets) <= SUCCESS for c in centres]
+    miss = [distance(ligand, c) <= SUCCESS for c in centers]
+    hit = [min(distance(target, c) for target in targets) <= SUCCESS for c in centers]
     groups = []
-    for centre, success in zip(centres, hit):
-        images = copies.images(centre)
+    for center, success in zip(centers, hit):
+        images = copies.images(center)
         for group in groups:
             if min(numpy.linalg.norm(image[0] - group[0]) for image in images) <= SUCCESS:
                 group[1] |= success
                 break
         else:
-            groups.append([centre, success])
+            groups.append([center, success])
     return miss, hit, [success for _, success in groups]
 
 
@@ -293,15 +293,15 @@ def main():
             file = Path(folder) / (name + ".pdb")
             file.write_text("".join(protein))
             for method, run in methods.items():
-                centres, probabilities = run(file, name)
-                found[method].append(three_counts(centres, ligand, copies))
+                centers, probabilities = run(file, name)
+                found[method].append(three_counts(centers, ligand, copies))
                 if probabilities is not None:
                     pockets += [(p, hit, families[-1]) for p, hit in zip(probabilities, found[method][-1][0])]
                 if options.each:
-                    print(f"{name}: {method}: " + " ".join(f"{distance(ligand, c):.1f}" for c in centres[:5]), flush=True)
+                    print(f"{name}: {method}: " + " ".join(f"{distance(ligand, c):.1f}" for c in centers[:5]), flush=True)
             for setting in SETTINGS if options.sweep else ():
-                for power, centres in by_scores(file, *setting).items():
-                    d = [distance(ligand, c) for c in centres] or [numpy.inf]
+                for power, centers in by_scores(file, *setting).items():
+                    d = [distance(ligand, c) for c in centers] or [numpy.inf]
                     sweep.setdefault((*setting, power), []).append((d[0] <= SUCCESS, min(d[:3]) <= SUCCESS))
     print(f"{len(families)} complexes, {len(set(families))} families\n")
     print_summary(found, families)

@@ -211,10 +211,10 @@ def sites_of(places, probabilities, reach, most=None):
     return numpy.array([d for d, _ in found]), numpy.array([c for _, c in found]).reshape(-1, 3)
 
 
-def weights_around(one, centre):
+def weights_around(one, center):
     """Weights of the surrounding residues, by number and name and also by chain, and the chain with the largest
     weight."""
-    weights = 1.0 - numpy.linalg.norm(one.atoms - centre, axis=1) / AROUND
+    weights = 1.0 - numpy.linalg.norm(one.atoms - center, axis=1) / AROUND
     of_all, by_chain, chains = defaultdict(float), defaultdict(float), Counter()
     for i in numpy.flatnonzero(weights >= 0.0):
         residue, chain = one.words[i]
@@ -230,10 +230,10 @@ def likeness(a, b):
     return common / max(sum(a.values()) + sum(b.values()) - common, 1e-9)
 
 
-def with_copies(one, density, centres):
+def with_copies(one, density, centers):
     """Copies of a site follow each other in the order of their chains, with the mean of their densities
     (SiteCopies.h)."""
-    around = [weights_around(one, centre) for centre in centres]
+    around = [weights_around(one, center) for center in centers]
     groups = []
     for i, (of_all, by_chain, _) in enumerate(around):
         for group in groups:
@@ -251,12 +251,12 @@ def with_copies(one, density, centres):
         density[group] = density[group].mean()
     groups.sort(key=lambda group: -density[group[0]])
     order = [i for group in groups for i in sorted(group, key=lambda i: around[i][2])]
-    return density[order], centres[order]
+    return density[order], centers[order]
 
 
 def hits_of(one, probabilities, reach, most=None):
-    density, centres = with_copies(one, *sites_of(one.places, probabilities, reach, most))
-    distances = numpy.array([numpy.linalg.norm(one.ligand - c, axis=1).min() for c in centres])
+    density, centers = with_copies(one, *sites_of(one.places, probabilities, reach, most))
+    distances = numpy.array([numpy.linalg.norm(one.ligand - c, axis=1).min() for c in centers])
     return density, distances <= SUCCESS
 
 

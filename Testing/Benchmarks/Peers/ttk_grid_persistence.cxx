@@ -16,7 +16,7 @@ namespace
 
 using Grid = ttk::ImplicitWithPreconditions;
 
-isthmus::testing::DiphaPairs PairsOf(const isthmus::testing::DiphaImage& image)
+isthmus::testing::DiphaPairs ComputePairs(const isthmus::testing::DiphaImage& image)
 {
   Grid grid;
   grid.setDebugLevel(0);
@@ -39,7 +39,7 @@ int main(int count, char** words)
       throw std::runtime_error("usage: ttk_grid_persistence IN.complex OUT.diagram");
     }
     isthmus::testing::WriteDiphaPairs(
-      words[2], PairsOf(isthmus::testing::ReadDiphaImage(words[1])));
+      words[2], ComputePairs(isthmus::testing::ReadDiphaImage(words[1])));
     return 0;
   }
   catch (const std::exception& error)

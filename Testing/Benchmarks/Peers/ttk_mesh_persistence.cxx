@@ -19,7 +19,8 @@
 namespace
 {
 
-isthmus::testing::DiphaPairs PairsOf(const isthmus::testing::ValuedTetrahedra& mesh, int threads)
+isthmus::testing::DiphaPairs ComputePairs(
+  const isthmus::testing::ValuedTetrahedra& mesh, int threads)
 {
   static_assert(sizeof(ttk::LongSimplexId) == sizeof(std::int64_t));
   std::vector<ttk::LongSimplexId> corners;
@@ -53,7 +54,7 @@ int main(int count, char** words)
     const auto mesh = isthmus::testing::ReadTetrahedra(words[1]);
     const std::clock_t cpu = std::clock();
     const auto started = std::chrono::steady_clock::now();
-    const auto pairs = PairsOf(mesh, count == 5 ? std::stoi(words[4]) : 1);
+    const auto pairs = ComputePairs(mesh, count == 5 ? std::stoi(words[4]) : 1);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
     std::ofstream(words[3]) << static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC << ' '
                             << wall.count() << '\n';

@@ -53,7 +53,8 @@ std::set<std::string> NamesInInputs(vtkAlgorithm* algorithm)
   return names;
 }
 
-std::string KeyOf(const std::string& className, int port, ArrayPlace value, const std::string& name)
+std::string MakeKey(
+  const std::string& className, int port, ArrayPlace value, const std::string& name)
 {
   for (const Place& place : Places)
   {
@@ -73,7 +74,7 @@ void ArrayTables::Compare(
   std::map<std::string, int> components;
   for (const OutputArray& row : table)
   {
-    const std::string key = KeyOf(className, row.Port, row.Place, row.Name);
+    const std::string key = MakeKey(className, row.Port, row.Place, row.Name);
     components[key] = row.Components;
     this->RowIsFound.insert({ key, false });
   }
@@ -83,10 +84,10 @@ void ArrayTables::Compare(
     ForArrays(algorithm->GetOutputDataObject(port),
       [&](const Place& place, const std::string& name, int found)
       {
-        std::string key = KeyOf(className, port, place.Value, name);
+        std::string key = MakeKey(className, port, place.Value, name);
         if (components.count(key) == 0) // Current_NAME stands for Current_K, ...
         {
-          key = KeyOf(className, port, place.Value, name.substr(0, name.rfind('_')) + "_NAME");
+          key = MakeKey(className, port, place.Value, name.substr(0, name.rfind('_')) + "_NAME");
         }
         const auto row = components.find(key);
         if (row == components.end())
@@ -94,7 +95,7 @@ void ArrayTables::Compare(
           if (passed.count(name) == 0)
           {
             this->Wrong.insert(
-              KeyOf(className, port, place.Value, name) + " is not in OutputArrayTable()");
+              MakeKey(className, port, place.Value, name) + " is not in OutputArrayTable()");
           }
           return;
         }

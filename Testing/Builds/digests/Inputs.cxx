@@ -146,7 +146,7 @@ vtkAlgorithmOutput* Inputs::Protein()
   return this->Read<vtkMacromoleculeReader>("molecules/1hew.pdb");
 }
 
-vtkAlgorithmOutput* Inputs::Charged()
+vtkAlgorithmOutput* Inputs::ChargedAtoms()
 {
   return this->Read<vtkMacromoleculeReader>("molecules/1crn_apbs.pqr");
 }
@@ -233,7 +233,7 @@ vtkAlgorithmOutput* Inputs::PotentialSurface()
     { filter->SetInputConnection(this->Potential()->GetProducer()->GetOutputPort(1)); });
 }
 
-vtkAlgorithmOutput* Inputs::Polarized()
+vtkAlgorithmOutput* Inputs::PolarizedSurface()
 {
   return this->Keep<vtkPolarizedCurvature>("polarized",
     [&](vtkPolarizedCurvature* filter)
@@ -248,7 +248,7 @@ vtkAlgorithmOutput* Inputs::FlowVolume()
   this->Keep<vtkMolecularFlowSurface>("flow surface",
     [&](vtkMolecularFlowSurface* filter)
     {
-      filter->SetInputConnection(this->Charged());
+      filter->SetInputConnection(this->ChargedAtoms());
       filter->SetSpacing(1.0);
     });
   return this->Kept["flow surface"]->GetOutputPort(1);

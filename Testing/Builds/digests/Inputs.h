@@ -44,7 +44,7 @@ public:
   vtkAlgorithmOutput* MixedCells();       ///< a tetrahedron, a pyramid, a prism, a hexahedron
   vtkAlgorithmOutput* Polyhedra();        ///< Voronoi cells
   vtkAlgorithmOutput* Protein();          ///< 1HEW: lysozyme with ligand and water
-  vtkAlgorithmOutput* Charged();          ///< crambin with charges and radii
+  vtkAlgorithmOutput* ChargedAtoms();     ///< crambin with charges and radii
   vtkAlgorithmOutput* ChargedProtein();   ///< 1HEW with charges and radii
   vtkAlgorithmOutput* Peptide();          ///< 1A1P, without charges
   vtkAlgorithmOutput* Channel();          ///< gramicidin with artificial charges; its axis is y
@@ -52,7 +52,7 @@ public:
   vtkAlgorithmOutput* Fullerene();        ///< C60
   vtkAlgorithmOutput* Potential();        ///< of ChargedProtein
   vtkAlgorithmOutput* PotentialSurface(); ///< of the same, with curvature
-  vtkAlgorithmOutput* Polarized();        ///< PotentialSurface with polarized curvature
+  vtkAlgorithmOutput* PolarizedSurface(); ///< PotentialSurface with polarized curvature
   vtkAlgorithmOutput* FlowVolume();       ///< volume of the flow surface of Charged
 
   /// An algorithm of this type for a file of the shared data.

@@ -36,7 +36,7 @@ void AddShapes(Cases& cases)
     });
   AddCase<vtkMolecularDensity>(cases, "",
     [](vtkMolecularDensity* filter, Inputs& inputs)
-    { filter->SetInputConnection(inputs.Charged()); });
+    { filter->SetInputConnection(inputs.ChargedAtoms()); });
   AddCase<vtkMolecularDensity>(cases, "balls",
     [](vtkMolecularDensity* filter, Inputs& inputs)
     {
@@ -49,7 +49,7 @@ void AddShapes(Cases& cases)
     { filter->SetInputConnection(inputs.Protein()); });
   AddCase<vtkMolecularFlowSurface>(cases, "",
     [](vtkMolecularFlowSurface* filter, Inputs& inputs)
-    { filter->SetInputConnection(inputs.Charged()); });
+    { filter->SetInputConnection(inputs.ChargedAtoms()); });
   AddCase<vtkMolecularFlowSurface>(cases, "channel",
     [](vtkMolecularFlowSurface* filter, Inputs& inputs)
     {
@@ -60,7 +60,7 @@ void AddShapes(Cases& cases)
   AddCase<vtkMolecularFlowSurface>(cases, "thesis, time steps",
     [](vtkMolecularFlowSurface* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Charged());
+      filter->SetInputConnection(inputs.ChargedAtoms());
       filter->SetMethod(vtkMolecularFlowSurface::ThesisFlow);
       filter->SetSpacing(1.0);
       filter->SetTimeSteps(4);
@@ -68,7 +68,7 @@ void AddShapes(Cases& cases)
   AddCase<vtkNonpolarSolvation>(cases, "",
     [](vtkNonpolarSolvation* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Charged());
+      filter->SetInputConnection(inputs.ChargedAtoms());
       filter->SetInputConnection(1, inputs.FlowVolume());
     });
 }
@@ -84,13 +84,13 @@ void AddElectrostatics(Cases& cases)
   AddCase<vtkPoissonBoltzmann>(cases, "",
     [](vtkPoissonBoltzmann* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Charged());
+      filter->SetInputConnection(inputs.ChargedAtoms());
       filter->SetSpacing(1.0);
     });
   AddCase<vtkPoissonBoltzmann>(cases, "maps and forces",
     [](vtkPoissonBoltzmann* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Charged());
+      filter->SetInputConnection(inputs.ChargedAtoms());
       filter->SetSpacing(1.0);
       filter->NonlinearOn();
       filter->GetOutputArraySelection()->EnableAllArrays();
@@ -98,7 +98,7 @@ void AddElectrostatics(Cases& cases)
   AddCase<vtkPoissonBoltzmann>(cases, "volume, smooth",
     [](vtkPoissonBoltzmann* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Charged());
+      filter->SetInputConnection(inputs.ChargedAtoms());
       filter->SetSurfaceConnection(inputs.FlowVolume());
       filter->SetLevel(0.0);
       filter->InsideIsHigherOff();
@@ -128,7 +128,7 @@ void AddSolvation(Cases& cases)
   AddCase<vtkSolvationSurface>(cases, "",
     [](vtkSolvationSurface* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Charged());
+      filter->SetInputConnection(inputs.ChargedAtoms());
       filter->SetSpacing(1.0);
       filter->SetMaximumUpdates(3);
     });
@@ -139,12 +139,12 @@ void AddPockets(Cases& cases)
   AddCase<vtkBindingSites>(cases, "",
     [](vtkBindingSites* filter, Inputs& inputs)
     {
-      filter->SetInputConnection(inputs.Polarized());
+      filter->SetInputConnection(inputs.PolarizedSurface());
       filter->SetAtomsConnection(inputs.ChargedProtein());
     });
   AddCase<vtkBindingSites>(cases, "patches",
     [](vtkBindingSites* filter, Inputs& inputs)
-    { filter->SetInputConnection(inputs.Polarized()); });
+    { filter->SetInputConnection(inputs.PolarizedSurface()); });
   AddCase<vtkFeatureTracks>(cases, "",
     [](vtkFeatureTracks* filter, Inputs& inputs)
     {
@@ -164,7 +164,7 @@ void AddPockets(Cases& cases)
     [](vtkMolecularPockets* filter, Inputs& inputs)
     {
       filter->SetInputConnection(inputs.ChargedProtein());
-      filter->SetSurfaceConnection(inputs.Polarized());
+      filter->SetSurfaceConnection(inputs.PolarizedSurface());
     });
   AddCase<vtkPolarizedCurvature>(cases, "",
     [](vtkPolarizedCurvature* filter, Inputs& inputs)

@@ -99,7 +99,7 @@ vtkSmartPointer<vtkPolyData> Molecule()
 }
 
 /// The numbers of the atoms that are kept, as the array AtomId has carried them along.
-std::vector<int> Kept(const std::function<void(vtkAtomSelection*)>& set)
+std::vector<int> KeptAtomIds(const std::function<void(vtkAtomSelection*)>& set)
 {
   vtkNew<vtkAtomSelection> filter;
   filter->SetInputDataObject(Molecule());
@@ -120,16 +120,18 @@ using Ids = std::vector<int>;
 
 TEST(AtomSelection, EachSwitchAddsItsResidues)
 {
-  EXPECT_EQ(Kept([](vtkAtomSelection*) {}), (Ids{ 0, 1, 2, 3, 4 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->IncludeHydrogensOff(); }), (Ids{ 0, 2, 3, 4 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->IncludeProstheticGroupsOn(); }),
+  EXPECT_EQ(KeptAtomIds([](vtkAtomSelection*) {}), (Ids{ 0, 1, 2, 3, 4 }));
+  EXPECT_EQ(
+    KeptAtomIds([](vtkAtomSelection* f) { f->IncludeHydrogensOff(); }), (Ids{ 0, 2, 3, 4 }));
+  EXPECT_EQ(KeptAtomIds([](vtkAtomSelection* f) { f->IncludeProstheticGroupsOn(); }),
     (Ids{ 0, 1, 2, 3, 4, 5, 6 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->IncludeIonsOn(); }), (Ids{ 0, 1, 2, 3, 4, 7 }));
   EXPECT_EQ(
-    Kept([](vtkAtomSelection* f) { f->IncludeLigandsOn(); }), (Ids{ 0, 1, 2, 3, 4, 5, 6, 8, 9 }));
+    KeptAtomIds([](vtkAtomSelection* f) { f->IncludeIonsOn(); }), (Ids{ 0, 1, 2, 3, 4, 7 }));
+  EXPECT_EQ(KeptAtomIds([](vtkAtomSelection* f) { f->IncludeLigandsOn(); }),
+    (Ids{ 0, 1, 2, 3, 4, 5, 6, 8, 9 }));
   EXPECT_EQ(
-    Kept([](vtkAtomSelection* f) { f->IncludeWatersOn(); }), (Ids{ 0, 1, 2, 3, 4, 10, 11 }));
-  EXPECT_EQ(Kept([](vtkAtomSelection* f) { f->SetIncludeResidues("ZN, LIG"); }),
+    KeptAtomIds([](vtkAtomSelection* f) { f->IncludeWatersOn(); }), (Ids{ 0, 1, 2, 3, 4, 10, 11 }));
+  EXPECT_EQ(KeptAtomIds([](vtkAtomSelection* f) { f->SetIncludeResidues("ZN, LIG"); }),
     (Ids{ 0, 1, 2, 3, 4, 7, 8, 9 }));
 }
 
@@ -137,7 +139,7 @@ TEST(AtomSelection, WithoutChainsTheRestIsKept)
 {
   const auto rest = [](const std::function<void(vtkAtomSelection*)>& set)
   {
-    return Kept(
+    return KeptAtomIds(
       [&](vtkAtomSelection* f)
       {
         f->IncludeChainsOff();
@@ -193,7 +195,7 @@ TEST(AtomSelection, BondsOfKeptAtomsStayWithTheirArrays)
   }
 }
 
-TEST(AtomSelection, OtherPointSetsAndEmptyOnesStayWhatTheyAre)
+TEST(AtomSelection, OtherAndEmptyPointSetsKeepTheirType)
 {
   vtkNew<vtkUnstructuredGrid> grid;
   const auto molecule = Molecule();
@@ -209,7 +211,7 @@ TEST(AtomSelection, OtherPointSetsAndEmptyOnesStayWhatTheyAre)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(AtomSelection, PlacesThatAreNoNumbersAreAnError)
+TEST(AtomSelection, PositionsThatAreNotFiniteAreAnError)
 {
   const auto molecule = Molecule();
   molecule->GetPoints()->SetPoint(4, std::nan(""), 0.0, 0.0);

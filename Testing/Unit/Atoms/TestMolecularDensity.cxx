@@ -25,7 +25,7 @@
 #include <random>
 
 using namespace isthmus;
-using isthmus::testing::AtomsOf;
+using isthmus::testing::MakeAtoms;
 
 namespace
 {
@@ -97,7 +97,7 @@ std::vector<Ball> RandomBalls(int count, double box)
   return balls;
 }
 
-double Squared(const std::array<double, 3>& a, const std::array<double, 3>& b)
+double SquaredDistance(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
     (a[2] - b[2]) * (a[2] - b[2]);
@@ -128,7 +128,7 @@ TEST(MolecularDensity, VolumeOfTwoBallsLessTheirLens)
   const std::vector<Ball> balls{ { { 0.1, 0.2, 0.3 }, r }, { { 0.1 + d, 0.2, 0.3 }, r } };
   const double lens = Pi * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
   const double exact = 2.0 * 4.0 / 3.0 * Pi * r * r * r - lens;
-  // Paddings that keep the centres off the nodes, where the counts of symmetric nodes jump
+  // Paddings that keep the centers off the nodes, where the counts of symmetric nodes jump
   // together.
   const double found = Make(balls, Form::Union, 0.05, { 0.31, 0.17, 0.23 }).Integral();
   EXPECT_NEAR(found / exact, 1.0, 1e-3);
@@ -162,7 +162,7 @@ TEST(MolecularDensity, EveryNodeIsTheSumOverAllBalls)
     bool near = false;
     for (const Ball& ball : balls)
     {
-      const double q = Squared(place, ball.Centre) / (ball.Radius * ball.Radius);
+      const double q = SquaredDistance(place, ball.Center) / (ball.Radius * ball.Radius);
       expected += std::exp(-2.3 * (q - 1.0));
       in = in || q <= 1.0;
       near = near || std::abs(q - 1.0) < 1e-12;
@@ -183,7 +183,7 @@ TEST(MolecularDensity, LevelOneOfALoneAtomIsItsSphere)
   const Volume volume = Make(ball, Form::Gaussians, 0.1);
   for (std::size_t node = 0; node < volume.Values.size(); ++node)
   {
-    const double r = std::sqrt(Squared(volume.Place(node), ball[0].Centre));
+    const double r = std::sqrt(SquaredDistance(volume.Place(node), ball[0].Center));
     if (std::abs(r - 1.7) > 1e-5)
     {
       ASSERT_EQ(volume.Values[node] > 1.0F, r < 1.7) << r;
@@ -191,7 +191,7 @@ TEST(MolecularDensity, LevelOneOfALoneAtomIsItsSphere)
   }
 }
 
-TEST(MolecularDensity, OrderAndThreadsLeaveNoTrace)
+TEST(MolecularDensity, DoesNotDependOnOrderOrThreads)
 {
   std::vector<Ball> balls = RandomBalls(2000, 40.0);
   for (const Form form : { Form::Union, Form::Gaussians })
@@ -247,7 +247,7 @@ TEST(MolecularDensity, FloatAndDoubleInputThroughVTK)
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     vtkNew<vtkMolecularDensity> filter;
-    filter->SetInputData(AtomsOf(balls, type));
+    filter->SetInputData(MakeAtoms(balls, type));
     filter->SetPadding(1.0, 2.0, 3.0);
     filter->SetRadiusScale(1.2);
     filter->Update();
@@ -269,7 +269,7 @@ TEST(MolecularDensity, FloatAndDoubleInputThroughVTK)
   }
 }
 
-TEST(MolecularDensity, BadInputIsToldInASentence)
+TEST(MolecularDensity, ReportsBadInput)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTest::ErrorObserver> pipeline;
@@ -287,26 +287,26 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   const std::vector<Ball> sound{ { { 0.0, 0.0, 0.0 }, 1.5 }, { { 2.0, 0.0, 0.0 }, 1.5 } };
   EXPECT_EQ(saidOf(vtkNew<vtkPolyData>()), "");
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  const auto noRadii = AtomsOf(sound);
+  const auto noRadii = MakeAtoms(sound);
   noRadii->GetPointData()->RemoveArray("Radius");
   EXPECT_NE(
     saidOf(noRadii).find("no point array Radius of radii; they have: none"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   std::vector<Ball> bad = sound;
-  bad[1].Centre[2] = std::nan("");
-  EXPECT_NE(saidOf(AtomsOf(bad)).find("Atom 1 has a coordinate"), std::string::npos);
+  bad[1].Center[2] = std::nan("");
+  EXPECT_NE(saidOf(MakeAtoms(bad)).find("Atom 1 has a coordinate"), std::string::npos);
   bad = sound;
   bad[0].Radius = -1.0;
-  EXPECT_NE(saidOf(AtomsOf(bad)).find("The radius of atom 0 is -1"), std::string::npos);
+  EXPECT_NE(saidOf(MakeAtoms(bad)).find("The radius of atom 0 is -1"), std::string::npos);
   bad[0].Radius = 0.25; // as small as it likes
-  EXPECT_EQ(saidOf(AtomsOf(bad)), "");
+  EXPECT_EQ(saidOf(MakeAtoms(bad)), "");
   bad[0].Radius = std::nan("");
-  EXPECT_NE(saidOf(AtomsOf(bad)).find("1 of 2 atoms have no radius"), std::string::npos);
+  EXPECT_NE(saidOf(MakeAtoms(bad)).find("1 of 2 atoms have no radius"), std::string::npos);
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   bad[1].Radius = std::nan("");
-  EXPECT_NE(saidOf(AtomsOf(bad)).find("2 of 2 atoms have no radius"), std::string::npos);
+  EXPECT_NE(saidOf(MakeAtoms(bad)).find("2 of 2 atoms have no radius"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  const auto atoms = AtomsOf(sound);
+  const auto atoms = MakeAtoms(sound);
   EXPECT_EQ(saidOf(atoms), "");
   filter->SetSpacing(0.0);
   EXPECT_NE(saidOf(atoms).find("Spacing is 0"), std::string::npos);
@@ -330,14 +330,14 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   EXPECT_EQ(saidOf(atoms), "");
 }
 
-TEST(MolecularDensity, ProgressRisesAndStopIsHonoured)
+TEST(MolecularDensity, ReportsProgressAndStops)
 {
   vtkNew<vtkMolecularDensity> filter;
-  filter->SetInputData(AtomsOf(RandomBalls(20000, 60.0)));
+  filter->SetInputData(MakeAtoms(RandomBalls(20000, 60.0)));
   filter->SetSpacing(0.4);
   struct State
   {
-    std::vector<double> Told;
+    std::vector<double> Reported;
     bool Stop = false;
   } state;
   vtkNew<vtkCallbackCommand> watch;
@@ -347,14 +347,14 @@ TEST(MolecularDensity, ProgressRisesAndStopIsHonoured)
     {
       auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
       auto* seen = static_cast<State*>(data);
-      seen->Told.push_back(algorithm->GetProgress());
+      seen->Reported.push_back(algorithm->GetProgress());
       algorithm->SetAbortExecute(seen->Stop ? 1 : 0);
     });
   filter->AddObserver(vtkCommand::ProgressEvent, watch);
   filter->Update();
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 1000000);
-  EXPECT_TRUE(std::is_sorted(state.Told.begin(), state.Told.end()));
-  EXPECT_GT(state.Told.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(state.Reported.begin(), state.Reported.end()));
+  EXPECT_GT(state.Reported.size(), 3u);
   state.Stop = true;
   filter->Modified();
   filter->Update();

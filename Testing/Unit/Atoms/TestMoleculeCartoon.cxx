@@ -82,11 +82,11 @@ std::vector<PolymerResidue> ResiduesOfAll(const Atoms& atoms)
   {
     all[i] = i;
   }
-  return isthmus::ResiduesOf(atoms, all);
+  return isthmus::FindResidues(atoms, all);
 }
 
 /// One letter for each residue: C, H, E, G, I, N.
-std::string StructureOf(const Atoms& atoms)
+std::string FindStructure(const Atoms& atoms)
 {
   std::string letters;
   for (const SecondaryStructure s : isthmus::FindSecondaryStructure(atoms, ResiduesOfAll(atoms)))
@@ -226,8 +226,8 @@ double Number(vtkFieldData* data, const char* name, vtkIdType i)
 TEST(SecondaryStructure, FindsAnIdealHelix)
 {
   // Two consecutive turns from residues 1 and 2 on; the last ones have no partner.
-  EXPECT_EQ(StructureOf(Helix(12)), "CHHHHHHHHHHC");
-  EXPECT_EQ(StructureOf(Helix(4)), "CCCC");
+  EXPECT_EQ(FindStructure(Helix(12)), "CHHHHHHHHHHC");
+  EXPECT_EQ(FindStructure(Helix(4)), "CCCC");
 }
 
 TEST(SecondaryStructure, NeedsTheBackboneAndUnbrokenChains)
@@ -236,25 +236,25 @@ TEST(SecondaryStructure, NeedsTheBackboneAndUnbrokenChains)
   noOxygen.erase(std::remove_if(noOxygen.begin(), noOxygen.end(),
                    [](const NamedAtom& a) { return a.Name == "O"; }),
     noOxygen.end());
-  EXPECT_EQ(StructureOf(noOxygen), std::string(12, 'C'));
+  EXPECT_EQ(FindStructure(noOxygen), std::string(12, 'C'));
   Atoms broken = Helix(12);
   for (std::size_t i = 24; i < broken.size(); ++i)
   {
     broken[i].Place[2] += 3.0;
   }
-  EXPECT_EQ(StructureOf(broken).substr(4, 4), "HCCH");
+  EXPECT_EQ(FindStructure(broken).substr(4, 4), "HCCH");
 }
 
 TEST(SecondaryStructure, ProlineGivesNoHydrogenBond)
 {
   Atoms atoms = Helix(5);
-  EXPECT_EQ(StructureOf(Helix(6)), "CHHHHC");
+  EXPECT_EQ(FindStructure(Helix(6)), "CHHHHC");
   atoms = Helix(6);
   for (NamedAtom& atom : atoms)
   {
     atom.Residue = atom.ResidueId == 5 ? "PRO" : atom.Residue;
   }
-  EXPECT_EQ(StructureOf(atoms), std::string(6, 'C'));
+  EXPECT_EQ(FindStructure(atoms), std::string(6, 'C'));
 }
 
 TEST(MoleculeCartoon, HelixIsAClosedRibbonAroundItsAxis)
@@ -434,7 +434,7 @@ TEST(MoleculeCartoon, NucleicAcidsAreTubesWithBases)
     atoms.push_back(AtomAt({ 2.0, 0.0, z }, "N1", name, r + 1, 7));
     atoms.push_back(AtomAt({ 1.0, 0.0, z }, "N3", name, r + 1, 7));
   }
-  EXPECT_EQ(StructureOf(atoms), "NNNN");
+  EXPECT_EQ(FindStructure(atoms), "NNNN");
   const auto mesh = Cartoon(atoms);
   ExpectFinite(mesh);
   const auto end = [&mesh](std::int64_t item)
@@ -450,7 +450,7 @@ TEST(MoleculeCartoon, NucleicAcidsAreTubesWithBases)
   EXPECT_NEAR(end(1), 1.0 - 0.3, 0.1); // N3 of the pyrimidine
 }
 
-TEST(MoleculeCartoon, OutputsHaveWhatColoursAndTablesNeed)
+TEST(MoleculeCartoon, OutputsHaveTheArraysForColoursAndTables)
 {
   Atoms atoms = Helix(8);
   atoms.push_back(AtomAt({ 10.0, 0.0, 0.0 }, "C1", "LIG", 100, 6, "B"));
@@ -571,7 +571,7 @@ TEST(MoleculeCartoon, WithoutNamesAllAtomsAreBallsAndSticks)
   EXPECT_EQ(filter->GetSticks()->GetNumberOfCells(), 2 * 320);
 }
 
-TEST(MoleculeCartoon, RefusesWhatHasNoMeaning)
+TEST(MoleculeCartoon, RefusesMeaninglessValues)
 {
   vtkNew<vtkMoleculeCartoon> filter;
   vtkNew<vtkTest::ErrorObserver> errors;

@@ -80,14 +80,14 @@ TEST(PointBins, AllNearAndNoOther)
   }
 }
 
-TEST(PointBins, AStrayPointFarAwayDoesNoHarm)
+TEST(PointBins, AnOutlierDoesNoHarm)
 {
   std::vector<Point3> points = Cloud(2000, 20.0);
   points.push_back({ 1e9, -1e9, 1e9 }); // a table of bins would have 10^28
   ExpectAllNear(points, 3.0, 6.0);
 }
 
-TEST(PointBins, PointsWithoutAPlaceAreNearNone)
+TEST(PointBins, PointsThatAreNotFiniteAreNearNone)
 {
   for (const double stray : { 1e300, -1e300, HUGE_VAL, static_cast<double>(NAN) })
   {

@@ -150,7 +150,7 @@ inline GeneratedMesh Hexahedra(std::int64_t n)
 }
 
 /// Columns of prisms with a roof of tetrahedra, between columns of hexahedra and pyramids.
-inline GeneratedMesh Mixed(std::int64_t n)
+inline GeneratedMesh MixedCells(std::int64_t n)
 {
   return OnCubes(n,
     [n](GeneratedMesh& mesh, const Cube& c, std::int64_t i, std::int64_t j, std::int64_t k)

@@ -40,7 +40,7 @@ inline GridPointer EmptyGrid()
 }
 
 /// A generated mesh in VTK's types and numbering; cells become polyhedra on request.
-inline GridPointer GridOf(const GeneratedMesh& mesh, bool asPolyhedra = false)
+inline GridPointer MakeGrid(const GeneratedMesh& mesh, bool asPolyhedra = false)
 {
   const int types[] = { VTK_TETRA, VTK_WEDGE, VTK_PYRAMID, VTK_HEXAHEDRON };
   GridPointer grid = EmptyGrid();
@@ -100,8 +100,8 @@ inline GridPointer GridOfOne(const GridCellType& type)
 
 inline std::vector<GridFixture> AllGridFixtures()
 {
-  std::vector<GridFixture> fixtures{ { "mixed", GridOf(Mixed(4)) },
-    { "tetrahedra", GridOf(Tetrahedra(2)) }, { "polyhedra", GridOf(Mixed(3), true) } };
+  std::vector<GridFixture> fixtures{ { "mixed", MakeGrid(MixedCells(4)) },
+    { "tetrahedra", MakeGrid(Tetrahedra(2)) }, { "polyhedra", MakeGrid(MixedCells(3), true) } };
   for (const GridCellType& type : LinearCellTypes())
   {
     if (type.VTKType == VTK_VOXEL || type.Type.NumberOfVertices() > 8) // the others are in "mixed"

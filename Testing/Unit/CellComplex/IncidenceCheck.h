@@ -36,7 +36,7 @@ Pair Ends(const Map& map, typename Map::Dart dart)
 }
 
 template <typename Map>
-Corners CornersOf(const Map& map, typename Map::HalfFace half)
+Corners GetCorners(const Map& map, typename Map::HalfFace half)
 {
   Corners corners;
   for (const auto dart : map.Darts(half))
@@ -58,7 +58,7 @@ void CheckAxioms(const Map& map)
     for (const auto dart : map.Darts(typename Map::Cell(static_cast<typename Map::IdType>(c))))
     {
       ++darts;
-      places.insert(map.IndexOf(dart));
+      places.insert(map.GetIndex(dart));
       ASSERT_EQ(map.Beta1Inverse(map.Beta1(dart)), dart);
       ASSERT_NE(map.Beta2(dart), dart);
       ASSERT_EQ(map.Beta2(map.Beta2(dart)), dart);
@@ -67,7 +67,7 @@ void CheckAxioms(const Map& map)
       const auto across = map.Beta3(dart);
       if (map.IsOutside(across))
       {
-        ASSERT_EQ(map.HalfFaceOf(map.DartOf(map.BoundaryFaceOf(across))), map.HalfFaceOf(dart));
+        ASSERT_EQ(map.GetHalfFace(map.GetDart(map.GetBoundaryFace(across))), map.GetHalfFace(dart));
         continue;
       }
       ASSERT_EQ(map.Beta3(across), dart);
@@ -92,10 +92,10 @@ void CheckFanOrder(const Map& map, const BruteForce& truth, const Pair& ends,
   { return truth.CellsOfFace.at(face).size() == 1; };
   for (const auto dart : fan)
   {
-    const Corners in = CornersOf(map, map.HalfFaceOf(map.Beta2(dart)));
-    const Corners out = CornersOf(map, map.HalfFaceOf(dart));
+    const Corners in = GetCorners(map, map.GetHalfFace(map.Beta2(dart)));
+    const Corners out = GetCorners(map, map.GetHalfFace(dart));
     const std::set<Corners> both{ in, out };
-    ASSERT_EQ(both, FacesAtEdge(truth, ends, Number(map.CellOf(dart))));
+    ASSERT_EQ(both, FacesAtEdge(truth, ends, Number(map.GetCell(dart))));
     if (fans == 0 || in != ahead)
     {
       ASSERT_TRUE(fans == 0 || ahead == first || isBorder(ahead)) << "a fan breaks off";
@@ -119,14 +119,14 @@ void CheckEdges(const Map& map, const BruteForce& truth)
   for (std::size_t e = 0; e < edges.Size(); ++e, ++expected)
   {
     const typename Map::Edge edge(static_cast<Id>(e));
-    ASSERT_EQ(Ends(map, edges.DartOf(edge)), expected->first);
+    ASSERT_EQ(Ends(map, edges.GetDart(edge)), expected->first);
     ASSERT_EQ(edges.IsBoundary(edge), truth.BoundaryEdges.count(expected->first) == 1);
     Numbers cells;
     std::vector<typename Map::Dart> fan;
     for (const auto dart : edges.Fan(edge))
     {
       ASSERT_EQ(Ends(map, dart), expected->first);
-      ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
+      ASSERT_TRUE(cells.insert(Number(map.GetCell(dart))).second);
       fan.push_back(dart);
     }
     ASSERT_EQ(cells, expected->second);
@@ -149,13 +149,13 @@ void CheckFaces(const Map& map, const BruteForce& truth)
   for (std::size_t f = 0; f < faces.Size(); ++f, ++expected)
   {
     const typename Map::Face face(static_cast<Id>(f));
-    ASSERT_EQ(CornersOf(map, faces.HalfFaceOf(face)), expected->first);
+    ASSERT_EQ(GetCorners(map, faces.GetHalfFace(face)), expected->first);
     ASSERT_EQ(faces.IsBoundary(face), expected->second.size() == 1);
     std::vector<std::int64_t> cells;
-    cells.push_back(Number(map.CellOf(faces.DartOf(face))));
+    cells.push_back(Number(map.GetCell(faces.GetDart(face))));
     if (!faces.IsBoundary(face))
     {
-      cells.push_back(Number(map.CellOf(faces.Across(face))));
+      cells.push_back(Number(map.GetCell(faces.Across(face))));
     }
     ASSERT_EQ(cells, expected->second);
   }
@@ -169,22 +169,22 @@ void CheckCells(const Map& map, const BruteForce& truth)
   for (std::size_t c = 0; c < map.NumberOfCells(); ++c)
   {
     const typename Map::Cell cell(static_cast<Id>(c));
-    ASSERT_EQ(map.CellEdges().Of(cell).size(), map.EdgeDarts(cell).size());
+    ASSERT_EQ(map.CellEdges().Find(cell).size(), map.EdgeDarts(cell).size());
     for (const auto dart : map.Darts(cell))
     {
-      const auto edge = map.Edges().DartOf(map.Edges().Of(dart));
-      ASSERT_EQ(map.CellEdges().Of(dart), map.Edges().Of(dart));
-      ASSERT_EQ(map.CellEdges().Of(cell)[(map.LocalDart(dart) - 1) / 2], map.Edges().Of(dart));
+      const auto edge = map.Edges().GetDart(map.Edges().Find(dart));
+      ASSERT_EQ(map.CellEdges().Find(dart), map.Edges().Find(dart));
+      ASSERT_EQ(map.CellEdges().Find(cell)[(map.LocalDart(dart) - 1) / 2], map.Edges().Find(dart));
       ASSERT_EQ(Ends(map, edge), Pair(std::minmax(Ends(map, dart).first, Ends(map, dart).second)));
-      const auto half = map.Faces().HalfFaceOf(map.Faces().Of(dart));
-      ASSERT_EQ(CornersOf(map, half), CornersOf(map, map.HalfFaceOf(dart)));
+      const auto half = map.Faces().GetHalfFace(map.Faces().Find(dart));
+      ASSERT_EQ(GetCorners(map, half), GetCorners(map, map.GetHalfFace(dart)));
     }
     Numbers neighbours;
     for (const auto across : map.Neighbours(cell))
     {
       if (!map.IsOutside(across))
       {
-        neighbours.insert(Number(map.CellOf(across)));
+        neighbours.insert(Number(map.GetCell(across)));
       }
     }
     ASSERT_EQ(neighbours, truth.NeighboursOfCell[c]);
@@ -211,14 +211,14 @@ void CheckStars(const Map& map, const BruteForce& truth)
     for (const auto dart : star.Gather(vertex))
     {
       ASSERT_EQ(map.StartVertex(dart), vertex);
-      ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
+      ASSERT_TRUE(cells.insert(Number(map.GetCell(dart))).second);
     }
     ASSERT_EQ(cells, find(truth.CellsOfVertex, number));
     cells.clear();
-    for (const auto dart : map.Stars().Of(vertex))
+    for (const auto dart : map.Stars().Find(vertex))
     {
       ASSERT_EQ(map.StartVertex(dart), vertex);
-      ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
+      ASSERT_TRUE(cells.insert(Number(map.GetCell(dart))).second);
     }
     ASSERT_EQ(cells, find(truth.CellsOfVertex, number));
     const auto edges = star.EdgeDarts();
@@ -232,13 +232,13 @@ void CheckStars(const Map& map, const BruteForce& truth)
     const auto halves = star.HalfFaces();
     for (const auto half : halves)
     {
-      faces.insert(CornersOf(map, half));
+      faces.insert(GetCorners(map, half));
     }
     ASSERT_EQ(faces, find(truth.FacesOfVertex, number));
     ASSERT_EQ(faces.size(), halves.size());
     for (const auto half : star.LinkHalfFaces())
     {
-      link.insert(CornersOf(map, half));
+      link.insert(GetCorners(map, half));
     }
     ASSERT_EQ(link, find(truth.LinkOfVertex, number));
     std::set<Pair> linkEdges;
@@ -270,7 +270,7 @@ std::int64_t EulerNumber(const Map& map)
   for (std::size_t v = 0; v < map.NumberOfVertices(); ++v)
   {
     using Id = typename Map::IdType;
-    vertices += map.IsOutside(map.DartOf(typename Map::Vertex(static_cast<Id>(v)))) ? 0 : 1;
+    vertices += map.IsOutside(map.GetDart(typename Map::Vertex(static_cast<Id>(v)))) ? 0 : 1;
   }
   return vertices - static_cast<std::int64_t>(map.Edges().Size()) +
     static_cast<std::int64_t>(map.NumberOfFaces()) - static_cast<std::int64_t>(map.NumberOfCells());

@@ -93,16 +93,16 @@ TEST(CellIncidence, AgreesWithBruteForce)
   }
 }
 
-TEST(CellIncidence, LeavesCellDataOutOnRequest)
+TEST(CellIncidence, OmitsCellDataOnRequest)
 {
-  const GridPointer grid = GridOf(Mixed(2));
+  const GridPointer grid = MakeGrid(MixedCells(2));
   AddData(grid);
   FilterRun run(grid, [](vtkCellIncidence* filter) { filter->PassCellDataOff(); });
   EXPECT_EQ(run.Surface(1)->GetCellData()->GetArray("Ten"), nullptr);
   EXPECT_NE(run.Surface(1)->GetCellData()->GetArray("FaceId"), nullptr);
 }
 
-TEST(CellIncidence, WarnsOfWhatItSimplifiesOrLeavesOut)
+TEST(CellIncidence, WarnsAboutSimplifiedAndSkippedCells)
 {
   const GridPointer grid = EmptyGrid();
   for (int p = 0; p < 10; ++p)
@@ -127,7 +127,7 @@ TEST(CellIncidence, EmptyInputGivesEmptyOutputs)
   EXPECT_EQ(run.Surface(1)->GetNumberOfCells(), 0);
 }
 
-TEST(CellIncidence, RefusesWithASentenceAndEmptyOutputs)
+TEST(CellIncidence, ReportsErrorsWithEmptyOutputs)
 {
   const auto refusal = [](vtkUnstructuredGrid* grid)
   {
@@ -136,35 +136,35 @@ TEST(CellIncidence, RefusesWithASentenceAndEmptyOutputs)
     EXPECT_EQ(run.Surface(1)->GetNumberOfPoints(), 0);
     return run.Messages();
   };
-  GridPointer grid = GridOf(Tetrahedra(1));
+  GridPointer grid = MakeGrid(Tetrahedra(1));
   const vtkIdType again[] = { 0, 1, 3, 7 }; // cell 0
   grid->InsertNextCell(VTK_TETRA, 4, again);
   grid->InsertNextCell(VTK_TETRA, 4, again);
   const std::string overlap = refusal(grid);
   EXPECT_NE(overlap.find("share a face with a third cell"), std::string::npos) << overlap;
-  grid = GridOf(Tetrahedra(1));
+  grid = MakeGrid(Tetrahedra(1));
   const vtkIdType outside[] = { 0, 1, 2, 8 };
   grid->InsertNextCell(VTK_TETRA, 4, outside);
   EXPECT_NE(refusal(grid).find("Cell 6: a vertex number is not in 0 ... 7"), std::string::npos);
   const vtkIdType twice[] = { 0, 1, 1, 2 };
-  grid = GridOf(Tetrahedra(1));
+  grid = MakeGrid(Tetrahedra(1));
   grid->InsertNextCell(VTK_TETRA, 4, twice);
   EXPECT_NE(refusal(grid).find("Cell 6: the same vertex occurs twice"), std::string::npos);
-  grid = GridOf(Tetrahedra(1));
+  grid = MakeGrid(Tetrahedra(1));
   grid->InsertNextCell(VTK_CONVEX_POINT_SET, 4, twice);
   EXPECT_NE(refusal(grid).find("Cell 6 is of the type"), std::string::npos);
-  grid = GridOf(Tetrahedra(1));
+  grid = MakeGrid(Tetrahedra(1));
   const vtkIdType open[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3 };
   grid->InsertNextCell(VTK_POLYHEDRON, 3, open);
   EXPECT_NE(refusal(grid).find("Cell 6 is not valid"), std::string::npos);
 }
 
-TEST(CellIncidence, StopsWhenAskedTo)
+TEST(CellIncidence, StopsOnRequest)
 {
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn(); });
-  FilterRun run(GridOf(Tetrahedra(12)),
+  FilterRun run(MakeGrid(Tetrahedra(12)),
     [&](vtkCellIncidence* filter) { filter->AddObserver(vtkCommand::ProgressEvent, stop); });
   EXPECT_EQ(run.Messages(), "");
   EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);

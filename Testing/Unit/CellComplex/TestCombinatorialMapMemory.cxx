@@ -21,7 +21,7 @@ namespace
 
 std::atomic<std::size_t> held{ 0 }, peak{ 0 };
 
-void* Counted(std::size_t size)
+void* AllocateCounted(std::size_t size)
 {
   void* memory = std::malloc(size ? size : 1);
   if (!memory)
@@ -35,7 +35,7 @@ void* Counted(std::size_t size)
   return memory;
 }
 
-void Uncounted(void* memory) noexcept
+void FreeCounted(void* memory) noexcept
 {
   held -= memory ? malloc_usable_size(memory) : 0;
   std::free(memory);
@@ -46,27 +46,27 @@ void Uncounted(void* memory) noexcept
 // Every new of this program, so that nothing the map allocates goes unseen.
 void* operator new(std::size_t size)
 {
-  return Counted(size);
+  return AllocateCounted(size);
 }
 void* operator new[](std::size_t size)
 {
-  return Counted(size);
+  return AllocateCounted(size);
 }
 void operator delete(void* memory) noexcept
 {
-  Uncounted(memory);
+  FreeCounted(memory);
 }
 void operator delete[](void* memory) noexcept
 {
-  Uncounted(memory);
+  FreeCounted(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept
 {
-  Uncounted(memory);
+  FreeCounted(memory);
 }
 void operator delete[](void* memory, std::size_t) noexcept
 {
-  Uncounted(memory);
+  FreeCounted(memory);
 }
 
 namespace
@@ -111,7 +111,7 @@ TEST(CombinatorialMapMemory, TablesHaveNoSlackAndThePeakIsLow)
     "peak / tables: %.3f\n", static_cast<double>(peak - before) / static_cast<double>(tables));
 }
 
-TEST(CombinatorialMapMemory, OptionalTablesCostWhatTheirHeadersSay)
+TEST(CombinatorialMapMemory, OptionalTablesHaveTheirDocumentedSize)
 {
   const GeneratedMesh mesh = Tetrahedra(10);
   const Map map(mesh.List());

@@ -30,7 +30,7 @@ Ids Incident(Map* map, int from, vtkIdType id, int to)
   return { found->begin(), found->end() };
 }
 
-Ids Sorted(Ids ids)
+Ids SortIds(Ids ids)
 {
   std::sort(ids.begin(), ids.end());
   return ids;
@@ -66,7 +66,7 @@ void CheckStarsAndCells(Map* map, vtkUnstructuredGrid* grid)
   {
     vtkCell* cell = grid->GetCell(c);
     const Ids corners(cell->GetPointIds()->begin(), cell->GetPointIds()->end());
-    EXPECT_EQ(Sorted(Incident(map, Map::Cell, c, Map::Vertex)), Sorted(corners));
+    EXPECT_EQ(SortIds(Incident(map, Map::Cell, c, Map::Vertex)), SortIds(corners));
     for (const vtkIdType p : corners)
     {
       stars[p].insert(c);
@@ -74,12 +74,12 @@ void CheckStarsAndCells(Map* map, vtkUnstructuredGrid* grid)
     for (int e = 0; e < cell->GetNumberOfEdges(); ++e)
     {
       vtkIdList* ends = cell->GetEdge(e)->GetPointIds();
-      ofEdges[Sorted({ ends->begin(), ends->end() })].insert(c);
+      ofEdges[SortIds({ ends->begin(), ends->end() })].insert(c);
     }
     for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
     {
       vtkIdList* points = cell->GetFace(f)->GetPointIds();
-      ofFaces[Sorted({ points->begin(), points->end() })].insert(c);
+      ofFaces[SortIds({ points->begin(), points->end() })].insert(c);
     }
   }
   const auto expect = [&](int kind, const auto& truth, const auto& keyOf)
@@ -87,16 +87,16 @@ void CheckStarsAndCells(Map* map, vtkUnstructuredGrid* grid)
     ASSERT_EQ(map->GetNumber(kind), static_cast<vtkIdType>(truth.size()));
     for (vtkIdType i = 0; i < map->GetNumber(kind); ++i)
     {
-      const Ids cells = Sorted(Incident(map, kind, i, Map::Cell));
+      const Ids cells = SortIds(Incident(map, kind, i, Map::Cell));
       EXPECT_EQ(std::set<vtkIdType>(cells.begin(), cells.end()), truth.at(keyOf(i)));
       EXPECT_EQ(cells.size(), truth.at(keyOf(i)).size());
     }
   };
   expect(Map::Vertex, stars, [](vtkIdType i) { return i; });
   expect(Map::Edge, ofEdges,
-    [map](vtkIdType i) { return Sorted(Incident(map, Map::Edge, i, Map::Vertex)); });
+    [map](vtkIdType i) { return SortIds(Incident(map, Map::Edge, i, Map::Vertex)); });
   expect(Map::Face, ofFaces,
-    [map](vtkIdType i) { return Sorted(Incident(map, Map::Face, i, Map::Vertex)); });
+    [map](vtkIdType i) { return SortIds(Incident(map, Map::Face, i, Map::Vertex)); });
 }
 
 /// Consecutive cells around an edge have a face at it in common.
@@ -105,11 +105,11 @@ void CheckFans(Map* map)
   for (vtkIdType e = 0; e < map->GetNumber(Map::Edge); ++e)
   {
     const Ids fan = Incident(map, Map::Edge, e, Map::Cell);
-    const Ids faces = Sorted(Incident(map, Map::Edge, e, Map::Face));
+    const Ids faces = SortIds(Incident(map, Map::Edge, e, Map::Face));
     for (std::size_t i = 0; i + 1 < fan.size(); ++i)
     {
-      const Ids one = Sorted(Incident(map, Map::Cell, fan[i], Map::Face));
-      const Ids next = Sorted(Incident(map, Map::Cell, fan[i + 1], Map::Face));
+      const Ids one = SortIds(Incident(map, Map::Cell, fan[i], Map::Face));
+      const Ids next = SortIds(Incident(map, Map::Cell, fan[i + 1], Map::Face));
       Ids common, atEdge;
       std::set_intersection(
         one.begin(), one.end(), next.begin(), next.end(), std::back_inserter(common));
@@ -153,7 +153,7 @@ void CheckDarts(Map* map)
 TEST(CombinatorialMapQueries, AgreeWithVTKAndTheirTransposes)
 {
   for (const GridPointer& grid :
-    { GridOf(Mixed(2)), GridOf(Tetrahedra(2)), GridOf(Mixed(2), true) })
+    { MakeGrid(MixedCells(2)), MakeGrid(Tetrahedra(2)), MakeGrid(MixedCells(2), true) })
   {
     vtkNew<Map> map;
     ASSERT_TRUE(map->SetMesh(grid));
@@ -180,7 +180,7 @@ TEST(CombinatorialMapQueries, AgreeWithVTKAndTheirTransposes)
 
 TEST(CombinatorialMapQueries, CellsKeepTheNumbersOfTheMesh)
 {
-  const GridPointer grid = GridOf(Tetrahedra(1));
+  const GridPointer grid = MakeGrid(Tetrahedra(1));
   GridPointer mixed = EmptyGrid();
   mixed->SetPoints(grid->GetPoints());
   const vtkIdType triangle[] = { 0, 1, 2 };
@@ -202,10 +202,10 @@ TEST(CombinatorialMapQueries, CellsKeepTheNumbersOfTheMesh)
   }
 }
 
-TEST(CombinatorialMapQueries, MemoryOfTetrahedraIsThatOfTheirTables)
+TEST(CombinatorialMapQueries, MemoryOfTetrahedraMatchesTheirTables)
 {
   vtkNew<Map> map;
-  ASSERT_TRUE(map->SetMesh(GridOf(Tetrahedra(4))));
+  ASSERT_TRUE(map->SetMesh(MakeGrid(Tetrahedra(4))));
   std::map<std::string, vtkIdType> bytes;
   for (int i = 0; i < map->GetNumberOfTables(); ++i)
   {
@@ -222,7 +222,7 @@ TEST(CombinatorialMapQueries, MemoryOfTetrahedraIsThatOfTheirTables)
   EXPECT_GT(map->GetNumberOfTables(), static_cast<int>(bytes.size())) << "tables of edges";
 }
 
-TEST(CombinatorialMapQueries, RefuseWhatDoesNotExist)
+TEST(CombinatorialMapQueries, RefuseInvalidIds)
 {
   vtkNew<Map> map;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -236,7 +236,7 @@ TEST(CombinatorialMapQueries, RefuseWhatDoesNotExist)
   };
   EXPECT_EQ(map->GetNumber(Map::Cell), 0) << "no mesh yet";
   refuses("no mesh", [&] { EXPECT_FALSE(map->SetMesh(nullptr)); });
-  ASSERT_TRUE(map->SetMesh(GridOf(Tetrahedra(1))));
+  ASSERT_TRUE(map->SetMesh(MakeGrid(Tetrahedra(1))));
   refuses(
     "no edge 10000", [&] { EXPECT_TRUE(Incident(map, Map::Edge, 10000, Map::Cell).empty()); });
   refuses("no vertex -1", [&] { EXPECT_TRUE(Incident(map, Map::Vertex, -1, Map::Cell).empty()); });
@@ -245,7 +245,7 @@ TEST(CombinatorialMapQueries, RefuseWhatDoesNotExist)
     "Neighbours of one kind", [&] { EXPECT_TRUE(Incident(map, Map::Edge, 0, Map::Edge).empty()); });
   vtkNew<vtkIdTypeArray> darts;
   refuses("no beta_4", [&] { map->GetBeta(4, darts); });
-  GridPointer twice = GridOf(Tetrahedra(1));
+  GridPointer twice = MakeGrid(Tetrahedra(1));
   const vtkIdType folded[] = { 0, 1, 2, 2 };
   twice->InsertNextCell(VTK_TETRA, 4, folded);
   refuses("", [&] { EXPECT_FALSE(map->SetMesh(twice)); });

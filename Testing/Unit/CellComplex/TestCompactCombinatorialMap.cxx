@@ -27,7 +27,7 @@ using Printed = std::pair<unsigned, unsigned>;
 
 Printed Print(const Map& map, Map::Dart dart)
 {
-  return { map.CellOf(dart).Value, map.LocalDart(dart) };
+  return { map.GetCell(dart).Value, map.LocalDart(dart) };
 }
 
 std::string Refusal(const CellList& mesh)
@@ -68,7 +68,7 @@ TEST(CompactCombinatorialMap, TypesOfTables31To34)
   }
 }
 
-TEST(CompactCombinatorialMap, BytesOfATypeAreThoseOfItsTables)
+TEST(CompactCombinatorialMap, BytesOfATypeMatchItsTables)
 {
   for (const CellType* type : { &CellType::Tetrahedron(), &CellType::Hexahedron() })
   {
@@ -108,11 +108,11 @@ TEST(CompactCombinatorialMap, TablesOfTheThreeCells)
   ASSERT_EQ(map.NumberOfBoundaryFaces(), b2d.size());
   for (unsigned b = 0; b < b2d.size(); ++b)
   {
-    EXPECT_EQ(Print(map, map.DartOf(Map::BoundaryFace(b))), b2d[b]);
+    EXPECT_EQ(Print(map, map.GetDart(Map::BoundaryFace(b))), b2d[b]);
   }
   for (unsigned v = 0; v < 8; ++v)
   {
-    EXPECT_EQ(map.StartVertex(map.DartOf(Map::Vertex(v))).Value, v);
+    EXPECT_EQ(map.StartVertex(map.GetDart(Map::Vertex(v))).Value, v);
     EXPECT_TRUE(map.IsBoundary(Map::Vertex(v)));
   }
   EXPECT_EQ(map.DartBits(), 5u);
@@ -130,7 +130,7 @@ TEST(CompactCombinatorialMap, EdgesOfTheThreeCells)
   ASSERT_EQ(map.Edges().Size(), e2d.size());
   for (unsigned e = 0; e < e2d.size(); ++e)
   {
-    const Map::Dart dart = map.Edges().DartOf(Map::Edge(e));
+    const Map::Dart dart = map.Edges().GetDart(Map::Edge(e));
     EXPECT_EQ(Ends(map, dart), e2d[e].first);
     EXPECT_EQ(Print(map, dart), e2d[e].second);
   }
@@ -147,7 +147,7 @@ TEST(CompactCombinatorialMap, EdgesOfTheThreeCells)
 TEST(CompactCombinatorialMap, AgreesWithBruteForceOnEachTypeAndMixed)
 {
   for (const GeneratedMesh& mesh :
-    { Tetrahedra(4), Prisms(4), Pyramids(3), Hexahedra(4), Mixed(5) })
+    { Tetrahedra(4), Prisms(4), Pyramids(3), Hexahedra(4), MixedCells(5) })
   {
     const Map map(mesh.List());
     CheckEverything(map, mesh.List());
@@ -234,9 +234,9 @@ TEST(CompactCombinatorialMap, RefusesTypesThatAreNoSphere)
   FaceList faces = tetrahedron;
   std::reverse(faces[1].begin(), faces[1].end());
   EXPECT_NE(refusal(4, faces).find("in the same direction"), std::string::npos);
-  EXPECT_EQ(ConsistentlyOriented(faces), tetrahedron);
+  EXPECT_EQ(OrientFaces(faces), tetrahedron);
   faces.pop_back();
-  EXPECT_NE(refusal(4, ConsistentlyOriented(faces)).find("is open at its edge"), std::string::npos);
+  EXPECT_NE(refusal(4, OrientFaces(faces)).find("is open at its edge"), std::string::npos);
   EXPECT_NE(refusal(5, tetrahedron).find("vertex 4 in none of its faces"), std::string::npos);
   EXPECT_NE(refusal(3, { { 0, 1, 2 }, { 0, 2, 1 } }).find("fewer than four"), std::string::npos);
   EXPECT_NE(refusal(4, { { 0, 1, 7 } }).find("not all among its 4"), std::string::npos);
@@ -248,7 +248,7 @@ TEST(CompactCombinatorialMap, RefusesTypesThatAreNoSphere)
   EXPECT_NE(refusal(8, two).find("not a sphere"), std::string::npos);
 }
 
-TEST(CompactCombinatorialMap, TellsWhatDoesNotFitIn32Bits)
+TEST(CompactCombinatorialMap, ReportsWhatDoesNotFitIn32Bits)
 {
   CellList mesh;
   mesh.Types = { CellType::Tetrahedron() };
@@ -279,15 +279,15 @@ TEST(CompactCombinatorialMap, SameTablesOnAnyNumberOfThreads)
         }
         for (std::uint32_t v = 0; v < map.NumberOfVertices(); ++v)
         {
-          all.push_back(map.DartOf(Map::Vertex(v)).Value);
+          all.push_back(map.GetDart(Map::Vertex(v)).Value);
         }
         for (std::uint32_t e = 0; e < map.Edges().Size(); ++e)
         {
-          all.push_back(map.Edges().DartOf(Map::Edge(e)).Value);
+          all.push_back(map.Edges().GetDart(Map::Edge(e)).Value);
         }
         for (std::uint32_t f = 0; f < map.Faces().Size(); ++f)
         {
-          all.push_back(map.Faces().DartOf(Map::Face(f)).Value);
+          all.push_back(map.Faces().GetDart(Map::Face(f)).Value);
         }
       });
     return all;

@@ -30,7 +30,7 @@ std::vector<unsigned char> FirstCells(const Map& map, std::size_t count, bool fi
 
 TEST(CutAndMerge, PartsMergeIntoTheWhole)
 {
-  for (const GeneratedMesh& mesh : { Tetrahedra(3), Mixed(4) })
+  for (const GeneratedMesh& mesh : { Tetrahedra(3), MixedCells(4) })
   {
     const Map whole(mesh.List());
     for (const std::size_t count : { std::size_t(1), whole.NumberOfCells() / 2 })
@@ -69,7 +69,7 @@ TEST(CutAndMerge, PartsMergeIntoTheWhole)
   }
 }
 
-TEST(CutAndMerge, RefusesWhatDoesNotExist)
+TEST(CutAndMerge, RefusesInvalidIds)
 {
   const GeneratedMesh mesh = ThreeCells();
   const Map map(mesh.List());
@@ -80,7 +80,7 @@ TEST(CutAndMerge, RefusesWhatDoesNotExist)
 
 TEST(Attribute, EachKindHasItsArray)
 {
-  const GeneratedMesh mesh = Mixed(3);
+  const GeneratedMesh mesh = MixedCells(3);
   const Map map(mesh.List());
   Attribute<Map, Map::Vertex, double> onVertices(map, 1.5);
   Attribute<Map, Map::Edge, int> onEdges(map);
@@ -94,12 +94,12 @@ TEST(Attribute, EachKindHasItsArray)
     for (const Map::HalfFace half : map.HalfFaces(Map::Cell(c)))
     {
       ++onHalfFaces[half];
-      onFaces[map.Faces().Of(half)] = 1;
+      onFaces[map.Faces().Find(half)] = 1;
     }
     for (const Map::Dart dart : map.Darts(Map::Cell(c)))
     {
       ++onDarts[dart];
-      onEdges[map.Edges().Of(dart)] = 1;
+      onEdges[map.Edges().Find(dart)] = 1;
     }
   }
   const auto allOnes = [](const std::vector<int>& values, std::size_t count)

@@ -50,7 +50,7 @@ void CheckAgainstVTK(const Map& map, const GridCells& cells, vtkUnstructuredGrid
       std::set<vtkIdType> ours;
       if (!map.IsOutside(across))
       {
-        ours.insert(cells.GridId(map.CellOf(across).Value));
+        ours.insert(cells.GridId(map.GetCell(across).Value));
       }
       ASSERT_EQ(ours, volumes) << "cell " << cells.GridId(c);
     }

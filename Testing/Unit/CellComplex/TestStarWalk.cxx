@@ -48,7 +48,7 @@ TEST(StarWalk, ReusableSetAgreesWithStdSet)
   SetsAgree<std::uint64_t>();
 }
 
-TEST(StarWalk, WithRoomKeepsWhatIsThere)
+TEST(StarWalk, WithRoomKeepsTheContents)
 {
   ReusableSet<std::uint32_t> set;
   EXPECT_TRUE(set.Insert(7));
@@ -120,12 +120,12 @@ TEST(StarWalk, AgreesWithTheListWhereStarsAreLarge)
         for (const auto dart : walked)
         {
           EXPECT_EQ(map.StartVertex(dart).Value, v);
-          cells.push_back(map.CellOf(dart).Value);
+          cells.push_back(map.GetCell(dart).Value);
         }
         std::sort(cells.begin(), cells.end());
-        for (const auto dart : map.Stars().Of(VertexHandle<std::uint32_t>(v)))
+        for (const auto dart : map.Stars().Find(VertexHandle<std::uint32_t>(v)))
         {
-          expected.push_back(map.CellOf(dart).Value);
+          expected.push_back(map.GetCell(dart).Value);
         }
         ASSERT_EQ(cells, expected) << count << " cells, vertex " << v;
         // Both ways find the same darts in the same order.

@@ -55,9 +55,9 @@ vtkIdType CountExposed(vtkPolyData* surface)
 
 }
 
-TEST(TetCutaway, RemovesTheNumberAskedFor)
+TEST(TetCutaway, RemovesTheRequestedNumber)
 {
-  const GridPointer grid = GridOf(Tetrahedra(6));
+  const GridPointer grid = MakeGrid(Tetrahedra(6));
   for (const vtkIdType number : { 0, 1, 100, 1295, 1296, 5000 })
   {
     FilterRun run(grid, [&](vtkTetCutaway* filter) { filter->SetNumberOfCells(number); });
@@ -74,7 +74,7 @@ TEST(TetCutaway, RemovesTheNumberAskedFor)
 TEST(TetCutaway, RemovesTheNearestFirst)
 {
   constexpr int side = 5;
-  const GridPointer grid = GridOf(Hexahedra(side));
+  const GridPointer grid = MakeGrid(Hexahedra(side));
   std::set<vtkIdType> last;
   for (vtkIdType number = 1; number <= side * side * side; number += 3)
   {
@@ -113,7 +113,7 @@ TEST(TetCutaway, RemovesTheNearestFirst)
 TEST(TetCutaway, OneCubeLeavesThreeFacesExposed)
 {
   // The corner cube of 2^3: three of its faces were inside.
-  FilterRun run(GridOf(Hexahedra(2)), [](vtkTetCutaway* filter) { filter->SetNumberOfCells(1); });
+  FilterRun run(MakeGrid(Hexahedra(2)), [](vtkTetCutaway* filter) { filter->SetNumberOfCells(1); });
   EXPECT_EQ(run.Grid(1)->GetNumberOfCells(), 7);
   EXPECT_EQ(CountExposed(run.Surface(0)), 3);
   EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 24 - 3 + 3);
@@ -122,7 +122,7 @@ TEST(TetCutaway, OneCubeLeavesThreeFacesExposed)
 
 TEST(TetCutaway, ByDistanceAndByPlane)
 {
-  const GridPointer grid = GridOf(Mixed(6));
+  const GridPointer grid = MakeGrid(MixedCells(6));
   FilterRun distance(grid,
     [](vtkTetCutaway* filter)
     {
@@ -156,10 +156,10 @@ TEST(TetCutaway, ByDistanceAndByPlane)
   EXPECT_GT(CountExposed(plane.Surface(0)), 0);
 }
 
-TEST(TetCutaway, BeginsAtAFaceByItsNumber)
+TEST(TetCutaway, StartsAtANumberedFace)
 {
   // Face 0 of the grid of cubes has the vertices 0, 1 and two more: it belongs to cell 0.
-  FilterRun run(GridOf(Hexahedra(3)),
+  FilterRun run(MakeGrid(Hexahedra(3)),
     [](vtkTetCutaway* filter)
     {
       filter->SetSeedMode(vtkTetCutaway::AtFace);
@@ -167,7 +167,7 @@ TEST(TetCutaway, BeginsAtAFaceByItsNumber)
       filter->SetNumberOfCells(1);
     });
   EXPECT_EQ(run.Grid(1)->GetCellData()->GetArray("OriginalCellIds")->GetTuple1(0), 1.0);
-  FilterRun wrong(GridOf(Hexahedra(3)),
+  FilterRun wrong(MakeGrid(Hexahedra(3)),
     [](vtkTetCutaway* filter)
     {
       filter->SetSeedMode(vtkTetCutaway::AtFace);
@@ -179,7 +179,7 @@ TEST(TetCutaway, BeginsAtAFaceByItsNumber)
   EXPECT_EQ(wrong.Grid(1)->GetNumberOfPoints(), 0);
 }
 
-TEST(TetCutaway, WhatIsOutOfRangeIsNamed)
+TEST(TetCutaway, ReportsValuesOutOfRange)
 {
   const std::pair<const char*, std::function<void(vtkTetCutaway*)>> cases[] = {
     { "SeedMode is 2, but it must be from 0 to 1", [](auto* f) { f->SetSeedMode(2); } },
@@ -191,14 +191,14 @@ TEST(TetCutaway, WhatIsOutOfRangeIsNamed)
   };
   for (const auto& [words, spoil] : cases)
   {
-    FilterRun run(GridOf(Hexahedra(3)), spoil);
+    FilterRun run(MakeGrid(Hexahedra(3)), spoil);
     EXPECT_NE(run.Messages().find(words), std::string::npos) << words << ": " << run.Messages();
   }
 }
 
 TEST(TetCutaway, WarnsWhenTheSeedIsOnTheOtherSide)
 {
-  const GridPointer grid = GridOf(Mixed(3), true);
+  const GridPointer grid = MakeGrid(MixedCells(3), true);
   FilterRun run(grid,
     [](vtkTetCutaway* filter)
     {

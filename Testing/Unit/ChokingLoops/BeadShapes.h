@@ -27,7 +27,7 @@ struct Neck
 struct BeadShape
 {
   double Bead = 1.0;
-  std::vector<Point3> Centres;
+  std::vector<Point3> Centers;
   std::vector<std::array<std::size_t, 2>> Struts;
   std::vector<double> Radii; ///< of the struts' waists
 
@@ -43,7 +43,7 @@ struct BeadShape
     for (std::size_t s = 0; s < this->Struts.size(); ++s)
     {
       necks.push_back(
-        { 0.5 * (this->Centres[this->Struts[s][0]] + this->Centres[this->Struts[s][1]]),
+        { 0.5 * (this->Centers[this->Struts[s][0]] + this->Centers[this->Struts[s][1]]),
           this->Radii[s] });
     }
     return necks;
@@ -53,14 +53,14 @@ struct BeadShape
   double operator()(const Point3& p) const
   {
     double value = HUGE_VAL;
-    for (const Point3& c : this->Centres)
+    for (const Point3& c : this->Centers)
     {
       value = std::min(value, std::sqrt(Dot(p - c, p - c)) - this->Bead);
     }
     for (std::size_t s = 0; s < this->Struts.size(); ++s)
     {
-      const Point3& a = this->Centres[this->Struts[s][0]];
-      const Point3 axis = this->Centres[this->Struts[s][1]] - a;
+      const Point3& a = this->Centers[this->Struts[s][0]];
+      const Point3 axis = this->Centers[this->Struts[s][1]] - a;
       const double u = Dot(p - a, axis) / Dot(axis, axis);
       if (u > 0.0 && u < 1.0)
       {
@@ -76,9 +76,9 @@ struct BeadShape
   /// The surface, cells of side `h` at most, in a box that nothing touches.
   TriangleMesh Surface(double h) const
   {
-    Bounds3 box{ this->Centres.front(), this->Centres.front() };
+    Bounds3 box{ this->Centers.front(), this->Centers.front() };
     std::for_each(
-      this->Centres.begin(), this->Centres.end(), [&box](const Point3& c) { box.Add(c); });
+      this->Centers.begin(), this->Centers.end(), [&box](const Point3& c) { box.Add(c); });
     std::array<int, 3> cells;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -102,7 +102,7 @@ inline BeadShape Necklace(int n, double neck)
   for (int i = 0; i < n; ++i)
   {
     const double angle = 2.0 * M_PI * (i + 0.137) / n;
-    shape.Centres.push_back({ large * std::cos(angle), large * std::sin(angle), 0.0213 });
+    shape.Centers.push_back({ large * std::cos(angle), large * std::sin(angle), 0.0213 });
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
   {
@@ -118,8 +118,8 @@ inline BeadShape StackedRings(int n, double neck)
   const auto beads = static_cast<std::size_t>(n);
   for (std::size_t i = 0; i < beads; ++i)
   {
-    shape.Centres[i][2] -= 1.3;
-    shape.Centres.push_back(shape.Centres[i] + Point3{ 0.0, 0.0, 2.6 });
+    shape.Centers[i][2] -= 1.3;
+    shape.Centers.push_back(shape.Centers[i] + Point3{ 0.0, 0.0, 2.6 });
   }
   for (std::size_t i = 0; i < beads; ++i)
   {
@@ -142,7 +142,7 @@ inline BeadShape Lattice(int n, double neck)
     {
       for (int k = 0; k < n; ++k)
       {
-        shape.Centres.push_back(
+        shape.Centers.push_back(
           { 2.6 * (i - middle) + 0.011, 2.6 * (j - middle) + 0.017, 2.6 * (k - middle) + 0.023 });
         if (i > 0)
         {
@@ -169,11 +169,11 @@ inline BeadShape Comb(int n, double neck)
   const auto teeth = static_cast<std::size_t>(n);
   for (int i = 0; i < n; ++i)
   {
-    shape.Centres.push_back({ 2.6 * (i - 0.5 * (n - 1)) + 0.011, -1.31, 0.017 });
+    shape.Centers.push_back({ 2.6 * (i - 0.5 * (n - 1)) + 0.011, -1.31, 0.017 });
   }
   for (std::size_t i = 0; i < teeth; ++i)
   {
-    shape.Centres.push_back(shape.Centres[i] + Point3{ 0.0, 2.6, 0.0 });
+    shape.Centers.push_back(shape.Centers[i] + Point3{ 0.0, 2.6, 0.0 });
     shape.Join(i, teeth + i, neck);
     if (i > 0)
     {
@@ -193,15 +193,15 @@ inline BeadShape Honeycomb(int rows, double neck)
     for (int j = 0; j < rows + 1; ++j)
     {
       const double zigzag = (i + j) % 2 == 0 ? 0.25 * a : -0.25 * a;
-      shape.Centres.push_back({ (i - rows) * a * std::sqrt(0.75) + 0.011,
+      shape.Centers.push_back({ (i - rows) * a * std::sqrt(0.75) + 0.011,
         (j - 0.5 * rows) * 1.5 * a + zigzag + 0.017, 0.023 });
     }
   }
-  for (std::size_t i = 0; i < shape.Centres.size(); ++i)
+  for (std::size_t i = 0; i < shape.Centers.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      const Point3 d = shape.Centres[i] - shape.Centres[j];
+      const Point3 d = shape.Centers[i] - shape.Centers[j];
       if (Dot(d, d) < 1.01 * a * a)
       {
         shape.Join(j, i, neck);

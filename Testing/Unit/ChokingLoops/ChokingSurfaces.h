@@ -78,12 +78,12 @@ inline TriangleMesh ReadSurface(const std::string& name)
     vtkNew<vtkSTLReader> reader;
     reader->SetFileName(path.c_str());
     reader->Update();
-    return MeshOf(reader->GetOutput());
+    return ToTriangleMesh(reader->GetOutput());
   }
   vtkNew<vtkOBJReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  return MeshOf(reader->GetOutput());
+  return ToTriangleMesh(reader->GetOutput());
 }
 
 /// The surface f = 0 in the box from `low` to `high`, f being negative inside; cells[k] cells along
@@ -114,7 +114,7 @@ inline TriangleMesh LevelSet(const std::function<double(double, double, double)>
   clean->SetInputConnection(contour->GetOutputPort());
   clean->SetTolerance(1e-6);
   clean->Update();
-  return MeshOf(clean->GetOutput());
+  return ToTriangleMesh(clean->GetOutput());
 }
 
 /// The same in the cube [-size, size]^3, n cells along a side.

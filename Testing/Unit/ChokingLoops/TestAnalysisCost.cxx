@@ -54,7 +54,7 @@ TEST(AnalysisCost, TimeIsAMultipleOfTheTriangulation)
   EXPECT_EQ(cost.After(4.0).Bytes, cost.Bytes);
 }
 
-TEST(AnalysisCost, TakesOverWhatTheRoundBeforeTook)
+TEST(AnalysisCost, ReusesTheCostOfTheRoundBefore)
 {
   const AnalysisCost first = EstimateCost(Torus(1.0, 0.3, 30, 20)).After(2.0);
   AnalysisCost second = EstimateCost(Torus(1.0, 0.3, 60, 40));
@@ -99,16 +99,16 @@ TriangleMesh NoisyRing()
 
 TEST(AnalysisCost, SecondsOfANoisyContourAreWithinAFactorOfTwo)
 {
-  CpuEstimate told;
+  CpuEstimate reported;
   ChokingLoopParameters parameters;
-  parameters.Estimated = std::ref(told);
+  parameters.Estimated = std::ref(reported);
   const ChokingLoops loops(NoisyRing(), parameters);
-  const double took = CpuSeconds() - told.Began;
+  const double took = CpuSeconds() - reported.Began;
   EXPECT_GT(loops.Cost().Rank, 20U);
   EXPECT_GT(loops.Cost().Own, 0U);
-  std::cout << "told " << told.Last.Seconds << " s, took " << took << " s of CPU\n";
-  EXPECT_GT(told.Last.Seconds, 0.5 * took);
-  EXPECT_LT(told.Last.Seconds, 2.0 * took);
+  std::cout << "told " << reported.Last.Seconds << " s, took " << took << " s of CPU\n";
+  EXPECT_GT(reported.Last.Seconds, 0.5 * took);
+  EXPECT_LT(reported.Last.Seconds, 2.0 * took);
 }
 
 TEST(FeatureDrawing, SampleIsSpreadOverAll)
@@ -134,18 +134,18 @@ TEST(FeatureDrawing, SampleIsSpreadOverAll)
   }
 }
 
-TEST(FeatureDrawing, TellsOnceAndDrawsWhatWasNotDrawn)
+TEST(FeatureDrawing, ReportsOnceAndDrawsTheRest)
 {
   ChokingLoops loops(NoisyRing());
   const std::vector<std::size_t> chosen = loops.Select({});
   ASSERT_GT(chosen.size(), 50U);
   DrawnFeatures drawn;
-  std::vector<DrawingCost> told;
-  const auto tell = [&told](const DrawingCost& cost) { told.push_back(cost); };
+  std::vector<DrawingCost> reported;
+  const auto tell = [&reported](const DrawingCost& cost) { reported.push_back(cost); };
   DrawFeatures(loops, chosen, 1000, drawn, tell);
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].Loops, chosen.size() - std::max<std::size_t>(24, chosen.size() / 4));
-  EXPECT_GT(told[0].Seconds, 0.0);
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].Loops, chosen.size() - std::max<std::size_t>(24, chosen.size() / 4));
+  EXPECT_GT(reported[0].Seconds, 0.0);
   ASSERT_EQ(drawn.size(), chosen.size());
   for (std::size_t i = 0; i < chosen.size(); i += 25)
   {
@@ -157,24 +157,24 @@ TEST(FeatureDrawing, TellsOnceAndDrawsWhatWasNotDrawn)
   }
   // All is drawn: nothing to do, nothing to tell. As they come is another drawing.
   DrawFeatures(loops, chosen, 1000, drawn, tell);
-  EXPECT_EQ(told.size(), 1U);
+  EXPECT_EQ(reported.size(), 1U);
   DrawFeatures(loops, { chosen.front() }, 0, drawn, tell);
-  EXPECT_EQ(told.size(), 1U);
+  EXPECT_EQ(reported.size(), 1U);
   EXPECT_EQ(drawn.size(), chosen.size() + 1);
 }
 
-TEST(AnalysisCost, ToldBeforeTheWorkAndOnceTriangulated)
+TEST(AnalysisCost, ReportedBeforeAndAfterTriangulation)
 {
-  std::vector<AnalysisCost> told;
+  std::vector<AnalysisCost> reported;
   ChokingLoopParameters parameters;
   parameters.SampleSpacing = 0.05; // one round
-  parameters.Estimated = [&told](const AnalysisCost& cost) { told.push_back(cost); };
+  parameters.Estimated = [&reported](const AnalysisCost& cost) { reported.push_back(cost); };
   const ChokingLoops loops(Torus(1.0, 0.3, 60, 30), parameters);
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[0].Samples, loops.Samples().Points.size());
-  EXPECT_LT(told[0].Seconds, 0.0);
-  EXPECT_GT(told[1].Seconds, 0.0);
-  EXPECT_EQ(told[1].Seconds, loops.Cost().Seconds);
+  ASSERT_EQ(reported.size(), 2U);
+  EXPECT_EQ(reported[0].Samples, loops.Samples().Points.size());
+  EXPECT_LT(reported[0].Seconds, 0.0);
+  EXPECT_GT(reported[1].Seconds, 0.0);
+  EXPECT_EQ(reported[1].Seconds, loops.Cost().Seconds);
   EXPECT_GT(loops.Times().LastRound, 0.0);
 }
 

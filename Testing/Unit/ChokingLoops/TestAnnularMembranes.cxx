@@ -22,7 +22,7 @@ namespace
 {
 
 /// What the filter tells of one feature.
-struct Told
+struct ReportedFeature
 {
   int Kind = 0;
   int Side = 0;
@@ -32,10 +32,10 @@ struct Told
   std::vector<Point3> Middles; ///< of the loops, in that order
 };
 
-class Shown
+class ShownFeatures
 {
 public:
-  explicit Shown(const TriangleMesh& mesh)
+  explicit ShownFeatures(const TriangleMesh& mesh)
   {
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_ERROR);
     vtkNew<vtkPolyData> surface;
@@ -48,10 +48,10 @@ public:
     for (vtkIdType c = 0; c < loops->GetNumberOfCells(); ++c)
     {
       const auto at = [&](const char* name) { return data->GetArray(name)->GetTuple1(c); };
-      Told& told = this->Features[static_cast<int>(at("FeatureId"))];
-      told.Kind = static_cast<int>(at("Kind"));
-      told.Side = static_cast<int>(at("Side"));
-      told.Radius = at("Radius");
+      ReportedFeature& reported = this->Features[static_cast<int>(at("FeatureId"))];
+      reported.Kind = static_cast<int>(at("Kind"));
+      reported.Side = static_cast<int>(at("Side"));
+      reported.Radius = at("Radius");
       loops->GetLines()->GetCellAtId(c, ids);
       Point3 sum{ 0.0, 0.0, 0.0 };
       for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
@@ -61,42 +61,42 @@ public:
         sum = sum + p;
       }
       const double length = at("Length");
-      const auto place =
-        std::upper_bound(told.Lengths.begin(), told.Lengths.end(), length, std::greater<>());
-      told.Middles.insert(told.Middles.begin() + (place - told.Lengths.begin()),
+      const auto place = std::upper_bound(
+        reported.Lengths.begin(), reported.Lengths.end(), length, std::greater<>());
+      reported.Middles.insert(reported.Middles.begin() + (place - reported.Lengths.begin()),
         (1.0 / static_cast<double>(ids->GetNumberOfIds() - 1)) * sum);
-      told.Lengths.insert(place, length);
+      reported.Lengths.insert(place, length);
     }
     this->AddAreas();
   }
 
-  double Fact(const char* name, int component = 0) const
+  double FieldValue(const char* name, int component = 0) const
   {
     return this->Filter->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(component);
   }
 
   /// The features inside that have two loops.
-  std::vector<Told> Annular() const
+  std::vector<ReportedFeature> Annular() const
   {
-    std::vector<Told> annular;
-    for (const auto& [id, told] : this->Features)
+    std::vector<ReportedFeature> annular;
+    for (const auto& [id, reported] : this->Features)
     {
-      std::cout << "kind " << told.Kind << " side " << told.Side << " radius " << told.Radius
-                << " area " << told.Area << " loops";
-      for (const double length : told.Lengths)
+      std::cout << "kind " << reported.Kind << " side " << reported.Side << " radius "
+                << reported.Radius << " area " << reported.Area << " loops";
+      for (const double length : reported.Lengths)
       {
         std::cout << " " << length;
       }
       std::cout << "\n";
-      if (told.Side == 0 && told.Lengths.size() == 2)
+      if (reported.Side == 0 && reported.Lengths.size() == 2)
       {
-        annular.push_back(told);
+        annular.push_back(reported);
       }
     }
     return annular;
   }
 
-  std::map<int, Told> Features;
+  std::map<int, ReportedFeature> Features;
 
 private:
   void AddAreas()
@@ -148,29 +148,29 @@ TriangleMesh FreeWire()
 }
 
 /// The annulus at the neck: a ball passes where it is widest.
-void ExpectNeck(const Told& told)
+void ExpectNeck(const ReportedFeature& reported)
 {
-  EXPECT_NEAR(told.Radius, 0.5 * (NeckRadius - WireRadius + OffAxis), 0.01);
-  ASSERT_EQ(told.Lengths.size(), 2U);
-  EXPECT_NEAR(told.Lengths[0], 2.0 * M_PI * NeckRadius, 0.02 * 2.0 * M_PI * NeckRadius);
-  EXPECT_NEAR(told.Lengths[1], 2.0 * M_PI * WireRadius, 0.05 * 2.0 * M_PI * WireRadius);
-  EXPECT_NEAR(told.Middles[0][2], 0.0, 0.1);
-  EXPECT_NEAR(told.Middles[1][2], 0.0, 0.1);
-  EXPECT_NEAR(told.Middles[1][0], OffAxis, 0.02);
+  EXPECT_NEAR(reported.Radius, 0.5 * (NeckRadius - WireRadius + OffAxis), 0.01);
+  ASSERT_EQ(reported.Lengths.size(), 2U);
+  EXPECT_NEAR(reported.Lengths[0], 2.0 * M_PI * NeckRadius, 0.02 * 2.0 * M_PI * NeckRadius);
+  EXPECT_NEAR(reported.Lengths[1], 2.0 * M_PI * WireRadius, 0.05 * 2.0 * M_PI * WireRadius);
+  EXPECT_NEAR(reported.Middles[0][2], 0.0, 0.1);
+  EXPECT_NEAR(reported.Middles[1][2], 0.0, 0.1);
+  EXPECT_NEAR(reported.Middles[1][0], OffAxis, 0.02);
   const double area = M_PI * (NeckRadius * NeckRadius - WireRadius * WireRadius);
-  EXPECT_NEAR(told.Area, area, 0.05 * area);
+  EXPECT_NEAR(reported.Area, area, 0.05 * area);
 }
 
 TEST(AnnularMembranes, RoundAFreeWireThroughANeck)
 {
-  const Shown shown(FreeWire());
-  const std::vector<Told> annular = shown.Annular();
+  const ShownFeatures shown(FreeWire());
+  const std::vector<ReportedFeature> annular = shown.Annular();
   ASSERT_EQ(annular.size(), 1U);
   EXPECT_EQ(annular[0].Kind, 2);
   ExpectNeck(annular[0]);
-  EXPECT_EQ(shown.Fact("NumberOfHandles"), 0.0);
-  EXPECT_EQ(shown.Fact("NumberOfTunnels"), 0.0);
-  EXPECT_EQ(shown.Fact("NumberOfAdditionalLoops"), 1.0) << "two loops, but one feature";
+  EXPECT_EQ(shown.FieldValue("NumberOfHandles"), 0.0);
+  EXPECT_EQ(shown.FieldValue("NumberOfTunnels"), 0.0);
+  EXPECT_EQ(shown.FieldValue("NumberOfAdditionalLoops"), 1.0) << "two loops, but one feature";
 }
 
 // The wire leaves the dumbbell at both ends: what is inside is a ring round it, of one handle and
@@ -185,12 +185,12 @@ TEST(AnnularMembranes, RoundAWireThatGoesThrough)
   };
   const TriangleMesh mesh =
     LevelSet(inside, { -2.213, -2.213, -4.413 }, { 2.213, 2.213, 4.413 }, { 88, 88, 176 });
-  const Shown shown(mesh);
-  const std::vector<Told> annular = shown.Annular();
+  const ShownFeatures shown(mesh);
+  const std::vector<ReportedFeature> annular = shown.Annular();
   ASSERT_EQ(annular.size(), 1U);
   ExpectNeck(annular[0]);
-  EXPECT_EQ(shown.Fact("NumberOfHandles"), 1.0);
-  EXPECT_EQ(shown.Fact("NumberOfTunnels"), 1.0);
+  EXPECT_EQ(shown.FieldValue("NumberOfHandles"), 1.0);
+  EXPECT_EQ(shown.FieldValue("NumberOfTunnels"), 1.0);
 }
 
 // A tube with a waist, closed to a ring, and a wire in it that is closed to a ring, too. Of the
@@ -213,12 +213,12 @@ TEST(AnnularMembranes, RoundAWireClosedToARing)
   {
     std::swap(t[0], t[1]);
   }
-  const Shown shown(Together(TubeSurface(tube, 160, 48), inner));
-  EXPECT_EQ(shown.Fact("NumberOfHandles"), 2.0);
-  EXPECT_EQ(shown.Fact("NumberOfTunnels"), 2.0);
-  const std::vector<Told> annular = shown.Annular();
-  const auto waist = std::find_if(
-    annular.begin(), annular.end(), [](const Told& told) { return told.Lengths[0] < 4.0; });
+  const ShownFeatures shown(Together(TubeSurface(tube, 160, 48), inner));
+  EXPECT_EQ(shown.FieldValue("NumberOfHandles"), 2.0);
+  EXPECT_EQ(shown.FieldValue("NumberOfTunnels"), 2.0);
+  const std::vector<ReportedFeature> annular = shown.Annular();
+  const auto waist = std::find_if(annular.begin(), annular.end(),
+    [](const ReportedFeature& reported) { return reported.Lengths[0] < 4.0; });
   ASSERT_NE(waist, annular.end());
   EXPECT_NEAR(waist->Radius, 0.5 * (NeckRadius - WireRadius + OffAxis), 0.01);
   EXPECT_NEAR(waist->Lengths[0], 2.0 * M_PI * NeckRadius, 0.02 * 2.0 * M_PI * NeckRadius);

@@ -29,7 +29,7 @@ namespace
 {
 
 /// What is told of each feature in the loops.
-struct Told
+struct ReportedFeature
 {
   int Kind = 0;
   int Side = 0;
@@ -45,14 +45,14 @@ double At(vtkDataSetAttributes* data, const char* name, vtkIdType i)
   return data->GetArray(name)->GetTuple1(i);
 }
 
-std::map<int, Told> ToldByLoops(vtkPolyData* loops)
+std::map<int, ReportedFeature> CollectReported(vtkPolyData* loops)
 {
-  std::map<int, Told> told;
+  std::map<int, ReportedFeature> reported;
   vtkCellData* data = loops->GetCellData();
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < loops->GetNumberOfCells(); ++c)
   {
-    Told& t = told[static_cast<int>(At(data, "FeatureId", c))];
+    ReportedFeature& t = reported[static_cast<int>(At(data, "FeatureId", c))];
     t.Kind = static_cast<int>(At(data, "Kind", c));
     t.Side = static_cast<int>(At(data, "Side", c));
     t.Radius = At(data, "Radius", c);
@@ -72,15 +72,15 @@ std::map<int, Told> ToldByLoops(vtkPolyData* loops)
     EXPECT_EQ(At(data, "Birth", c), t.Radius);
     EXPECT_EQ(At(data, "Persistence", c), At(data, "Death", c) - At(data, "Birth", c));
   }
-  return told;
+  return reported;
 }
 
 /// Loops, membranes, choke points, diagram and field data tell one story.
-void ExpectAgreement(vtkChokingLoops* filter, const std::map<int, Told>& told)
+void ExpectAgreement(vtkChokingLoops* filter, const std::map<int, ReportedFeature>& reported)
 {
   vtkPolyData* loops = filter->GetOutput();
   std::array<vtkIdType, 4> counts{};
-  for (const auto& [id, t] : told)
+  for (const auto& [id, t] : reported)
   {
     ++counts[static_cast<std::size_t>(t.Kind < 2 ? t.Kind : 2 + t.Side)];
   }
@@ -90,12 +90,12 @@ void ExpectAgreement(vtkChokingLoops* filter, const std::map<int, Told>& told)
   EXPECT_EQ(facts->GetArray("NumberOfAdditionalLoops")->GetTuple1(0), counts[2]);
   EXPECT_EQ(facts->GetArray("NumberOfAdditionalLoops")->GetTuple1(1), counts[3]);
   auto* points = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(2));
-  ASSERT_EQ(points->GetNumberOfPoints(), static_cast<vtkIdType>(told.size()));
+  ASSERT_EQ(points->GetNumberOfPoints(), static_cast<vtkIdType>(reported.size()));
   vtkDataSetAttributes* rows = vtkTable::SafeDownCast(filter->GetOutputDataObject(3))->GetRowData();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     const auto id = static_cast<int>(At(points->GetPointData(), "FeatureId", i));
-    const Told& t = told.at(id);
+    const ReportedFeature& t = reported.at(id);
     EXPECT_EQ(At(points->GetPointData(), "Radius", i), t.Radius);
     ASSERT_LT(id, rows->GetArray("FeatureId")->GetNumberOfTuples());
     EXPECT_EQ(At(rows, "FeatureId", id), id);
@@ -110,11 +110,11 @@ void ExpectAgreement(vtkChokingLoops* filter, const std::map<int, Told>& told)
   {
     spanned.insert(static_cast<int>(At(membranes->GetCellData(), "FeatureId", c)));
   }
-  EXPECT_EQ(spanned.size(), told.size());
+  EXPECT_EQ(spanned.size(), reported.size());
   for (vtkIdType c = 0; c < loops->GetNumberOfCells(); ++c)
   {
     const auto first = static_cast<int>(At(loops->GetCellData(), "SharedWith", c));
-    EXPECT_TRUE(first < 0 || told.count(first) == 1) << first;
+    EXPECT_TRUE(first < 0 || reported.count(first) == 1) << first;
   }
 }
 
@@ -186,13 +186,13 @@ private:
 /// that, or where the samples are too far apart for the ball to cut it: straight on, a path over an
 /// edge turns by no more than the edge does, and by somewhat more at a point where several meet.
 /// Where the samples are no nearer to each other than the ball is wide, nothing is asked.
-void ExpectNoCorners(
-  const SurfaceEdges& edges, const std::vector<Point3>& loop, const Told& told, int feature)
+void ExpectNoCorners(const SurfaceEdges& edges, const std::vector<Point3>& loop,
+  const ReportedFeature& reported, int feature)
 {
-  const double radius = told.Radius;
+  const double radius = reported.Radius;
   // Above half the radius: then the uncertainty is d - sqrt(d^2 - e^2) > 0.134 d.
-  const bool isCoarse = told.Uncertainty > 0.134 * radius;
-  if (told.Uncertainty >= radius)
+  const bool isCoarse = reported.Uncertainty > 0.134 * radius;
+  if (reported.Uncertainty >= radius)
   {
     return;
   }
@@ -239,8 +239,8 @@ TEST_P(EverySurface, AgreesWithItself)
   filter->SetInputData(surface);
   filter->Update();
   ASSERT_FALSE(observer->GetError()) << observer->GetErrorMessage();
-  const std::map<int, Told> told = ToldByLoops(filter->GetOutput());
-  ExpectAgreement(filter, told);
+  const std::map<int, ReportedFeature> reported = CollectReported(filter->GetOutput());
+  ExpectAgreement(filter, reported);
   const SurfaceEdges edges(MergePoints(mesh));
   vtkDataSetAttributes* data = filter->GetOutput()->GetCellData();
   int shared = 0;
@@ -250,7 +250,7 @@ TEST_P(EverySurface, AgreesWithItself)
   }
   double least = HUGE_VAL;
   double sharpest = 0.0;
-  for (const auto& [id, t] : told)
+  for (const auto& [id, t] : reported)
   {
     const double bound = 2.0 * M_PI * (t.Radius - t.Uncertainty);
     if (t.IsTrusted)
@@ -264,7 +264,7 @@ TEST_P(EverySurface, AgreesWithItself)
       ExpectNoCorners(edges, loop, t, id);
     }
   }
-  std::cout << GetParam() << ": " << told.size() << " features, shortest " << least
+  std::cout << GetParam() << ": " << reported.size() << " features, shortest " << least
             << " of its bound; sharpest turn " << sharpest * 180.0 / M_PI << " degrees, shared "
             << shared << "\n";
 }

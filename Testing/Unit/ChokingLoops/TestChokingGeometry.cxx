@@ -22,7 +22,7 @@ struct Errors
   double Length;
 };
 
-Errors ErrorsOf(ChokingLoops& loops, std::size_t feature, double radius)
+Errors RecordErrors(ChokingLoops& loops, std::size_t feature, double radius)
 {
   const LoopFeature shown = MakeLoopFeature(loops, feature, UntilGeodesic);
   EXPECT_EQ(shown.Lengths.size(), 1U);
@@ -49,7 +49,7 @@ Errors HyperboloidErrors(int around)
   selection.MinimumPersistence = 10.0;
   const std::vector<std::size_t> chosen = loops.Select(selection);
   EXPECT_EQ(chosen.size(), 1U);
-  return chosen.empty() ? Errors{ HUGE_VAL, HUGE_VAL } : ErrorsOf(loops, chosen[0], neck);
+  return chosen.empty() ? Errors{ HUGE_VAL, HUGE_VAL } : RecordErrors(loops, chosen[0], neck);
 }
 
 TEST(ChokingGeometry, NeckOfAHyperboloid)
@@ -78,7 +78,7 @@ TEST(ChokingGeometry, TubeAndHoleOfATorus)
     const FeatureKind kind = loops.Diagram().Features[i].Kind;
     if (kind == FeatureKind::Handle || kind == FeatureKind::Tunnel)
     {
-      const Errors errors = ErrorsOf(loops, i, kind == FeatureKind::Handle ? 0.3 : 0.7);
+      const Errors errors = RecordErrors(loops, i, kind == FeatureKind::Handle ? 0.3 : 0.7);
       EXPECT_LT(errors.Distance, 0.01);
       EXPECT_LT(errors.Length, 0.01);
       std::cout << "torus: distance " << errors.Distance << ", length " << errors.Length << "\n";
@@ -164,7 +164,7 @@ TEST(ChokingGeometry, StrutsOfABuckyball)
   double worstLength = 0.0;
   for (const std::size_t i : chosen)
   {
-    const Errors errors = ErrorsOf(loops, i, radius);
+    const Errors errors = RecordErrors(loops, i, radius);
     worstDistance = std::max(worstDistance, errors.Distance);
     worstLength = std::max(worstLength, errors.Length);
   }

@@ -28,7 +28,7 @@ namespace
 
 using FilterRun = TopologyFilterRun<vtkChokingLoops>;
 
-vtkSmartPointer<vtkPolyData> DataOf(const TriangleMesh& mesh)
+vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   SetMesh(mesh, data);
@@ -41,7 +41,7 @@ TriangleMesh Ring()
   return Torus(1.0, 0.3, 30, 20);
 }
 
-TriangleMesh Scaled(TriangleMesh mesh, const Point3& factor)
+TriangleMesh Scale(TriangleMesh mesh, const Point3& factor)
 {
   for (Point3& p : mesh.Points)
   {
@@ -52,7 +52,7 @@ TriangleMesh Scaled(TriangleMesh mesh, const Point3& factor)
 
 void ExpectRefused(const TriangleMesh& mesh, const std::vector<std::string>& words)
 {
-  FilterRun run(DataOf(mesh));
+  FilterRun run(ToPolyData(mesh));
   for (const std::string& word : words)
   {
     EXPECT_NE(run.Messages().find(word), std::string::npos)
@@ -106,10 +106,10 @@ TEST(ChokingInput, NotOriented)
 
 TEST(ChokingInput, NotInSpace)
 {
-  ExpectRefused(Scaled(Ring(), { 1.0, 1.0, 0.0 }), { "in a plane" });
-  ExpectRefused(Scaled(Ring(), { 0.0, 1.0, 0.0 }), { "in a plane" });
-  ExpectRefused(Scaled(Ring(), { 1e-60, 1e-60, 1e-60 }), { "out of range", "scale it" });
-  ExpectRefused(Scaled(Ring(), { 1e60, 1e60, 1e60 }), { "out of range", "scale it" });
+  ExpectRefused(Scale(Ring(), { 1.0, 1.0, 0.0 }), { "in a plane" });
+  ExpectRefused(Scale(Ring(), { 0.0, 1.0, 0.0 }), { "in a plane" });
+  ExpectRefused(Scale(Ring(), { 1e-60, 1e-60, 1e-60 }), { "out of range", "scale it" });
+  ExpectRefused(Scale(Ring(), { 1e60, 1e60, 1e60 }), { "out of range", "scale it" });
   for (const double bad : { std::nan(""), HUGE_VAL, -HUGE_VAL })
   {
     TriangleMesh mesh = Ring();
@@ -118,11 +118,11 @@ TEST(ChokingInput, NotInSpace)
   }
 }
 
-TEST(ChokingInput, SmallAndLargeOnesAreTaken)
+TEST(ChokingInput, AcceptsSmallAndLargeSurfaces)
 {
   for (const double factor : { 1e-30, 1e30 })
   {
-    FilterRun run(DataOf(Scaled(Ring(), { factor, factor, factor })));
+    FilterRun run(ToPolyData(Scale(Ring(), { factor, factor, factor })));
     EXPECT_EQ(run.Messages(), "") << factor;
     ASSERT_EQ(run.Surface(0)->GetNumberOfCells(), 2) << factor;
     double range[2];
@@ -132,13 +132,13 @@ TEST(ChokingInput, SmallAndLargeOnesAreTaken)
   }
 }
 
-TEST(ChokingInput, UnitsChangeNothing)
+TEST(ChokingInput, DoesNotDependOnUnits)
 {
   // Powers of two, by which nothing is rounded: the smallest and the largest that are in range.
   const TriangleMesh ring = Torus(1.0, 0.3, 60, 40);
   const auto radii = [&ring](double factor)
   {
-    FilterRun run(DataOf(Scaled(ring, { factor, factor, factor })));
+    FilterRun run(ToPolyData(Scale(ring, { factor, factor, factor })));
     EXPECT_EQ(run.Messages(), "") << factor;
     std::vector<double> scaled;
     vtkDataArray* radius = run.Surface(0)->GetCellData()->GetArray("Radius");
@@ -156,9 +156,9 @@ TEST(ChokingInput, UnitsChangeNothing)
   }
 }
 
-TEST(ChokingInput, NothingAtAll)
+TEST(ChokingInput, AcceptsEmptyInput)
 {
-  FilterRun run(DataOf({}));
+  FilterRun run(ToPolyData({}));
   EXPECT_EQ(run.Messages(), "");
   EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
 }
@@ -184,11 +184,11 @@ TriangleMesh CrossedRing()
 
 TEST(ChokingInput, CrossingItself)
 {
-  FilterRun mended(DataOf(CrossedRing()));
+  FilterRun mended(ToPolyData(CrossedRing()));
   EXPECT_NE(mended.Messages().find("crosses itself in"), std::string::npos) << mended.Messages();
   EXPECT_NE(mended.Messages().find("It was repaired"), std::string::npos) << mended.Messages();
   EXPECT_EQ(mended.Surface(0)->GetNumberOfCells(), 2);
-  FilterRun run(DataOf(CrossedRing()),
+  FilterRun run(ToPolyData(CrossedRing()),
     [](vtkChokingLoops* f)
     {
       f->AllowSelfIntersectionsOn();
@@ -199,12 +199,12 @@ TEST(ChokingInput, CrossingItself)
   EXPECT_GE(run.Surface(0)->GetNumberOfCells(), 1);
 }
 
-TEST(ChokingInput, HolesAreCappedOnlyWhenAsked)
+TEST(ChokingInput, HolesAreCappedOnRequestOnly)
 {
   TriangleMesh mesh = Ring();
   mesh.Triangles.erase(mesh.Triangles.begin() + 7, mesh.Triangles.begin() + 9);
   ExpectRefused(mesh, { "triangles at a hole (" });
-  FilterRun run(DataOf(mesh), [](vtkChokingLoops* f) { f->CapHolesOn(); });
+  FilterRun run(ToPolyData(mesh), [](vtkChokingLoops* f) { f->CapHolesOn(); });
   EXPECT_NE(run.Messages().find("hole"), std::string::npos) << run.Messages();
   auto* facts = run.Surface(0)->GetFieldData();
   ASSERT_EQ(run.Surface(0)->GetNumberOfCells(), 2);
@@ -222,12 +222,12 @@ TEST(ChokingInput, CostIsEstimatedInTraceLogOnly)
   std::string log, shown;
   vtkLogger::AddCallback("cost", Append, &log, vtkLogger::VERBOSITY_TRACE);
   vtkLogger::AddCallback("shown", Append, &shown, vtkLogger::VERBOSITY_INFO); // the default
-  FilterRun plain(DataOf(Ring()));
+  FilterRun plain(ToPolyData(Ring()));
   EXPECT_NE(
     log.find("Choking loops of at least 20000 samples: at least 100 MiB."), std::string::npos)
     << log;
   log.clear();
-  FilterRun finer(DataOf(Ring()), [](vtkChokingLoops* f) { f->SetSampleSpacing(0.05); });
+  FilterRun finer(ToPolyData(Ring()), [](vtkChokingLoops* f) { f->SetSampleSpacing(0.05); });
   vtkLogger::RemoveCallback("cost");
   vtkLogger::RemoveCallback("shown");
   EXPECT_EQ(shown, "");
@@ -262,7 +262,7 @@ std::vector<double> Numbers(vtkPolyData* data)
   return numbers;
 }
 
-TEST(ChokingInput, ThreadsDoNotMatter)
+TEST(ChokingInput, DoesNotDependOnThreads)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/Kitten.off");
   // So coarse that its generators must be completed from tetrahedra; refined where it is blurred.
@@ -278,7 +278,8 @@ TEST(ChokingInput, ThreadsDoNotMatter)
       vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false),
         [&]
         {
-          FilterRun run(DataOf(surface), [size](vtkChokingLoops* f) { f->SetSampleSpacing(size); });
+          FilterRun run(
+            ToPolyData(surface), [size](vtkChokingLoops* f) { f->SetSampleSpacing(size); });
           results.push_back(Numbers(run.Surface(0)));
           const std::vector<double> membranes = Numbers(run.Surface(1));
           results.back().insert(results.back().end(), membranes.begin(), membranes.end());
@@ -289,7 +290,7 @@ TEST(ChokingInput, ThreadsDoNotMatter)
   }
 }
 
-TriangleMesh Shuffled(const TriangleMesh& mesh, std::mt19937& random)
+TriangleMesh Shuffle(const TriangleMesh& mesh, std::mt19937& random)
 {
   std::vector<std::int64_t> order(mesh.Points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -308,7 +309,7 @@ TriangleMesh Shuffled(const TriangleMesh& mesh, std::mt19937& random)
   return other;
 }
 
-TriangleMesh Turned(TriangleMesh mesh)
+TriangleMesh Rotate(TriangleMesh mesh)
 {
   const Point3 x{ 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0 };
   const Point3 y{ 2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0 };
@@ -321,7 +322,8 @@ TriangleMesh Turned(TriangleMesh mesh)
 }
 
 /// Distances of all handles, tunnels and of the additional loops above 5 %, by kind and side.
-std::map<std::pair<int, int>, std::vector<double>> DistancesOf(TriangleMesh mesh, double spacing)
+std::map<std::pair<int, int>, std::vector<double>> FeatureDistances(
+  TriangleMesh mesh, double spacing)
 {
   ChokingLoopParameters parameters;
   parameters.SampleSpacing = spacing;
@@ -357,7 +359,7 @@ class Invariance : public ::testing::TestWithParam<InvariantCase>
 
 // Of all features that the samples settle. What they do not settle, as in the thin walls of casting
 // with automatic spacing, is said to be not trusted and may come out otherwise: hence its spacing.
-TEST_P(Invariance, OrderAndRotationDoNotMatter)
+TEST_P(Invariance, DoesNotDependOnOrderOrRotation)
 {
   const InvariantCase& c = GetParam();
   if (c.Turn >= 0 && !LongCases("Invariance", 3).Has(static_cast<std::uint64_t>(c.Turn)))
@@ -367,10 +369,10 @@ TEST_P(Invariance, OrderAndRotationDoNotMatter)
   ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + c.File);
   const TriangleMesh mesh = ReadSurface(c.File);
   std::mt19937 random(11);
-  const auto expected = DistancesOf(mesh, c.Spacing);
-  for (const TriangleMesh& other : { Shuffled(mesh, random), Turned(Shuffled(mesh, random)) })
+  const auto expected = FeatureDistances(mesh, c.Spacing);
+  for (const TriangleMesh& other : { Shuffle(mesh, random), Rotate(Shuffle(mesh, random)) })
   {
-    const auto found = DistancesOf(other, c.Spacing);
+    const auto found = FeatureDistances(other, c.Spacing);
     ASSERT_EQ(found.size(), expected.size());
     for (const auto& [kind, distances] : expected)
     {

@@ -22,15 +22,15 @@ FeatureSelection Percent(double distance, double persistence)
   return selection;
 }
 
-/// Number of distances within `tolerance` (relative) of `centre`, of features of one side.
+/// Number of distances within `tolerance` (relative) of `center`, of features of one side.
 int Near(const ChokingLoops& loops, const FeatureSelection& selection, SpaceSide side,
-  double centre, double tolerance)
+  double center, double tolerance)
 {
   int count = 0;
   for (const std::size_t i : loops.Select(selection))
   {
     const ShapeFeature& f = loops.Diagram().Features[i];
-    count += f.Side == side && std::abs(f.Radius() / centre - 1.0) < tolerance;
+    count += f.Side == side && std::abs(f.Radius() / center - 1.0) < tolerance;
   }
   return count;
 }
@@ -158,8 +158,8 @@ TEST(ChokingLoops, NeckOfADumbbell)
   const LoopFeature shown = MakeLoopFeature(loops, chosen[0], 1000);
   EXPECT_NEAR(shown.Lengths[0], 2.0 * M_PI * neck, 0.01 * 2.0 * M_PI * neck);
   EXPECT_NEAR(shown.Area, M_PI * neck * neck, 0.2 * M_PI * neck * neck);
-  const Point3 centre = loops.ChokePoint(chosen[0]);
-  EXPECT_NEAR(std::sqrt(Dot(centre, centre)), 0.0, 0.05);
+  const Point3 center = loops.ChokePoint(chosen[0]);
+  EXPECT_NEAR(std::sqrt(Dot(center, center)), 0.0, 0.05);
 }
 
 TEST(ChokingLoops, TripleDumbbell)
@@ -239,7 +239,7 @@ TEST(ChokingLoops, CubeHasNone)
 }
 
 /// A crossing surface is repaired and that is told, or refused with the same words.
-bool IsMended(TriangleMesh mesh, const std::string& words)
+bool IsCorrected(TriangleMesh mesh, const std::string& words)
 {
   try
   {
@@ -263,7 +263,7 @@ TEST(ChokingLoops, NamesSelfIntersections)
   {
     ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + file);
     SCOPED_TRACE(file);
-    mended += IsMended(ReadSurface(file), "crosses itself") ? 1 : 0;
+    mended += IsCorrected(ReadSurface(file), "crosses itself") ? 1 : 0;
   }
   EXPECT_GE(mended, 3);
   ChokingLoopParameters parameters;

@@ -25,10 +25,10 @@ using namespace isthmus::testing;
 namespace
 {
 
-class Steered
+class FilterUnderTest
 {
 public:
-  explicit Steered(const TriangleMesh& mesh)
+  explicit FilterUnderTest(const TriangleMesh& mesh)
   {
     vtkNew<vtkPolyData> surface;
     SetMesh(mesh, surface);
@@ -37,7 +37,7 @@ public:
     this->Loops->SetInputData(surface);
     this->Watch->SetClientData(this);
     this->Watch->SetCallback([](vtkObject*, unsigned long, void* self, void* fraction)
-      { static_cast<Steered*>(self)->Hear(*static_cast<double*>(fraction)); });
+      { static_cast<FilterUnderTest*>(self)->RecordProgress(*static_cast<double*>(fraction)); });
     this->Loops->AddObserver(vtkCommand::ProgressEvent, this->Watch);
   }
 
@@ -45,7 +45,7 @@ public:
   void Run(double stop = 2.0)
   {
     this->Stop = stop;
-    this->Heard.clear();
+    this->ProgressSeen.clear();
     this->Loops->SetAbortExecute(0);
     this->Loops->Modified();
     this->Loops->Update();
@@ -77,19 +77,19 @@ public:
     return array ? static_cast<vtkIdType>(array->GetTuple1(0)) : -1;
   }
 
-  bool Complained() const { return this->Observer->GetError() || this->Observer->GetWarning(); }
-  std::string Said() const
+  bool HasReported() const { return this->Observer->GetError() || this->Observer->GetWarning(); }
+  std::string Messages() const
   {
     return this->Observer->GetErrorMessage() + this->Observer->GetWarningMessage();
   }
 
   vtkNew<vtkChokingLoops> Loops;
-  std::vector<double> Heard; ///< progress of the last run
+  std::vector<double> ProgressSeen; ///< progress of the last run
 
 private:
-  void Hear(double fraction)
+  void RecordProgress(double fraction)
   {
-    this->Heard.push_back(fraction);
+    this->ProgressSeen.push_back(fraction);
     if (fraction >= this->Stop)
     {
       this->Loops->SetAbortExecute(1);
@@ -106,7 +106,7 @@ private:
 TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/soccerball.obj");
-  Steered steered(ReadSurface("soccerball.obj"));
+  FilterUnderTest steered(ReadSurface("soccerball.obj"));
   vtkChokingLoops* loops = steered.Loops;
   steered.Run();
   const std::vector<double> first = steered.Times();
@@ -179,7 +179,7 @@ TriangleMesh SlottedPlate()
 }
 
 /// Radii, lengths and reaches of the tunnels, in the order of the output.
-std::vector<std::array<double, 3>> TunnelsOf(vtkChokingLoops* loops)
+std::vector<std::array<double, 3>> CollectTunnels(vtkChokingLoops* loops)
 {
   vtkCellData* cells = loops->GetOutput()->GetCellData();
   std::vector<std::array<double, 3>> tunnels;
@@ -196,13 +196,13 @@ std::vector<std::array<double, 3>> TunnelsOf(vtkChokingLoops* loops)
 
 }
 
-TEST(ChokingLoopsFilter, LeavesOutWhatIsTooLongOrDoesNotReachTheSurface)
+TEST(ChokingLoopsFilter, DropsLoopsThatAreTooLongOrOffTheSurface)
 {
-  Steered steered(SlottedPlate());
+  FilterUnderTest steered(SlottedPlate());
   vtkChokingLoops* loops = steered.Loops;
   steered.Run();
   const std::vector<double> first = steered.Times();
-  const auto all = TunnelsOf(loops);
+  const auto all = CollectTunnels(loops);
   ASSERT_EQ(all.size(), 2U); // the slot is the narrower one, though its loop is longer
   EXPECT_NEAR(all[0][0], 0.2, 0.01);
   EXPECT_NEAR(all[0][1], 4.0, 0.2);
@@ -214,23 +214,23 @@ TEST(ChokingLoopsFilter, LeavesOutWhatIsTooLongOrDoesNotReachTheSurface)
   EXPECT_LT(all[0][2], std::hypot(1.0, 8.0));
   loops->SetLoopOrder(vtkChokingLoops::ByLength);
   steered.Run();
-  EXPECT_EQ(TunnelsOf(loops), (std::vector<std::array<double, 3>>{ all[1], all[0] }));
+  EXPECT_EQ(CollectTunnels(loops), (std::vector<std::array<double, 3>>{ all[1], all[0] }));
   loops->SetMaximumReach(2.0);
   steered.Run();
-  EXPECT_EQ(TunnelsOf(loops), (std::vector<std::array<double, 3>>{ all[1] }));
+  EXPECT_EQ(CollectTunnels(loops), (std::vector<std::array<double, 3>>{ all[1] }));
   EXPECT_EQ(loops->GetOutput()->GetFieldData()->GetArray("NumberOfTunnels")->GetTuple1(0), 1.0);
   loops->SetMaximumReach(0.0);
   loops->SetMaximumLength(3.0);
   steered.Run();
-  EXPECT_EQ(TunnelsOf(loops), (std::vector<std::array<double, 3>>{ all[1] }));
+  EXPECT_EQ(CollectTunnels(loops), (std::vector<std::array<double, 3>>{ all[1] }));
   loops->SetMaximumLength(1.0);
   steered.Run();
-  EXPECT_TRUE(TunnelsOf(loops).empty());
+  EXPECT_TRUE(CollectTunnels(loops).empty());
   EXPECT_EQ(steered.Times(), first) << "analysed again";
-  EXPECT_FALSE(steered.Complained()) << steered.Said();
+  EXPECT_FALSE(steered.HasReported()) << steered.Messages();
 }
 
-TEST(ChokingLoopsFilter, WhereTheFirstOfTwoThatShareGoesTheOtherStandsAlone)
+TEST(ChokingLoopsFilter, ASharedLoopStaysWhenItsFirstFeatureIsDropped)
 {
   ChokingLoops loops(Torus(1.0, 0.3, 60, 20));
   const auto& features = loops.Diagram().Features;
@@ -257,30 +257,30 @@ TEST(ChokingLoopsFilter, WhereTheFirstOfTwoThatShareGoesTheOtherStandsAlone)
 
 TEST(ChokingLoopsFilter, ProgressOnlyMovesForward)
 {
-  Steered steered(Torus(1.0, 0.3, 60, 20));
+  FilterUnderTest steered(Torus(1.0, 0.3, 60, 20));
   steered.Loops->SetSampleSpacing(0.2);
   steered.Loops->SetShortening(vtkChokingLoops::Geodesic);
   steered.Run();
-  EXPECT_TRUE(std::is_sorted(steered.Heard.begin(), steered.Heard.end()));
-  ASSERT_FALSE(steered.Heard.empty());
-  EXPECT_LE(steered.Heard.back(), 1.0);
+  EXPECT_TRUE(std::is_sorted(steered.ProgressSeen.begin(), steered.ProgressSeen.end()));
+  ASSERT_FALSE(steered.ProgressSeen.empty());
+  EXPECT_LE(steered.ProgressSeen.back(), 1.0);
   // It moves: no step takes a third of the bar, and few reports stand still.
-  const auto distinct = std::set<double>(steered.Heard.begin(), steered.Heard.end());
-  EXPECT_GT(distinct.size(), steered.Heard.size() / 2);
-  for (std::size_t i = 1; i < steered.Heard.size(); ++i)
+  const auto distinct = std::set<double>(steered.ProgressSeen.begin(), steered.ProgressSeen.end());
+  EXPECT_GT(distinct.size(), steered.ProgressSeen.size() / 2);
+  for (std::size_t i = 1; i < steered.ProgressSeen.size(); ++i)
   {
-    EXPECT_LT(steered.Heard[i] - steered.Heard[i - 1], 0.45);
+    EXPECT_LT(steered.ProgressSeen[i] - steered.ProgressSeen[i - 1], 0.45);
   }
 }
 
 /// Stopped at every tenth of the bar: empty outputs, no message; then a full run.
-void ExpectStops(Steered& steered)
+void ExpectStops(FilterUnderTest& steered)
 {
   for (double stop = 0.0; stop < 0.995; stop += 0.1)
   {
     steered.Run(stop);
     EXPECT_TRUE(steered.Empty()) << "stopped at " << stop;
-    EXPECT_FALSE(steered.Complained()) << "stopped at " << stop;
+    EXPECT_FALSE(steered.HasReported()) << "stopped at " << stop;
     // What had been done can't be told apart: the next run starts from what is kept.
     steered.Loops->SetSampleSpacing(steered.Loops->GetSampleSpacing() + 1e-9);
   }
@@ -290,7 +290,7 @@ void ExpectStops(Steered& steered)
 
 TEST(ChokingLoopsFilter, StopsInEveryStage)
 {
-  Steered steered(Torus(1.0, 0.3, 60, 20));
+  FilterUnderTest steered(Torus(1.0, 0.3, 60, 20));
   steered.Loops->SetSampleSpacing(0.2);
   steered.Loops->SetShortening(vtkChokingLoops::Geodesic);
   ExpectStops(steered);
@@ -298,10 +298,10 @@ TEST(ChokingLoopsFilter, StopsInEveryStage)
 
 TEST(ChokingLoopsFilter, StopsWhileTetGenRuns)
 {
-  Steered steered(Torus(1.0, 0.3, 30, 12));
+  FilterUnderTest steered(Torus(1.0, 0.3, 30, 12));
   steered.Loops->SetFiltration(vtkChokingLoops::TetrahedralMesh);
   steered.Run();
-  ASSERT_FALSE(steered.Complained()) << steered.Said();
+  ASSERT_FALSE(steered.HasReported()) << steered.Messages();
   ExpectStops(steered);
 }
 

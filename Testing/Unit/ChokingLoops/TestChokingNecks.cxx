@@ -17,7 +17,7 @@ namespace
 constexpr int UntilGeodesic = 1000;
 constexpr double Corner = M_PI / 3.0;
 
-std::vector<Point3> PolygonOf(
+std::vector<Point3> MakePolygon(
   const ChokingLoops& loops, const LoopFeature& geometry, std::size_t loop)
 {
   std::vector<Point3> polygon;
@@ -28,7 +28,7 @@ std::vector<Point3> PolygonOf(
   return polygon;
 }
 
-Point3 MiddleOf(const std::vector<Point3>& polygon)
+Point3 Centroid(const std::vector<Point3>& polygon)
 {
   Point3 sum{ 0, 0, 0 };
   double length = 0.0;
@@ -44,9 +44,9 @@ Point3 MiddleOf(const std::vector<Point3>& polygon)
 }
 
 /// A surface's features with their loops.
-struct Analysed
+struct FeatureLoops
 {
-  explicit Analysed(TriangleMesh mesh, const FeatureSelection& selection = {})
+  explicit FeatureLoops(TriangleMesh mesh, const FeatureSelection& selection = {})
     : Loops(std::move(mesh))
   {
     const std::vector<std::size_t> chosen = this->Loops.Select(selection);
@@ -70,7 +70,7 @@ struct Analysed
 };
 
 /// What holds of any feature; `areSmooth`: and on a surface without sharp edges.
-void ExpectTight(const Analysed& analysed, bool areSmooth = true)
+void ExpectTight(const FeatureLoops& analysed, bool areSmooth = true)
 {
   for (const ShownFeature& shown : analysed.Shown)
   {
@@ -86,7 +86,7 @@ void ExpectTight(const Analysed& analysed, bool areSmooth = true)
     for (std::size_t k = 0; areSmooth && k < lengths.size(); ++k)
     {
       EXPECT_LT(
-        SharpestTurn(PolygonOf(analysed.Loops, *shown.Geometry, k), 1e-6 * f.Radius()), Corner)
+        SharpestTurn(MakePolygon(analysed.Loops, *shown.Geometry, k), 1e-6 * f.Radius()), Corner)
         << "feature " << shown.Index << " of radius " << f.Radius() << ", side "
         << static_cast<int>(f.Side) << ", length " << lengths[k];
     }
@@ -94,7 +94,7 @@ void ExpectTight(const Analysed& analysed, bool areSmooth = true)
 }
 
 /// One loop at each neck, of its girth, and no other inside.
-void ExpectLoops(const Analysed& analysed, const std::vector<Neck>& necks, SpaceSide side)
+void ExpectLoops(const FeatureLoops& analysed, const std::vector<Neck>& necks, SpaceSide side)
 {
   std::vector<int> met(necks.size(), 0);
   int others = 0;
@@ -110,7 +110,7 @@ void ExpectLoops(const Analysed& analysed, const std::vector<Neck>& necks, Space
     bool isNeck = false;
     for (std::size_t n = 0; n < necks.size(); ++n)
     {
-      const Point3 d = MiddleOf(PolygonOf(analysed.Loops, *shown.Geometry, 0)) - necks[n].Place;
+      const Point3 d = Centroid(MakePolygon(analysed.Loops, *shown.Geometry, 0)) - necks[n].Place;
       const double place = std::sqrt(Dot(d, d)) / f.Radius();
       if (place < 0.35)
       {
@@ -151,7 +151,7 @@ TEST_P(Beads, HaveALoopAtEachNeck)
 {
   const BeadShape& shape = GetParam().Shape;
   const double thinnest = *std::min_element(shape.Radii.begin(), shape.Radii.end());
-  const Analysed analysed(shape.Surface(std::min(0.12, 0.3 * thinnest)));
+  const FeatureLoops analysed(shape.Surface(std::min(0.12, 0.3 * thinnest)));
   ExpectTight(analysed);
   ExpectLoops(analysed, shape.Necks(), SpaceSide::Inside);
 }
@@ -170,11 +170,11 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Beads,
     Named{ "Comb20", Comb(20, Thin) }, Named{ "Honeycomb", Honeycomb(3, Thin) }),
   [](const auto& test) { return std::string(test.param.Name); });
 
-Tube Ring(const Point3& centre, std::size_t axis, double waist)
+Tube Ring(const Point3& center, std::size_t axis, double waist)
 {
-  const auto curve = [centre, axis](double u)
+  const auto curve = [center, axis](double u)
   {
-    Point3 p = centre;
+    Point3 p = center;
     p[(axis + 1) % 3] += 1.5 * std::cos(2.0 * M_PI * u);
     p[(axis + 2) % 3] += 1.5 * std::sin(2.0 * M_PI * u);
     return p;
@@ -182,7 +182,7 @@ Tube Ring(const Point3& centre, std::size_t axis, double waist)
   return { curve, 0.45, 0.3, waist };
 }
 
-Neck WaistOf(const Tube& tube)
+Neck FindWaist(const Tube& tube)
 {
   return { tube.Curve(tube.Waist), tube.Thin };
 }
@@ -191,9 +191,9 @@ TEST(ChokingNecks, LinkedTori)
 {
   const Tube a = Ring({ 0.0, 0.0, 0.0 }, 2, 0.43);
   const Tube b = Ring({ 1.5, 0.0, 0.0 }, 1, 0.12);
-  const Analysed analysed(Together(TubeSurface(a, 160, 36), TubeSurface(b, 160, 36)));
+  const FeatureLoops analysed(Together(TubeSurface(a, 160, 36), TubeSurface(b, 160, 36)));
   ExpectTight(analysed);
-  ExpectLoops(analysed, { WaistOf(a), WaistOf(b) }, SpaceSide::Inside);
+  ExpectLoops(analysed, { FindWaist(a), FindWaist(b) }, SpaceSide::Inside);
 }
 
 TEST(ChokingNecks, TrefoilTube)
@@ -205,9 +205,9 @@ TEST(ChokingNecks, TrefoilTube)
       -std::sin(3.0 * t) };
   };
   const Tube tube{ curve, 0.4, 0.28, 0.21 };
-  const Analysed analysed(TubeSurface(tube, 400, 36));
+  const FeatureLoops analysed(TubeSurface(tube, 400, 36));
   ExpectTight(analysed);
-  ExpectLoops(analysed, { WaistOf(tube) }, SpaceSide::Inside);
+  ExpectLoops(analysed, { FindWaist(tube) }, SpaceSide::Inside);
 }
 
 // A dumbbell-shaped cavity in a dumbbell: the neck of the cavity is outside of the surface, and the
@@ -218,7 +218,7 @@ TEST(ChokingNecks, NestedShells)
   {
     BeadShape shape;
     shape.Bead = end;
-    shape.Centres = { { -1.5, 0.011, 0.017 }, { 1.5, 0.011, 0.017 } };
+    shape.Centers = { { -1.5, 0.011, 0.017 }, { 1.5, 0.011, 0.017 } };
     shape.Join(0, 1, neck);
     return shape;
   };
@@ -230,7 +230,7 @@ TEST(ChokingNecks, NestedShells)
   {
     std::swap(t[0], t[1]);
   }
-  const Analysed analysed(Together(outer, inner));
+  const FeatureLoops analysed(Together(outer, inner));
   ExpectTight(analysed);
   ExpectLoops(analysed, cavity.Necks(), SpaceSide::Outside);
   bool isAnnular = false;
@@ -290,7 +290,7 @@ double Apart(const std::vector<Point3>& a, const std::vector<Point3>& b)
 }
 
 /// Of those drawn, no two coincide; what is shared is another's, and belongs to both.
-void ExpectSharedRightly(const Analysed& analysed)
+void ExpectSharedRightly(const FeatureLoops& analysed)
 {
   for (const ShownFeature& shown : analysed.Shown)
   {
@@ -307,8 +307,8 @@ void ExpectSharedRightly(const Analysed& analysed)
         analysed.Feature(shown).Side == analysed.Feature(other).Side &&
         shown.Geometry->Loops.size() == 1 && other.Geometry->Loops.size() == 1)
       {
-        EXPECT_GT(Apart(PolygonOf(analysed.Loops, *shown.Geometry, 0),
-                    PolygonOf(analysed.Loops, *other.Geometry, 0)),
+        EXPECT_GT(Apart(MakePolygon(analysed.Loops, *shown.Geometry, 0),
+                    MakePolygon(analysed.Loops, *other.Geometry, 0)),
           0.1 * radius);
       }
     }
@@ -320,7 +320,7 @@ void ExpectSharedRightly(const Analysed& analysed)
 // runs through a narrowing of either ring, so that it stands for both.
 TEST(ChokingNecks, ClosedWindows)
 {
-  const Analysed analysed(ClosedWindows());
+  const FeatureLoops analysed(ClosedWindows());
   ExpectTight(analysed);
   ExpectSharedRightly(analysed);
   std::vector<double> sections;

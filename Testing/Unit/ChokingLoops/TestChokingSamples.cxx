@@ -16,8 +16,8 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// The longest edge of those whose middle is so near to `centre`.
-double LongestEdge(const TriangleMesh& mesh, const Point3& centre = {}, double reach = HUGE_VAL)
+/// The longest edge of those whose middle is so near to `center`.
+double LongestEdge(const TriangleMesh& mesh, const Point3& center = {}, double reach = HUGE_VAL)
 {
   double longest = 0.0;
   for (const Triangle& t : mesh.Triangles)
@@ -26,7 +26,7 @@ double LongestEdge(const TriangleMesh& mesh, const Point3& centre = {}, double r
     {
       const Point3& a = mesh.Points[static_cast<std::size_t>(t[k])];
       const Point3& b = mesh.Points[static_cast<std::size_t>(t[(k + 1) % 3])];
-      const bool isNear = Distance(0.5 * (a + b), centre) <= reach;
+      const bool isNear = Distance(0.5 * (a + b), center) <= reach;
       longest = std::max(longest, isNear ? Distance(a, b) : 0.0);
     }
   }
@@ -91,7 +91,7 @@ TEST(ChokingSamples, ErrorsAreTheDistancesFromCornersInAnyUnit)
   }
 }
 
-TEST(ChokingSamples, FewPlacesAreFinerThere)
+TEST(ChokingSamples, FewPlacesAreRefinedLocally)
 {
   const TriangleMesh samples = SampledTorus(0.08);
   const Point3 place = samples.Points.front();
@@ -104,7 +104,7 @@ TEST(ChokingSamples, FewPlacesAreFinerThere)
   EXPECT_LT(refined.Points.size(), 2 * samples.Points.size());
 }
 
-TEST(ChokingSamples, ManyPlacesMakeAllFiner)
+TEST(ChokingSamples, ManyPlacesRefineEverywhere)
 {
   const TriangleMesh samples = SampledTorus(0.08);
   const double finest = 0.216 * 0.08;
@@ -113,7 +113,7 @@ TEST(ChokingSamples, ManyPlacesMakeAllFiner)
   EXPECT_GT(LongestEdge(refined), 0.02);
 }
 
-TEST(ChokingSamples, ManyPlacesThatNoRoundSettlesAreLeft)
+TEST(ChokingSamples, ManyUnresolvedPlacesAreLeft)
 {
   const TriangleMesh samples = SampledTorus(0.08);
   const double finest = 0.216 * 0.08;
@@ -132,7 +132,7 @@ TEST(ChokingSamples, ManyPlacesThatNoRoundSettlesAreLeft)
   EXPECT_FALSE(Refined(samples, places, 0.08, finest).Points.empty());
 }
 
-TEST(ChokingSamples, RodsTooThinToTellBeginWithFew)
+TEST(ChokingSamples, ThinRodsStartWithFewSamples)
 {
   // As thick as a hair of their spacing, and a hundred times that: needles take up to 100,000
   // points.
@@ -179,7 +179,7 @@ std::vector<std::size_t> SamplesOfRounds(const TriangleMesh& surface)
   return samples;
 }
 
-TEST(ChokingSamples, NoiseIsMadeFinerEverywhereAndNotInPlacesAfterwards)
+TEST(ChokingSamples, NoiseIsRefinedEverywhereAtOnce)
 {
   const std::vector<std::size_t> samples = SamplesOfRounds(Noise(14));
   ASSERT_EQ(samples.size(), 2U);
@@ -187,7 +187,7 @@ TEST(ChokingSamples, NoiseIsMadeFinerEverywhereAndNotInPlacesAfterwards)
   EXPECT_LT(samples[1], 4 * samples[0]);
 }
 
-TEST(ChokingSamples, ARoundThatSettlesLessThanHalfIsTheLast)
+TEST(ChokingSamples, StopsAfterARoundThatResolvesLessThanHalf)
 {
   const std::vector<std::size_t> samples = SamplesOfRounds(Noise(12));
   ASSERT_EQ(samples.size(), 2U);

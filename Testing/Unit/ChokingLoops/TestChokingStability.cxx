@@ -72,7 +72,7 @@ struct Gap
 /// Handles, tunnels, voids above the gap inside and outside.
 using Counts = std::array<int, 4>;
 
-Counts CountsOf(const ChokingLoops& loops, const std::array<Gap, 2>& gaps)
+Counts CountLoops(const ChokingLoops& loops, const std::array<Gap, 2>& gaps)
 {
   Counts counts{ 0, 0, gaps[0].Above(Bars(loops, SpaceSide::Inside)),
     gaps[1].Above(Bars(loops, SpaceSide::Outside)) };
@@ -84,14 +84,14 @@ Counts CountsOf(const ChokingLoops& loops, const std::array<Gap, 2>& gaps)
   return counts;
 }
 
-std::array<Gap, 2> GapsOf(const ChokingLoops& loops)
+std::array<Gap, 2> FindGaps(const ChokingLoops& loops)
 {
   const std::array<double, 2>& reference = loops.Diagram().Reference;
   return { Gap(Bars(loops, SpaceSide::Inside), reference[0]),
     Gap(Bars(loops, SpaceSide::Outside), reference[1]) };
 }
 
-TriangleMesh Rotated(TriangleMesh mesh, std::mt19937& random)
+TriangleMesh Rotate(TriangleMesh mesh, std::mt19937& random)
 {
   std::normal_distribution<double> normal;
   const auto direction = [&]
@@ -111,7 +111,7 @@ TriangleMesh Rotated(TriangleMesh mesh, std::mt19937& random)
 }
 
 /// Root mean square displacement: a tenth of the mean edge.
-TriangleMesh Jittered(TriangleMesh mesh, std::mt19937& random)
+TriangleMesh AddJitter(TriangleMesh mesh, std::mt19937& random)
 {
   std::normal_distribution<double> normal(0.0, 0.1 * MeanEdgeLength(mesh) / std::sqrt(3.0));
   for (Point3& p : mesh.Points)
@@ -122,7 +122,7 @@ TriangleMesh Jittered(TriangleMesh mesh, std::mt19937& random)
 }
 
 /// Every triangle in four.
-TriangleMesh Subdivided(const TriangleMesh& mesh)
+TriangleMesh Subdivide(const TriangleMesh& mesh)
 {
   TriangleMesh fine{ mesh.Points, {} };
   std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> middles;
@@ -163,24 +163,24 @@ std::ostream& operator<<(std::ostream& out, Way way)
   return out << names[static_cast<std::size_t>(way)];
 }
 
-TriangleMesh Disturbed(const TriangleMesh& mesh, Way way, std::mt19937& random)
+TriangleMesh Perturb(const TriangleMesh& mesh, Way way, std::mt19937& random)
 {
   switch (way)
   {
     case Way::Jitter:
-      return Jittered(mesh, random);
+      return AddJitter(mesh, random);
     case Way::Rotation:
-      return Rotated(mesh, random);
+      return Rotate(mesh, random);
     case Way::Subdivision:
-      return Subdivided(Rotated(mesh, random));
+      return Subdivide(Rotate(mesh, random));
     default:
       return SimplifySurface(
-        Rotated(mesh, random), static_cast<std::int64_t>(mesh.Triangles.size() / 2))
+        Rotate(mesh, random), static_cast<std::int64_t>(mesh.Triangles.size() / 2))
         .Mesh;
   }
 }
 
-TriangleMesh SurfaceOf(const std::string& name)
+TriangleMesh MakeSurface(const std::string& name)
 {
   const bool tangle = name == "tangle";
   const TriangleMesh mesh = tangle ? TangleCube(IsLong() ? 60 : 30) : ReadSurface(name);
@@ -202,18 +202,18 @@ struct Tally
 void Disturb(const TriangleMesh& mesh, Way way, unsigned seed, int runs, Tally& tally)
 {
   const ChokingLoops first{ TriangleMesh(mesh) };
-  const std::array<Gap, 2> gaps = GapsOf(first);
-  const Counts expected = CountsOf(first, gaps);
+  const std::array<Gap, 2> gaps = FindGaps(first);
+  const Counts expected = CountLoops(first, gaps);
   std::mt19937 random(seed);
   for (int run = 0; run < runs;)
   {
     try
     {
-      const ChokingLoops again{ Disturbed(mesh, way, random) };
-      const Counts counts = CountsOf(again, GapsOf(again));
+      const ChokingLoops again{ Perturb(mesh, way, random) };
+      const Counts counts = CountLoops(again, FindGaps(again));
       EXPECT_EQ(counts, expected) << "run " << run << " of seed " << seed;
       tally.Same += counts == expected;
-      tally.SameThreshold += CountsOf(again, gaps) == expected;
+      tally.SameThreshold += CountLoops(again, gaps) == expected;
       ++tally.Runs;
       ++run;
     }
@@ -247,15 +247,15 @@ TEST_P(Stability, CountsStay)
   {
     ISTHMUS_NEEDS_SHARED_DATA("surfaces/" + name);
   }
-  const TriangleMesh mesh = SurfaceOf(name);
+  const TriangleMesh mesh = MakeSurface(name);
   Tally tally;
   for (unsigned block = 0; block < (IsLong() ? 5u : 1u); ++block)
   {
     Disturb(mesh, way, 1000 * block + 10 * static_cast<unsigned>(way), turn ? 10 : 1, tally);
   }
   const ChokingLoops first{ TriangleMesh(mesh) };
-  const std::array<Gap, 2> gaps = GapsOf(first);
-  const Counts counts = CountsOf(first, gaps);
+  const std::array<Gap, 2> gaps = FindGaps(first);
+  const Counts counts = CountLoops(first, gaps);
   std::cout << "| " << name << " | " << way << " | " << counts[0] << " + " << counts[1] << " | "
             << counts[2] << " + " << counts[3] << " | " << gaps[0].Width << ", " << gaps[1].Width
             << " | " << tally.Same << ", " << tally.SameThreshold << " of " << tally.Runs << " | "

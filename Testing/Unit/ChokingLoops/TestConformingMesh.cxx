@@ -31,7 +31,7 @@ TriangleMesh LargeTorus()
   return Torus(1.0, 0.3, 600, 200);
 }
 
-TEST(ConformingMesh, IsTheOneThatIsWaitedFor)
+TEST(ConformingMesh, IsReadyWhenWaitedFor)
 {
   const TriangleMesh torus = Torus(1.0, 0.3, 30, 12);
   TetrahedralParameters parameters;
@@ -45,7 +45,7 @@ TEST(ConformingMesh, IsTheOneThatIsWaitedFor)
   EXPECT_EQ(made.Regions, expected.Regions);
 }
 
-TEST(ConformingMesh, TetGenEndsWithIt)
+TEST(ConformingMesh, TetGenStopsWithIt)
 {
   const TriangleMesh torus = LargeTorus();
   {
@@ -56,7 +56,7 @@ TEST(ConformingMesh, TetGenEndsWithIt)
   EXPECT_FALSE(HasChild());
 }
 
-TEST(ConformingMesh, ThrowsWhatTetGenSays)
+TEST(ConformingMesh, ThrowsTetGensMessage)
 {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);

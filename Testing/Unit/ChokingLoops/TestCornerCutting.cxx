@@ -60,7 +60,7 @@ public:
     return j * this->Around + (i + this->Around) % this->Around;
   }
   int MiddleRing() const { return (this->Rings - 1) / 2; }
-  double HeightOf(int rings) const { return 6.0 * rings / (this->Rings - 1); }
+  double RingHeight(int rings) const { return 6.0 * rings / (this->Rings - 1); }
 
   /// Once round from (angle 0, z 0): half way at z 0, `rings` rings up, on round, and down again.
   std::vector<SimplexId> Stair(int rings) const
@@ -107,7 +107,7 @@ struct HeldStair
     : On(n, shift)
     , Surface(On.Mesh)
     , Steps(2 * ((On.Rings - 1) / 6))
-    , Height(On.HeightOf(Steps))
+    , Height(On.RingHeight(Steps))
   {
     const auto ends = this->On.Ends(this->Steps);
     this->Curve = ShortenPinned(
@@ -151,7 +151,7 @@ double WayRound(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
   return sum;
 }
 
-TEST(CornerCutting, MeasuresWhereNothingIsToBeCut)
+TEST(CornerCutting, MeasuresWithoutCutting)
 {
   const HeldStair stair(96);
   ASSERT_EQ(stair.Curve.Pins.size(), 2U);
@@ -173,7 +173,7 @@ TEST(CornerCutting, MeasuresWhereNothingIsToBeCut)
 
 // Of two sides of length r, turning by t, the third is 2 r cos(t / 2), and there are two corners
 // of t / 2 each in place of the one.
-TEST(CornerCutting, TakesOffATriangle)
+TEST(CornerCutting, CutsOffATriangle)
 {
   double before = HUGE_VAL;
   for (const int n : { 48, 96, 192 })
@@ -198,7 +198,7 @@ TEST(CornerCutting, TakesOffATriangle)
 }
 
 // Each generation halves the corners: after k of them none turns by more than t / 2^k.
-TEST(CornerCutting, CutsAgainWhatIsStillTooSharp)
+TEST(CornerCutting, CutsRemainingSharpCornersAgain)
 {
   const HeldStair stair(192);
   double length = stair.Curve.Length;

@@ -40,7 +40,7 @@ struct RoughTorus
     }
   }
 
-  ChokingLoops Analysed() const
+  ChokingLoops Analyse() const
   {
     ChokingLoopParameters parameters;
     parameters.SampleSpacing = 1e3; // no edge is as long
@@ -66,7 +66,7 @@ struct RoughTorus
     return turns;
   }
 
-  std::array<int, 2> WindingsOf(const std::vector<SimplexId>& loop) const
+  std::array<int, 2> CountWindings(const std::vector<SimplexId>& loop) const
   {
     std::array<double, 2> sum{ 0.0, 0.0 };
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -133,7 +133,7 @@ double ShortestWinding(const RoughTorus& torus, SimplexId base, std::size_t axis
   return HUGE_VAL;
 }
 
-std::size_t FeatureOf(const ChokingLoops& loops, FeatureKind kind)
+std::size_t FindFeature(const ChokingLoops& loops, FeatureKind kind)
 {
   const auto& features = loops.Diagram().Features;
   const auto found = std::find_if(
@@ -176,12 +176,12 @@ void ExpectFan(const ChokingLoops& loops, std::size_t feature, const Membrane& m
 TEST(EncirclingLoops, AreTheShortestOfTheirClass)
 {
   const RoughTorus torus;
-  const ChokingLoops loops = torus.Analysed();
+  const ChokingLoops loops = torus.Analyse();
   ASSERT_EQ(loops.Samples().Points.size(), torus.Mesh.Points.size());
   for (const FeatureKind kind : { FeatureKind::Handle, FeatureKind::Tunnel })
   {
     const std::size_t axis = kind == FeatureKind::Handle ? 1 : 0;
-    const std::size_t feature = FeatureOf(loops, kind);
+    const std::size_t feature = FindFeature(loops, kind);
     const std::vector<Membrane> found = loops.ComputeEncirclingMembranes(feature, 20.0);
     ASSERT_FALSE(found.empty());
     double shortest = HUGE_VAL;
@@ -193,7 +193,7 @@ TEST(EncirclingLoops, AreTheShortestOfTheirClass)
     for (const Membrane& membrane : found)
     {
       ExpectFan(loops, feature, membrane);
-      const auto windings = torus.WindingsOf(membrane.Loops[0]);
+      const auto windings = torus.CountWindings(membrane.Loops[0]);
       EXPECT_EQ(std::abs(windings[axis]) % 2, 1);
       EXPECT_EQ(windings[1 - axis] % 2, 0) << "does not bound on that side";
       const auto contacts = loops.GetContacts(feature);
@@ -207,11 +207,11 @@ TEST(EncirclingLoops, AreTheShortestOfTheirClass)
   }
 }
 
-TEST(EncirclingLoops, AreNoLongerThanAskedShortestFirst)
+TEST(EncirclingLoops, AreWithinTheLimitShortestFirst)
 {
   const RoughTorus torus;
-  const ChokingLoops loops = torus.Analysed();
-  const std::size_t handle = FeatureOf(loops, FeatureKind::Handle);
+  const ChokingLoops loops = torus.Analyse();
+  const std::size_t handle = FindFeature(loops, FeatureKind::Handle);
   const std::vector<Membrane> all = loops.ComputeEncirclingMembranes(handle, 20.0);
   ASSERT_GE(all.size(), 2U);
   std::vector<double> lengths;
@@ -233,13 +233,13 @@ TEST(EncirclingLoops, AreNoLongerThanAskedShortestFirst)
   EXPECT_TRUE(loops.ComputeEncirclingMembranes(handle, 0.0).empty());
 }
 
-TEST(EncirclingLoops, AreTheFirstOfAllWhereFewAreAsked)
+TEST(EncirclingLoops, AreTheFirstOfAllWhereFewAreRequested)
 {
   const RoughTorus torus;
-  const ChokingLoops loops = torus.Analysed();
+  const ChokingLoops loops = torus.Analyse();
   for (const FeatureKind kind : { FeatureKind::Handle, FeatureKind::Tunnel })
   {
-    const std::size_t feature = FeatureOf(loops, kind);
+    const std::size_t feature = FindFeature(loops, kind);
     const std::vector<Membrane> all = loops.ComputeEncirclingMembranes(feature, 20.0);
     ASSERT_GE(all.size(), 2U);
     for (std::size_t most = 0; most <= all.size() + 1; ++most)
@@ -257,13 +257,13 @@ TEST(EncirclingLoops, AreTheFirstOfAllWhereFewAreAsked)
 TEST(EncirclingLoops, DoNotDependOnPlaceOrUnit)
 {
   const RoughTorus torus;
-  const ChokingLoops loops = torus.Analysed();
+  const ChokingLoops loops = torus.Analyse();
   const RoughTorus other(true, 4.0);
-  const ChokingLoops otherLoops = other.Analysed();
+  const ChokingLoops otherLoops = other.Analyse();
   for (const FeatureKind kind : { FeatureKind::Handle, FeatureKind::Tunnel })
   {
-    const auto found = loops.ComputeEncirclingMembranes(FeatureOf(loops, kind), 20.0);
-    const auto others = otherLoops.ComputeEncirclingMembranes(FeatureOf(otherLoops, kind), 80.0);
+    const auto found = loops.ComputeEncirclingMembranes(FindFeature(loops, kind), 20.0);
+    const auto others = otherLoops.ComputeEncirclingMembranes(FindFeature(otherLoops, kind), 80.0);
     ASSERT_FALSE(found.empty());
     ASSERT_FALSE(others.empty());
     EXPECT_NEAR(LengthOfLoop(otherLoops.Samples(), others[0].Loops[0]),
@@ -271,11 +271,11 @@ TEST(EncirclingLoops, DoNotDependOnPlaceOrUnit)
   }
 }
 
-TEST(EncirclingLoops, AreNoneWhereNothingBounds)
+TEST(EncirclingLoops, AreMissingWhereNothingBounds)
 {
   const ChokingLoops loops{ Revolution(
     [](double z) { return DumbbellRadius(z, 0.4); }, -2.0, 2.0, 30, 60) };
-  const std::size_t neck = FeatureOf(loops, FeatureKind::Additional);
+  const std::size_t neck = FindFeature(loops, FeatureKind::Additional);
   EXPECT_TRUE(loops.ComputeEncirclingMembranes(neck, 100.0).empty());
 }
 
@@ -283,8 +283,8 @@ TEST(EncirclingLoops, AreNoneWhereNothingBounds)
 TEST(ContactLoop, PassesAllPointsWhereTheBallTouches)
 {
   const RoughTorus torus;
-  const ChokingLoops loops = torus.Analysed();
-  const std::size_t handle = FeatureOf(loops, FeatureKind::Handle);
+  const ChokingLoops loops = torus.Analyse();
+  const std::size_t handle = FindFeature(loops, FeatureKind::Handle);
   const auto membrane = loops.ComputeContactMembrane(handle, 20.0);
   ASSERT_TRUE(membrane);
   ExpectFan(loops, handle, *membrane);
@@ -293,8 +293,8 @@ TEST(ContactLoop, PassesAllPointsWhereTheBallTouches)
   {
     EXPECT_NE(std::find(loop.begin(), loop.end(), c), loop.end());
   }
-  EXPECT_EQ(std::abs(torus.WindingsOf(loop)[1]), 1);
-  EXPECT_EQ(torus.WindingsOf(loop)[0], 0);
+  EXPECT_EQ(std::abs(torus.CountWindings(loop)[1]), 1);
+  EXPECT_EQ(torus.CountWindings(loop)[0], 0);
   EXPECT_FALSE(loops.ComputeContactMembrane(handle, 1e-3)) << "paths are no longer than asked";
 }
 

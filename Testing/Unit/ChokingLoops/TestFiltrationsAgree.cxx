@@ -54,7 +54,7 @@ double ValueAt(
   const Point3 v = Cross(axis, u);
   const auto widest = [&](double t)
   {
-    Point3 centre = place + t * axis;
+    Point3 center = place + t * axis;
     double largest = 0.0;
     for (double size = across; size > 1e-4 * across; size *= 0.3)
     {
@@ -64,13 +64,13 @@ double ValueAt(
       {
         for (int j = -steps; j <= steps; ++j)
         {
-          points.push_back(centre + (size * i / steps) * u + (size * j / steps) * v);
+          points.push_back(center + (size * i / steps) * u + (size * j / steps) * v);
         }
       }
       const std::vector<double> distances = SurfaceDistances(surface, points);
       const auto best = std::max_element(distances.begin(), distances.end());
       largest = *best;
-      centre = points[static_cast<std::size_t>(best - distances.begin())];
+      center = points[static_cast<std::size_t>(best - distances.begin())];
     }
     return largest;
   };
@@ -119,14 +119,14 @@ SurfaceCase NecklaceCase(int beads, double neck, double h)
     known.Polyhedron = { HUGE_VAL, ValueAt(surface, { 0, 0, 0.0213 }, { 0, 0, 1 }, 0.3, 0.2) };
     for (std::size_t i = 0; i < shape.Struts.size(); ++i)
     {
-      const Point3 axis = shape.Centres[shape.Struts[i][1]] - shape.Centres[shape.Struts[i][0]];
+      const Point3 axis = shape.Centers[shape.Struts[i][1]] - shape.Centers[shape.Struts[i][0]];
       known.Polyhedron[0] = std::min(known.Polyhedron[0],
         ValueAt(surface, shape.Necks()[i].Place, (1.0 / Length(axis)) * axis, 2.0 * h, 0.3 * neck));
     }
     // The tunnel's ball touches the beads or, by symmetry in the plane of the ring, the struts.
-    const double length = 0.5 * Length(shape.Centres[1] - shape.Centres[0]);
-    const double middle = length / std::tan(M_PI / beads); // of a strut, from the centre
-    double hole = Length(shape.Centres[0] - Point3{ 0, 0, 0.0213 }) - shape.Bead;
+    const double length = 0.5 * Length(shape.Centers[1] - shape.Centers[0]);
+    const double middle = length / std::tan(M_PI / beads); // of a strut, from the center
+    double hole = Length(shape.Centers[0] - Point3{ 0, 0, 0.0213 }) - shape.Bead;
     for (int i = 0; i <= 1000; ++i)
     {
       const double waist = 1e-3 * i;
@@ -209,7 +209,7 @@ void ExpectAgreement(const SurfaceCase& c)
   SetMesh(mesh, surface);
   const auto delaunay = FeaturesBy(vtkChokingLoops::Delaunay, surface);
   const auto onMesh = FeaturesBy(vtkChokingLoops::TetrahedralMesh, surface);
-  const double rounding = 1e-6 * BoundsOf(mesh).Diagonal();
+  const double rounding = 1e-6 * ComputeBounds(mesh).Diagonal();
   for (std::size_t kind = 0; kind < 2; ++kind)
   {
     ASSERT_EQ(onMesh[kind].size(), delaunay[kind].size()) << c.Name << ", kind " << kind;
@@ -270,5 +270,5 @@ TEST(ChokingLoops, FiltrationsAgree)
       ++done;
     }
   }
-  turn.Tell(done, cases.size());
+  turn.ReportCases(done, cases.size());
 }

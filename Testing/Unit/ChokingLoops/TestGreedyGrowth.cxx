@@ -98,7 +98,7 @@ TEST(GreedyGrowth, PathIsTheCheapestByLengthAndDistance)
   EXPECT_NEAR(GrowthInOneRing(0.0, 1.01 * detour)->Cost, 0.5 * Way(P), 1e-12);
 }
 
-TEST(GreedyGrowth, TakesNothingThatEntersLater)
+TEST(GreedyGrowth, TakesOnlyEarlierTriangles)
 {
   EXPECT_NEAR(GrowthInOneRing(0.0, 2.0)->Cost, 0.5 * Way(P), 1e-12);
   EXPECT_NEAR(GrowthInOneRing(2.0, 0.0)->Cost, 0.5 * Way(Q), 1e-12);
@@ -135,7 +135,7 @@ public:
     this->Filter->AddObserver(vtkCommand::WarningEvent, this->Observer);
   }
 
-  struct Drawn
+  struct DrawnLoops
   {
     double Longest = 0.0; ///< of its loops
     double Radius = 0.0;
@@ -145,18 +145,18 @@ public:
   };
 
   /// By feature.
-  std::map<int, Drawn> By(int method, int shortening)
+  std::map<int, DrawnLoops> By(int method, int shortening)
   {
     this->Filter->SetMembraneMethod(method);
     this->Filter->SetShortening(shortening);
     this->Filter->Update();
-    std::map<int, Drawn> found;
+    std::map<int, DrawnLoops> found;
     vtkPolyData* loops = this->Filter->GetOutput();
     for (vtkIdType i = 0; i < loops->GetNumberOfCells(); ++i)
     {
       const auto of = [&](const char* name)
       { return loops->GetCellData()->GetArray(name)->GetTuple1(i); };
-      Drawn& m = found[static_cast<int>(of("FeatureId"))];
+      DrawnLoops& m = found[static_cast<int>(of("FeatureId"))];
       m.Longest = std::max(m.Longest, of("Length"));
       m.Radius = of("Radius");
     }
@@ -166,7 +166,7 @@ public:
     {
       const auto of = [&](const char* name)
       { return triangles->HasArray(name) ? triangles->GetArray(name)->GetTuple1(i) : 0.0; };
-      Drawn& m = found[static_cast<int>(of("FeatureId"))];
+      DrawnLoops& m = found[static_cast<int>(of("FeatureId"))];
       m.Area = of("Area");
       m.Method = static_cast<int>(of("Method"));
       m.Cost = of("GrowthCost");
@@ -181,7 +181,7 @@ public:
 };
 
 // A ring of beads: one neck is a handle, the others separate beads; each is a disk of known radius.
-TEST(GreedyGrowth, BesideTheMinimumCutAtKnownNecks)
+TEST(GreedyGrowth, AgreesWithTheMinimumCutAtKnownNecks)
 {
   constexpr double neck = 0.4;
   Membranes membranes(Necklace(3, neck).Surface(0.14));

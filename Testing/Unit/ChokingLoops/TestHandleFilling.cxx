@@ -24,14 +24,14 @@ using namespace isthmus::testing;
 namespace
 {
 
-std::int64_t GenusOf(const TriangleMesh& mesh)
+std::int64_t ComputeGenus(const TriangleMesh& mesh)
 {
   const std::vector<int> parts = Components(mesh);
   return 1 + *std::max_element(parts.begin(), parts.end()) - EulerCharacteristic(mesh) / 2;
 }
 
 /// Radii of handles, then of tunnels, each ascending.
-std::array<std::vector<double>, 2> RadiiOf(const TriangleMesh& mesh)
+std::array<std::vector<double>, 2> CollectRadii(const TriangleMesh& mesh)
 {
   const ChokingLoops loops(mesh);
   std::array<std::vector<double>, 2> radii;
@@ -47,7 +47,7 @@ std::array<std::vector<double>, 2> RadiiOf(const TriangleMesh& mesh)
   return radii;
 }
 
-FilledSurface Filled(const TriangleMesh& mesh, double below)
+FilledSurface FillBelow(const TriangleMesh& mesh, double below)
 {
   HandleFillingParameters parameters;
   parameters.FillHandlesBelow = below;
@@ -60,8 +60,9 @@ void ExpectSound(const TriangleMesh& before, const FilledSurface& after)
   EXPECT_TRUE(FindDefects(after.Mesh).None());
   EXPECT_TRUE(SelfIntersections(after.Mesh).empty());
   EXPECT_EQ(after.Filling.size(), after.Mesh.Triangles.size());
-  EXPECT_EQ(GenusOf(after.Mesh), GenusOf(before) - static_cast<std::int64_t>(after.Fills.size()));
-  EXPECT_EQ(GenusOf(after.Mesh), after.Genus);
+  EXPECT_EQ(
+    ComputeGenus(after.Mesh), ComputeGenus(before) - static_cast<std::int64_t>(after.Fills.size()));
+  EXPECT_EQ(ComputeGenus(after.Mesh), after.Genus);
   EXPECT_EQ(after.Left, 0U);
 }
 
@@ -95,8 +96,8 @@ TriangleMesh DrilledPlate(const std::array<double, 3>& radii)
     double value = std::max({ std::abs(x) - 3.0, std::abs(y) - 1.1, std::abs(z) - 0.4 });
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const double centre = 2.0 * (static_cast<double>(k) - 1.0) + 0.013;
-      value = std::max(value, radii[k] - std::hypot(x - centre, y - 0.007));
+      const double center = 2.0 * (static_cast<double>(k) - 1.0) + 0.013;
+      value = std::max(value, radii[k] - std::hypot(x - center, y - 0.007));
     }
     return value;
   };
@@ -135,7 +136,7 @@ TriangleMesh GridTorus(std::int64_t around, std::int64_t along)
 TEST(HandleFilling, FillsTheTunnelsBelowASizeAndLeavesTheOthers)
 {
   const TriangleMesh plate = DrilledPlate({ 0.16, 0.36, 0.24 });
-  const FilledSurface filled = Filled(plate, 0.3);
+  const FilledSurface filled = FillBelow(plate, 0.3);
   ASSERT_EQ(filled.Fills.size(), 2U);
   ExpectSound(plate, filled);
   ExpectVolume(plate, filled, 0.05);
@@ -149,9 +150,9 @@ TEST(HandleFilling, FillsTheTunnelsBelowASizeAndLeavesTheOthers)
     EXPECT_NEAR(fill.Area, M_PI * drilled[k] * drilled[k], 0.08 * fill.Area);
     EXPECT_DOUBLE_EQ(fill.Thickness, 0.25 * fill.Radius);
   }
-  const auto radii = RadiiOf(filled.Mesh);
+  const auto radii = CollectRadii(filled.Mesh);
   ASSERT_EQ(radii[1].size(), 1U);
-  EXPECT_NEAR(radii[1][0], RadiiOf(plate)[1][2], 1e-3);
+  EXPECT_NEAR(radii[1][0], CollectRadii(plate)[1][2], 1e-3);
 }
 
 TEST(HandleFilling, CutsTheHandlesBelowASizeAndLeavesTheOthers)
@@ -162,14 +163,14 @@ TEST(HandleFilling, CutsTheHandlesBelowASizeAndLeavesTheOthers)
     shape.Radii[s] = 0.20 + 0.02 * static_cast<double>((5 * s) % 12);
   }
   const TriangleMesh lattice = shape.Surface(0.1);
-  const auto before = RadiiOf(lattice);
+  const auto before = CollectRadii(lattice);
   ASSERT_EQ(before[0].size(), 5U);
   const double below = 0.5 * (before[0][2] + before[0][3]);
-  const FilledSurface filled = Filled(lattice, below);
+  const FilledSurface filled = FillBelow(lattice, below);
   ASSERT_EQ(filled.Fills.size(), 3U);
   ExpectSound(lattice, filled);
   ExpectVolume(lattice, filled, 0.1);
-  const auto after = RadiiOf(filled.Mesh);
+  const auto after = CollectRadii(filled.Mesh);
   ASSERT_EQ(after[0].size(), 2U);
   ASSERT_EQ(after[1].size(), 2U);
   EXPECT_NEAR(after[0][0], before[0][3], 0.01 * before[0][3]);
@@ -188,19 +189,19 @@ TEST(HandleFilling, OneCutEndsAHandleAndTheTunnelThroughIt)
   for (const double large : { 1.1, 1.6 }) // the hole, or the ring, is the narrower one
   {
     const TriangleMesh torus = Torus(large, 0.6);
-    const FilledSurface filled = Filled(torus, 1.2);
+    const FilledSurface filled = FillBelow(torus, 1.2);
     ASSERT_EQ(filled.Fills.size(), 1U);
     EXPECT_EQ(filled.Fills[0].Kind, large < 1.25 ? FeatureKind::Tunnel : FeatureKind::Handle);
     ExpectSound(torus, filled);
     ExpectVolume(torus, filled, 0.1);
-    EXPECT_EQ(Filled(torus, 0.45).Fills.size(), 0U);
+    EXPECT_EQ(FillBelow(torus, 0.45).Fills.size(), 0U);
   }
 }
 
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> DataOf(const TriangleMesh& mesh)
+vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   SetMesh(mesh, data);
@@ -208,7 +209,7 @@ vtkSmartPointer<vtkPolyData> DataOf(const TriangleMesh& mesh)
 }
 
 /// What the filter says of `surface`; empty: nothing.
-std::string ErrorOf(vtkPolyData* surface, double below, double thickness = 0.25)
+std::string RecordError(vtkPolyData* surface, double below, double thickness = 0.25)
 {
   vtkNew<vtkHandleFilling> filter;
   vtkNew<vtkTest::ErrorObserver> errors;
@@ -223,7 +224,7 @@ std::string ErrorOf(vtkPolyData* surface, double below, double thickness = 0.25)
 
 }
 
-TEST(HandleFilling, TakesTheSideAskedFor)
+TEST(HandleFilling, TakesTheRequestedSide)
 {
   HandleFillingParameters parameters;
   parameters.FillHandlesBelow = 1.2;
@@ -236,10 +237,10 @@ TEST(HandleFilling, TakesTheSideAskedFor)
   ExpectSound(torus, filled);
 }
 
-TEST(HandleFilling, FilterTellsWhatItFilled)
+TEST(HandleFilling, FilterReportsWhatItFilled)
 {
   const TriangleMesh torus = Torus(1.1, 0.6);
-  const auto input = DataOf(torus);
+  const auto input = ToPolyData(torus);
   vtkNew<vtkIntArray> year;
   year->SetName("Year");
   year->InsertNextValue(2026);
@@ -262,7 +263,7 @@ TEST(HandleFilling, FilterTellsWhatItFilled)
   EXPECT_EQ(surface->GetFieldData()->GetArray("LeftOpen")->GetTuple1(0), 0.0);
   EXPECT_NE(surface->GetFieldData()->GetArray("Year"), nullptr);
   // What is marked is the plate: two discs and a little of the wall, flat to above and below.
-  const TriangleMesh mesh = MeshOf(surface);
+  const TriangleMesh mesh = ToTriangleMesh(surface);
   auto* filling = surface->GetCellData()->GetArray("Filling");
   double area = 0.0;
   for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
@@ -274,17 +275,17 @@ TEST(HandleFilling, FilterTellsWhatItFilled)
   EXPECT_NEAR(area, 2.0 * M_PI * 0.25, 0.1);
 }
 
-TEST(HandleFilling, LeavesASurfaceAsItIsWhereNothingIsSmall)
+TEST(HandleFilling, LeavesASurfaceWithoutSmallHandlesUnchanged)
 {
   const TriangleMesh torus = Torus(1.6, 0.6);
-  const FilledSurface filled = Filled(torus, 0.3);
+  const FilledSurface filled = FillBelow(torus, 0.3);
   EXPECT_EQ(filled.Mesh.Points, torus.Points);
   EXPECT_EQ(filled.Mesh.Triangles.size(), torus.Triangles.size());
   EXPECT_NEAR(SignedVolume(filled.Mesh), std::abs(SignedVolume(torus)), 1e-9);
   EXPECT_EQ(filled.Genus, 1);
 }
 
-TEST(HandleFilling, DoesNotCareWhichWayTheSurfaceFaces)
+TEST(HandleFilling, DoesNotDependOnOrientation)
 {
   const TriangleMesh torus = Torus(1.1, 0.6);
   TriangleMesh turned = torus;
@@ -292,8 +293,8 @@ TEST(HandleFilling, DoesNotCareWhichWayTheSurfaceFaces)
   {
     std::swap(t[0], t[1]);
   }
-  const FilledSurface one = Filled(torus, 0.55);
-  const FilledSurface other = Filled(turned, 0.55);
+  const FilledSurface one = FillBelow(torus, 0.55);
+  const FilledSurface other = FillBelow(turned, 0.55);
   ASSERT_EQ(other.Fills.size(), 1U);
   ExpectSound(turned, other);
   EXPECT_NEAR(SignedVolume(one.Mesh), SignedVolume(other.Mesh), 1e-3);
@@ -321,12 +322,12 @@ TEST(HandleFilling, DoesNotDependOnAddresses)
   }
   const auto expectSame = [](const TriangleMesh& torus, double below, std::uint64_t runs)
   {
-    const FilledSurface first = Filled(torus, below);
+    const FilledSurface first = FillBelow(torus, below);
     ASSERT_EQ(first.Fills.size(), 1U);
     for (std::uint64_t run = 0; run < runs; ++run)
     {
       const ScatteredMemory other(run);
-      const FilledSurface again = Filled(torus, below);
+      const FilledSurface again = FillBelow(torus, below);
       EXPECT_EQ(again.Mesh.Points, first.Mesh.Points) << run;
       EXPECT_EQ(again.Mesh.Triangles, first.Mesh.Triangles) << run;
       EXPECT_EQ(again.Filling, first.Filling) << run;
@@ -336,17 +337,17 @@ TEST(HandleFilling, DoesNotDependOnAddresses)
   expectSame(GridTorus(40, 20), 2.0, 4); // with needles where the plate meets it
 }
 
-TEST(HandleFilling, SaysWhatIsWrong)
+TEST(HandleFilling, ReportsInvalidInput)
 {
-  const auto torus = DataOf(Torus(1.1, 0.6));
-  EXPECT_NE(ErrorOf(torus, 0.0).find("above 0"), std::string::npos);
-  EXPECT_NE(ErrorOf(torus, -1.0).find("above 0"), std::string::npos);
-  EXPECT_NE(ErrorOf(torus, std::nan("")).find("above 0"), std::string::npos);
-  EXPECT_NE(ErrorOf(torus, 0.5, 0.0).find("Thickness is 0"), std::string::npos);
+  const auto torus = ToPolyData(Torus(1.1, 0.6));
+  EXPECT_NE(RecordError(torus, 0.0).find("above 0"), std::string::npos);
+  EXPECT_NE(RecordError(torus, -1.0).find("above 0"), std::string::npos);
+  EXPECT_NE(RecordError(torus, std::nan("")).find("above 0"), std::string::npos);
+  EXPECT_NE(RecordError(torus, 0.5, 0.0).find("Thickness is 0"), std::string::npos);
   TriangleMesh open = Torus(1.1, 0.6);
   open.Triangles.pop_back();
-  EXPECT_NE(ErrorOf(DataOf(open), 0.5).find("at a hole"), std::string::npos)
-    << ErrorOf(DataOf(open), 0.5);
+  EXPECT_NE(RecordError(ToPolyData(open), 0.5).find("at a hole"), std::string::npos)
+    << RecordError(ToPolyData(open), 0.5);
   const vtkNew<vtkPolyData> nothing;
-  EXPECT_EQ(ErrorOf(nothing, 0.5), "");
+  EXPECT_EQ(RecordError(nothing, 0.5), "");
 }

@@ -15,7 +15,7 @@ namespace
 
 using Id = Handle<struct Tried, std::int32_t>;
 
-TEST(IdMap, KeepsWhatAMapKeeps)
+TEST(IdMap, StoresTheSameAsStdMap)
 {
   std::mt19937 random(5);
   // Neighbours, as paths meet them, and any number that fits.
@@ -44,7 +44,7 @@ TEST(IdMap, KeepsWhatAMapKeeps)
   }
 }
 
-TEST(IdMap, NoneIsAnIdOfItsOwn)
+TEST(IdMap, NoneIsASeparateId)
 {
   IdMap<Id, int> table(0);
   table[Id::None()] = 3;

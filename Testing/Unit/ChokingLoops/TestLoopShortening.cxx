@@ -193,7 +193,7 @@ TEST(LoopShortening, IsExactOnACylinder)
   EXPECT_NEAR(curve.Length, exact, 1e-6 * exact);
 }
 
-TEST(LoopShortening, LeavesAContractibleLoopAsItCame)
+TEST(LoopShortening, LeavesAContractibleLoopUnchanged)
 {
   const TorusGrid torus(36, 12);
   const SimplexId p = torus.Id(5, 3);
@@ -212,7 +212,7 @@ TEST(LoopShortening, LeavesAContractibleLoopAsItCame)
   EXPECT_NEAR(curve.Length, Sum(torus.Adjacency, curve), 1e-12);
 }
 
-TEST(LoopShortening, StopsWheneverItIsAskedTo)
+TEST(LoopShortening, StopsOnRequestAtAnyTime)
 {
   const TorusGrid torus(96, 32);
   double last = -1.0;
@@ -236,10 +236,10 @@ TEST(LoopShortening, StopsWheneverItIsAskedTo)
 }
 
 /// The filter on one polyline through given points.
-class Shortened
+class ShortenedLoop
 {
 public:
-  Shortened(const TriangleMesh& mesh, const std::vector<Point3>& polyline)
+  ShortenedLoop(const TriangleMesh& mesh, const std::vector<Point3>& polyline)
   {
     vtkNew<vtkPolyData> surface;
     SetMesh(mesh, surface);
@@ -274,7 +274,7 @@ private:
 TEST(LoopShortening, FilterJoinsFarPointsAlongTheSurface)
 {
   // Four points round the tube, none of them a point of the mesh.
-  Shortened shortened(Torus(Large, Small, 96, 32),
+  ShortenedLoop shortened(Torus(Large, Small, 96, 32),
     { { 1.31, 0, 0 }, { 1, 0, 0.31 }, { 0.69, 0, 0 }, { 1, 0, -0.31 }, { 1.31, 0, 0 } });
   EXPECT_EQ(shortened.Error(), "");
   ASSERT_EQ(shortened.Result()->GetNumberOfCells(), 1);
@@ -282,10 +282,10 @@ TEST(LoopShortening, FilterJoinsFarPointsAlongTheSurface)
   EXPECT_NEAR(length, 2.0 * M_PI * Small, 0.01 * 2.0 * M_PI * Small);
 }
 
-TEST(LoopShortening, FilterSaysWhatItCannotDo)
+TEST(LoopShortening, FilterReportsInvalidInput)
 {
   const TriangleMesh torus = Torus(Large, Small, 48, 16);
-  EXPECT_NE(Shortened(torus, { { 1.3, 0, 0 }, { 1.3, 0.01, 0 } }).Error().find("Loop 0"),
+  EXPECT_NE(ShortenedLoop(torus, { { 1.3, 0, 0 }, { 1.3, 0.01, 0 } }).Error().find("Loop 0"),
     std::string::npos);
   TriangleMesh two = torus;
   for (const Point3& p : torus.Points)
@@ -297,15 +297,16 @@ TEST(LoopShortening, FilterSaysWhatItCannotDo)
     const auto n = static_cast<std::int64_t>(torus.Points.size());
     two.Triangles.push_back({ t[0] + n, t[1] + n, t[2] + n });
   }
-  Shortened across(two, { { 1.3, 0, 0 }, { 6.3, 0, 0 }, { 1.0, 0, 0.3 } });
+  ShortenedLoop across(two, { { 1.3, 0, 0 }, { 6.3, 0, 0 }, { 1.0, 0, 0.3 } });
   EXPECT_NE(across.Error().find("two parts"), std::string::npos);
   EXPECT_EQ(across.Result()->GetNumberOfCells(), 0);
   TriangleMesh open = torus;
   open.Triangles.pop_back();
-  EXPECT_NE(Shortened(open, { { 1.3, 0, 0 }, { 1, 0, 0.3 }, { 0.7, 0, 0 } }).Error().find("hole"),
+  EXPECT_NE(
+    ShortenedLoop(open, { { 1.3, 0, 0 }, { 1, 0, 0.3 }, { 0.7, 0, 0 } }).Error().find("hole"),
     std::string::npos);
-  EXPECT_EQ(Shortened(torus, {}).Error(), "");
-  EXPECT_EQ(Shortened(torus, {}).Result()->GetNumberOfCells(), 0);
+  EXPECT_EQ(ShortenedLoop(torus, {}).Error(), "");
+  EXPECT_EQ(ShortenedLoop(torus, {}).Result()->GetNumberOfCells(), 0);
 }
 
 }

@@ -69,13 +69,13 @@ void ExpectSameLoops(TriangleMesh mesh, double spacing = 1e3)
 }
 
 /// The level 0.35 of Gaussians of deviation 0.32, 1.4 times as wide along z.
-TriangleMesh Blobs(const std::vector<Point3>& centres, int n)
+TriangleMesh Blobs(const std::vector<Point3>& centers, int n)
 {
   return LevelSet(
-    [&centres](double x, double y, double z)
+    [&centers](double x, double y, double z)
     {
       double sum = 0.0;
-      for (const Point3& c : centres)
+      for (const Point3& c : centers)
       {
         const Point3 d{ x - c[0], y - c[1], (z - c[2]) / 1.4 };
         sum += std::exp(-Dot(d, d) / (2.0 * 0.32 * 0.32));
@@ -88,13 +88,13 @@ TriangleMesh Blobs(const std::vector<Point3>& centres, int n)
 // Two rings of blobs whose windows are closed: what parts two of them is no loop of its own class.
 TEST(LoopTolerances, OfAWallOfBlobs)
 {
-  std::vector<Point3> centres;
+  std::vector<Point3> centers;
   for (int i = 0; i < 14; ++i)
   {
     const double angle = 2.0 * M_PI * (i / 2 + 0.5 * (i % 2)) / 7.0;
-    centres.push_back({ std::cos(angle), std::sin(angle), i % 2 == 0 ? -0.6 : 0.6 });
+    centers.push_back({ std::cos(angle), std::sin(angle), i % 2 == 0 ? -0.6 : 0.6 });
   }
-  ExpectSameLoops(Blobs(centres, 44));
+  ExpectSameLoops(Blobs(centers, 44));
 }
 
 TEST(LoopTolerances, OfBlobsAtRandom)
@@ -103,12 +103,12 @@ TEST(LoopTolerances, OfBlobsAtRandom)
   {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-1.7, 1.7);
-    std::vector<Point3> centres(30);
-    for (Point3& c : centres)
+    std::vector<Point3> centers(30);
+    for (Point3& c : centers)
     {
       c = { place(random), place(random), 0.8 * place(random) };
     }
-    ExpectSameLoops(Blobs(centres, 44));
+    ExpectSameLoops(Blobs(centers, 44));
   }
 }
 

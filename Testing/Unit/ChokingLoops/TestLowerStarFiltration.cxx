@@ -151,7 +151,7 @@ std::vector<BlockCase> BlockCases()
       0 } };
 }
 
-TEST(LowerStarFiltration, PairsAreThoseOfThePlainReduction)
+TEST(LowerStarFiltration, PairsMatchThePlainReduction)
 {
   for (const BlockCase& c : BlockCases())
   {
@@ -296,7 +296,7 @@ protected:
 };
 
 // Persistence is stable: two functions that differ by at most s give radii that do.
-TEST_F(MorseFunctions, AgreeAsFarAsTheyAreTheSameFunction)
+TEST_F(MorseFunctions, AgreeWhereTheyAreTheSameFunction)
 {
   const std::array<Found, 2> found = this->Measure(vtkChokingLoops::ClosestPoint);
   const std::array<double, 2> exact{ found[0].Radius, found[1].Radius };
@@ -445,7 +445,7 @@ TEST_F(MorseFunctions, MeshTooCoarseIsNotTrusted)
   EXPECT_EQ(loops->GetArray("Trusted")->GetRange()[0], 0.0);
 }
 
-TEST_F(MorseFunctions, BadOnesEndInASentence)
+TEST_F(MorseFunctions, BadOnesAreReported)
 {
   const auto message = [&](const char* array, vtkUnstructuredGrid* grid)
   {

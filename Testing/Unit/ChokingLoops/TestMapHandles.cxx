@@ -195,8 +195,8 @@ TEST(MapHandles, SevenFoldGroupsOfGroEL)
   vtkPolyData* bridges = Points(filter, 0);
   auto* image = reader->GetOutput();
   const double* h = image->GetSpacing();
-  double centre[3];
-  image->GetCenter(centre);
+  double center[3];
+  image->GetCenter(center);
   // density from, to, how many
   const double groups[5][3] = { { 5.38, 5.53, 14 }, { 3.42, 3.57, 14 }, { 2.96, 3.13, 7 },
     { 2.22, 2.31, 14 }, { 0.78, 0.965, 7 } };
@@ -217,10 +217,10 @@ TEST(MapHandles, SevenFoldGroupsOfGroEL)
     for (const Place& p : places)
     {
       const double a = 2.0 * Pi / 7.0;
-      const double x = p[0] - centre[0];
-      const double z = p[2] - centre[2];
-      const Place turned{ centre[0] + x * std::cos(a) - z * std::sin(a), p[1],
-        centre[2] + x * std::sin(a) + z * std::cos(a) };
+      const double x = p[0] - center[0];
+      const double z = p[2] - center[2];
+      const Place turned{ center[0] + x * std::cos(a) - z * std::sin(a), p[1],
+        center[2] + x * std::sin(a) + z * std::cos(a) };
       double nearest = std::numeric_limits<double>::infinity();
       for (const Place& q : places)
       {
@@ -302,7 +302,7 @@ TEST(MapHandles, AxesAndShiftsOfGroELChangeNoBridge)
   EXPECT_EQ(bridgesOf(turned, { 2, 0, 1 }, { 0.0, 0.0, 0.0 }), bridges);
 }
 
-TEST(MapHandles, BadInputIsToldInASentence)
+TEST(MapHandles, ReportsBadInput)
 {
   vtkNew<vtkMapHandles> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -431,7 +431,7 @@ double BestPValue(vtkPolyData* bridges, double low, double high)
   return best;
 }
 
-vtkSmartPointer<vtkMapHandles> Bootstrapped(unsigned seed, int resamples)
+vtkSmartPointer<vtkMapHandles> MakeBootstrap(unsigned seed, int resamples)
 {
   auto filter = vtkSmartPointer<vtkMapHandles>::New();
   filter->SetInputData(HalfMap(0.5, 2 * seed));
@@ -444,12 +444,12 @@ vtkSmartPointer<vtkMapHandles> Bootstrapped(unsigned seed, int resamples)
 
 }
 
-TEST(MapHandles, BootstrapOfHalfMapsTellsABridgeFromNoise)
+TEST(MapHandles, BootstrapSeparatesABridgeFromNoise)
 {
   int noiseBridges = 0, wrong = 0;
   for (unsigned seed = 1; seed <= 12; ++seed)
   {
-    const auto filter = Bootstrapped(seed, 40);
+    const auto filter = MakeBootstrap(seed, 40);
     filter->Update();
     const double rod = BestPValue(Points(filter, 0), -15.0, -3.0);
     const double gap = BestPValue(Points(filter, 0), 3.0, 15.0);
@@ -503,7 +503,7 @@ TEST(MapHandles, BootstrapIsReproducible)
   std::vector<double> first;
   for (const int seed : { 1, 1, 7 })
   {
-    const auto filter = Bootstrapped(3, 10);
+    const auto filter = MakeBootstrap(3, 10);
     filter->SetSeed(seed);
     filter->Update();
     std::vector<double> values;
@@ -556,7 +556,7 @@ TEST(MapHandles, HalfMapsThatDoNotFit)
   }
 }
 
-TEST(MapHandles, HalfMapsWithNothingInCommonAreWarnedOf)
+TEST(MapHandles, WarnsAboutUnrelatedHalfMaps)
 {
   const auto correlationOf = [](vtkImageData* one, vtkImageData* other, std::string& said)
   {

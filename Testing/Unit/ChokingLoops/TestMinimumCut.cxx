@@ -42,7 +42,7 @@ std::int64_t EstimateCost(const std::vector<FlowLink>& links, unsigned set)
   return cost;
 }
 
-unsigned SetOf(const std::vector<char>& reached)
+unsigned ToBitSet(const std::vector<char>& reached)
 {
   unsigned set = 0;
   for (std::size_t i = 0; i < reached.size(); ++i)
@@ -61,7 +61,7 @@ TEST(MinimumCut, IsTheSmallestOfTheCheapest)
   {
     const std::int32_t nodes = 4 + trial % 7;
     const auto links = RandomLinks(random, nodes, static_cast<std::size_t>(2 + trial % 29));
-    const unsigned found = SetOf(MinimumCut(nodes, links, { 0, 1 }, { nodes - 1 }));
+    const unsigned found = ToBitSet(MinimumCut(nodes, links, { 0, 1 }, { nodes - 1 }));
     ASSERT_EQ(found & 3U, 3U);
     ASSERT_EQ(found >> (nodes - 1), 0U);
     const std::int64_t cost = EstimateCost(links, found);
@@ -118,7 +118,7 @@ TEST(MinimumCut, OfAGridIsItsWaist)
   }
 }
 
-TEST(MinimumCut, OfWhatIsNotLinkedCostsNothing)
+TEST(MinimumCut, OfUnlinkedNodesCostsNothing)
 {
   const auto reached = MinimumCut(5, { { { 0, 2 }, 3 }, { { 3, 1 }, 4 } }, { 0 }, { 1 });
   EXPECT_EQ(reached, (std::vector<char>{ 1, 0, 1, 0, 0 }));

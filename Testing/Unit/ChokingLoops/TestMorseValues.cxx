@@ -13,7 +13,7 @@ namespace
 {
 
 /// Largest difference from the distance to a ring of radii 1 and 0.3, in units of the spacing.
-double WorstOf(const DistanceGrid& grid)
+double FindWorst(const DistanceGrid& grid)
 {
   double worst = 0.0;
   std::size_t n = 0;
@@ -38,13 +38,13 @@ const Bounds3 Box{ { -1.51, -1.52, -0.71 }, { 1.52, 1.51, 0.72 } };
 
 }
 
-TEST(MorseValues, FastMarchingComesToTheDistanceAtFirstOrder)
+TEST(MorseValues, FastMarchingConvergesAtFirstOrder)
 {
   const TriangleMesh ring = Torus(1.0, 0.3, 240, 80);
   std::vector<double> worst;
   for (const std::int64_t cells : { 20, 40, 80 })
   {
-    worst.push_back(WorstOf(MarchedDistances(ring, Box, cells)));
+    worst.push_back(FindWorst(MarchedDistances(ring, Box, cells)));
   }
   EXPECT_LT(worst[0], 3.03 / 20.0); // a cell
   EXPECT_LT(worst[1], 0.65 * worst[0]);
@@ -71,7 +71,7 @@ TEST(MorseValues, MarchedDistancesGrowWithTheSurface)
   }
 }
 
-TEST(MorseValues, AreNothingOnTheSurfaceAndTheDistanceElsewhere)
+TEST(MorseValues, AreZeroOnTheSurfaceAndTheDistanceElsewhere)
 {
   const TriangleMesh ring = Torus(1.0, 0.3, 60, 24);
   TetrahedralMesh mesh;

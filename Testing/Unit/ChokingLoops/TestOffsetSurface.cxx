@@ -188,7 +188,7 @@ TEST(OffsetSurface, DistancesToPointsAgreeWithTheFormula)
   }
 }
 
-TEST(OffsetSurface, SaysWhatItCannotDo)
+TEST(OffsetSurface, ReportsInvalidInput)
 {
   TriangleMesh open = Cube();
   open.Triangles.pop_back();
@@ -252,7 +252,7 @@ TEST(OffsetSurface, SidesOfShellsThatCrossAreRefusedWithThePlace)
   }
 }
 
-TEST(OffsetSurface, StopsWheneverItIsAskedTo)
+TEST(OffsetSurface, StopsOnRequestAtAnyTime)
 {
   const TriangleMesh torus = Torus(1.0, 0.4, 60, 30);
   double last = 0.0;

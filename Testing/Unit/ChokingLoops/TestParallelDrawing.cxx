@@ -57,7 +57,7 @@ void ExpectSame(const LoopFeature& a, const LoopFeature& b)
   EXPECT_EQ(a.Converged, b.Converged);
 }
 
-TEST(ParallelDrawing, SameBitsOnAnyNumberOfThreads)
+TEST(ParallelDrawing, IdenticalOnAnyNumberOfThreads)
 {
   for (const char* name : { "3holes.off", "genus3.off", "soccerball.obj" })
   {
@@ -90,7 +90,7 @@ TEST(ParallelDrawing, AsOneByOne)
   }
 }
 
-TEST(ParallelDrawing, CallbacksComeFromTheCallingThreadAndAnAbortKeepsWhatIsDone)
+TEST(ParallelDrawing, CallbacksRunOnTheCallingThreadAndAnAbortKeepsResults)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/soccerball.obj");
   ChokingLoops loops(ReadSurface("soccerball.obj"));

@@ -34,7 +34,7 @@ TriangleMesh RoughTorus(int around, int across)
 
 /// Lengths of the shortest paths along edges: all edges again and again until nothing gets shorter
 /// (R. Bellman, L. R. Ford).
-std::vector<double> Relaxed(const TriangleMesh& mesh, SimplexId from)
+std::vector<double> RelaxedLengths(const TriangleMesh& mesh, SimplexId from)
 {
   std::vector<double> lengths(mesh.Points.size(), HUGE_VAL);
   lengths[static_cast<std::size_t>(from)] = 0.0;
@@ -63,7 +63,7 @@ TEST(SurfacePaths, AreTheShortestAlongEdges)
   for (const SimplexId from : { 0, 123, 599 })
   {
     const SurfacePaths paths(surface, from, HUGE_VAL);
-    const std::vector<double> lengths = Relaxed(mesh, from);
+    const std::vector<double> lengths = RelaxedLengths(mesh, from);
     ASSERT_EQ(paths.Points().size(), mesh.Points.size());
     EXPECT_EQ(paths.Points().front(), from);
     EXPECT_FALSE(paths.Last(from).Exists());
@@ -77,7 +77,7 @@ TEST(SurfacePaths, AreTheShortestAlongEdges)
   }
 }
 
-TEST(SurfacePaths, RunAlongEdgesThatAddUp)
+TEST(SurfacePaths, RunAlongEdgesOfTheStatedLength)
 {
   const TriangleMesh mesh = RoughTorus(40, 15);
   const SurfaceAdjacency surface(mesh);
@@ -99,11 +99,11 @@ TEST(SurfacePaths, RunAlongEdgesThatAddUp)
   }
 }
 
-TEST(SurfacePaths, ReachAsFarAsAsked)
+TEST(SurfacePaths, ReachTheRequestedDistance)
 {
   const TriangleMesh mesh = RoughTorus(40, 15);
   const SurfaceAdjacency surface(mesh);
-  const std::vector<double> lengths = Relaxed(mesh, 5);
+  const std::vector<double> lengths = RelaxedLengths(mesh, 5);
   for (const double reach : { 0.0, 0.05, 0.4, 1.1 })
   {
     const SurfacePaths paths(surface, 5, reach);
@@ -114,7 +114,7 @@ TEST(SurfacePaths, ReachAsFarAsAsked)
   }
 }
 
-TEST(SurfacePaths, GoOnAsIfAskedForAtFirst)
+TEST(SurfacePaths, ExtendAsIfComputedAtOnce)
 {
   const TriangleMesh mesh = RoughTorus(40, 15);
   const SurfaceAdjacency surface(mesh);
@@ -132,11 +132,11 @@ TEST(SurfacePaths, GoOnAsIfAskedForAtFirst)
   }
 }
 
-TEST(SurfacePaths, EndWhereAsked)
+TEST(SurfacePaths, EndAtTheRequestedPoint)
 {
   const TriangleMesh mesh = RoughTorus(40, 15);
   const SurfaceAdjacency surface(mesh);
-  const std::vector<double> lengths = Relaxed(mesh, 5);
+  const std::vector<double> lengths = RelaxedLengths(mesh, 5);
   const SurfacePaths paths(surface, 5, HUGE_VAL, 300);
   EXPECT_EQ(paths.Points().back(), 300);
   EXPECT_NEAR(paths.Length(300), lengths[300], 1e-12);

@@ -22,7 +22,7 @@ namespace isthmus::testing
 
 /// `f` on n^3 nodes from -1 to 1.
 template <typename Function>
-vtkSmartPointer<vtkImageData> Sampled(int n, Function&& f)
+vtkSmartPointer<vtkImageData> SampleImage(int n, Function&& f)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(n, n, n);
@@ -43,27 +43,27 @@ vtkSmartPointer<vtkImageData> Sampled(int n, Function&& f)
 
 /// The contour with properties set by `change`.
 template <typename Change>
-TriangleMesh ContourOf(vtkDataObject* input, Change&& change)
+TriangleMesh ComputeContour(vtkDataObject* input, Change&& change)
 {
   vtkNew<vtkDualContouring> filter;
   filter->SetInputDataObject(input);
   filter->SetLevel(0.0);
   change(filter.Get());
   filter->Update();
-  return MeshOf(filter->GetOutput());
+  return ToTriangleMesh(filter->GetOutput());
 }
 
-inline TriangleMesh ContourOf(vtkDataObject* input)
+inline TriangleMesh ComputeContour(vtkDataObject* input)
 {
-  return ContourOf(input, [](vtkDualContouring*) {});
+  return ComputeContour(input, [](vtkDualContouring*) {});
 }
 
 template <typename Change>
-TriangleMesh ContourOf(const TriangleMesh& mesh, Change&& change)
+TriangleMesh ComputeContour(const TriangleMesh& mesh, Change&& change)
 {
   vtkNew<vtkPolyData> surface;
   SetMesh(mesh, surface);
-  return ContourOf(surface, change);
+  return ComputeContour(surface, change);
 }
 
 inline TriangleMesh Octahedron(double r)
@@ -76,7 +76,7 @@ inline TriangleMesh Octahedron(double r)
 }
 
 /// A turned copy, so that nothing is along the grid.
-inline TriangleMesh Turned(TriangleMesh mesh)
+inline TriangleMesh Rotate(TriangleMesh mesh)
 {
   const double c = std::cos(0.4), s = std::sin(0.4);
   for (Point3& p : mesh.Points)

@@ -189,7 +189,7 @@ struct EdgeSamples
  * there are more edges than one in reach of a cell that has one vertex, or they bend by more than
  * the polygons between such vertices can follow.
  */
-inline EdgeSamples SamplesOf(const TriangleMesh& solid, double h, double step)
+inline EdgeSamples SampleEdgedSurface(const TriangleMesh& solid, double h, double step)
 {
   const std::vector<SharpSide> sides = SharpSides(solid);
   const StraightEdges straight(sides);

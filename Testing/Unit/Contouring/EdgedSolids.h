@@ -20,7 +20,7 @@ using Value = std::function<double(const Point3&)>;
 
 constexpr double Half = 0.5;   // of the box's side
 constexpr double Radius = 0.4; // of the ball
-inline const Point3 Centre{ 0.02, 0.01, 0.5 };
+inline const Point3 Center{ 0.02, 0.01, 0.5 };
 
 inline double Box(const Point3& q)
 {
@@ -45,12 +45,12 @@ inline double OctahedronValue(const Point3& q)
 
 inline double BoxWithoutBall(const Point3& q)
 {
-  return std::max(Box(q), Radius - Length(q - Centre));
+  return std::max(Box(q), Radius - Length(q - Center));
 }
 
 inline double BoxAndBall(const Point3& q)
 {
-  return std::min(BoxDistance(q), Length(q - Centre) - Radius);
+  return std::min(BoxDistance(q), Length(q - Center) - Radius);
 }
 
 /// A rotation drawn from all.
@@ -85,7 +85,7 @@ private:
 };
 
 /// Points on lines, those nearer to an end than `corner` left out, and on the ball's circle.
-inline TriangleMesh EdgesOf(
+inline TriangleMesh SampleEdges(
   const std::vector<Point3>& corners, double length, double corner, bool hasBall)
 {
   std::vector<Point3> points;
@@ -97,7 +97,7 @@ inline TriangleMesh EdgesOf(
       for (double s = 0.002; s < length && Length(along) < 1.001 * length; s += 0.004)
       {
         const Point3 p = corners[i] + (s / length) * along;
-        if (std::min(s, length - s) > corner && !(hasBall && Length(p - Centre) < Radius + corner))
+        if (std::min(s, length - s) > corner && !(hasBall && Length(p - Center) < Radius + corner))
         {
           points.push_back(p);
         }
@@ -108,7 +108,7 @@ inline TriangleMesh EdgesOf(
   {
     const double t = 8.0 * std::atan(1.0) * i / 1000.0;
     points.push_back(
-      { Centre[0] + Radius * std::cos(t), Centre[1] + Radius * std::sin(t), Centre[2] });
+      { Center[0] + Radius * std::cos(t), Center[1] + Radius * std::sin(t), Center[2] });
   }
   return AsMesh(points);
 }
@@ -120,12 +120,12 @@ inline TriangleMesh BoxEdges(double corner, bool hasBall)
   {
     corners.push_back({ (i & 1) - Half, (i >> 1 & 1) - Half, (i >> 2) - Half });
   }
-  return EdgesOf(corners, 1.0, corner, hasBall);
+  return SampleEdges(corners, 1.0, corner, hasBall);
 }
 
 inline TriangleMesh OctahedronEdges(double corner)
 {
-  return EdgesOf(Octahedron(0.8).Points, 0.8 * std::sqrt(2.0), corner, false);
+  return SampleEdges(Octahedron(0.8).Points, 0.8 * std::sqrt(2.0), corner, false);
 }
 
 }

@@ -26,7 +26,7 @@ struct Grid
 
 /// `f(x, y, z)` at the nodes, in the grid's own frame.
 template <typename Function>
-Grid Sampled(std::array<std::int64_t, 3> n, std::array<double, 3> h, Function&& f)
+Grid SampleGrid(std::array<std::int64_t, 3> n, std::array<double, 3> h, Function&& f)
 {
   Grid grid;
   for (std::int64_t k = 0; k < n[2]; ++k)
@@ -58,15 +58,15 @@ inline TriangleMesh At(const Grid& grid, double level, bool close = true, bool h
   return MarchingCubes(grid.View, parameters);
 }
 
-inline std::string DefectsOf(const TriangleMesh& mesh)
+inline std::string DescribeDefects(const TriangleMesh& mesh)
 {
-  return FindDefects(mesh).Sentence();
+  return FindDefects(mesh).Message();
 }
 
 /// Two balls of radius 6 and 3, 100 inside of them and -1 outside, smooth in between.
 inline Grid TwoBalls()
 {
-  return Sampled({ 40, 30, 30 }, { 1, 1, 1 },
+  return SampleGrid({ 40, 30, 30 }, { 1, 1, 1 },
     [](double x, double y, double z)
     {
       const double depth =

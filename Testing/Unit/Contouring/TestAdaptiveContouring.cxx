@@ -31,7 +31,7 @@ vtkSmartPointer<vtkImageData> Noise(unsigned seed, int n)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
-  return Sampled(n,
+  return SampleImage(n,
     [&](const Point3& p)
     {
       const bool border = std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) > 0.99;
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkImageData> Noise(unsigned seed, int n)
 /// Waves with handles and thin places.
 vtkSmartPointer<vtkImageData> Gyroid(int n)
 {
-  return Sampled(n,
+  return SampleImage(n,
     [](const Point3& p)
     {
       const double k = 5.0;
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkImageData> Gyroid(int n)
 
 /// Crossings by bisection on n^3 nodes from 0, of a value that is negative inside.
 template <typename Value, typename Normal>
-HermiteGrid HermiteOf(const Value& value, const Normal& normal, std::int64_t n, double h)
+HermiteGrid MakeHermiteGrid(const Value& value, const Normal& normal, std::int64_t n, double h)
 {
   HermiteGrid grid;
   grid.Shape = { { n, n, n }, { h, h, h } };
@@ -106,17 +106,17 @@ void ExpectManifold(const TriangleMesh& mesh)
 
 }
 
-TEST(AdaptiveContouring, IsAsNearToTheUniformOneAsAskedFor)
+TEST(AdaptiveContouring, StaysWithinTheRequestedDistance)
 {
-  for (const auto& image :
-    { Gyroid(41), Sampled(33, [](const Point3& p) { return 0.7 - std::sqrt(Dot(p, p) + 1e-12); }) })
+  for (const auto& image : { Gyroid(41),
+         SampleImage(33, [](const Point3& p) { return 0.7 - std::sqrt(Dot(p, p) + 1e-12); }) })
   {
-    const TriangleMesh uniform = ContourOf(image);
+    const TriangleMesh uniform = ComputeContour(image);
     std::size_t last = uniform.Triangles.size();
     for (const double tolerance : { 0.001, 0.004, 0.016 })
     {
       const TriangleMesh adaptive =
-        ContourOf(image, [&](vtkDualContouring* f) { f->SetTolerance(tolerance); });
+        ComputeContour(image, [&](vtkDualContouring* f) { f->SetTolerance(tolerance); });
       ExpectManifold(adaptive);
       EXPECT_EQ(EulerCharacteristic(adaptive), EulerCharacteristic(uniform));
       EXPECT_LE(adaptive.Triangles.size(), last);
@@ -136,11 +136,11 @@ TEST(AdaptiveContouring, NoiseStaysManifoldWithItsHandles)
   {
     SCOPED_TRACE(seed);
     const auto image = Noise(seed, 11);
-    const TriangleMesh uniform = ContourOf(image);
+    const TriangleMesh uniform = ComputeContour(image);
     for (const double tolerance : { 0.02, 0.3, 10.0 })
     {
       const TriangleMesh adaptive =
-        ContourOf(image, [&](vtkDualContouring* f) { f->SetTolerance(tolerance); });
+        ComputeContour(image, [&](vtkDualContouring* f) { f->SetTolerance(tolerance); });
       ExpectManifold(adaptive);
       EXPECT_EQ(EulerCharacteristic(adaptive), EulerCharacteristic(uniform));
     }
@@ -153,10 +153,10 @@ TEST(AdaptiveContouring, NoTrianglesCrossWhereThatIsPromised)
   {
     SCOPED_TRACE(seed);
     const auto image = Noise(seed, 11);
-    const TriangleMesh plain = ContourOf(image);
+    const TriangleMesh plain = ComputeContour(image);
     for (const double tolerance : { 0.0, 0.1 })
     {
-      const TriangleMesh free = ContourOf(image,
+      const TriangleMesh free = ComputeContour(image,
         [&](vtkDualContouring* f)
         {
           f->FreeOfCrossingsOn();
@@ -189,11 +189,12 @@ TEST(AdaptiveContouring, SharpEdgesOfMachinePartsAreKept)
       continue;
     }
     SCOPED_TRACE(name);
-    const TriangleMesh part = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / name));
-    const double h = BoundsOf(part).Diagonal() / 100.0;
-    const EdgeSamples edges = SamplesOf(part, h, 0.5 * h);
-    const TriangleMesh uniform = ContourOf(part, [h](vtkDualContouring* f) { f->SetSpacing(h); });
-    const TriangleMesh adaptive = ContourOf(part,
+    const TriangleMesh part = ToTriangleMesh(ReadSurface(SharedDataFolder() / "surfaces" / name));
+    const double h = ComputeBounds(part).Diagonal() / 100.0;
+    const EdgeSamples edges = SampleEdgedSurface(part, h, 0.5 * h);
+    const TriangleMesh uniform =
+      ComputeContour(part, [h](vtkDualContouring* f) { f->SetSpacing(h); });
+    const TriangleMesh adaptive = ComputeContour(part,
       [h](vtkDualContouring* f)
       {
         f->SetSpacing(h);
@@ -218,22 +219,22 @@ TEST(AdaptiveContouring, SharpEdgesOfMachinePartsAreKept)
 }
 
 /// Cube and octahedron, turned: all edges, and with the octree nothing else but a few triangles.
-TEST(AdaptiveContouring, PolyhedraBecomeWhatTheyWere)
+TEST(AdaptiveContouring, PolyhedraAreReproduced)
 {
   for (const TriangleMesh& solid :
-    { Turned(Cube({ -0.5, -0.5, -0.5 }, 1.0)), Turned(Octahedron(0.8)) })
+    { Rotate(Cube({ -0.5, -0.5, -0.5 }, 1.0)), Rotate(Octahedron(0.8)) })
   {
     for (const double h : { 0.07, 0.031 })
     {
       const TriangleMesh uniform =
-        ContourOf(solid, [h](vtkDualContouring* f) { f->SetSpacing(h); });
-      const TriangleMesh contour = ContourOf(solid,
+        ComputeContour(solid, [h](vtkDualContouring* f) { f->SetSpacing(h); });
+      const TriangleMesh contour = ComputeContour(solid,
         [h](vtkDualContouring* f)
         {
           f->SetSpacing(h);
           f->SetTolerance(0.05 * h);
         });
-      const EdgeSamples edges = SamplesOf(solid, h, 0.2 * h);
+      const EdgeSamples edges = SampleEdgedSurface(solid, h, 0.2 * h);
       const double kept = ShareWithin(edges.Resolvable, uniform, 0.05 * h);
       const double keptByOctree = ShareWithin(edges.Resolvable, contour, 0.05 * h);
       std::printf(
@@ -254,12 +255,12 @@ TEST(AdaptiveContouring, PolyhedraBecomeWhatTheyWere)
 /// edges are kept.
 TEST(AdaptiveContouring, CircleWhereABallLeavesABoxIsKept)
 {
-  const Point3 centre{ 1.02, 1.01, 1.55 };
+  const Point3 center{ 1.02, 1.01, 1.55 };
   const double half = 0.613, radius = 0.4, h = 0.05;
   const auto value = [&](const Point3& p)
   {
     const Point3 q = p - Point3{ 1.0, 1.0, 1.0 };
-    const Point3 r = p - centre;
+    const Point3 r = p - center;
     return std::max({ std::abs(q[0]) - half, std::abs(q[1]) - half, std::abs(q[2]) - half,
       radius - std::sqrt(Dot(r, r)) });
   };
@@ -275,15 +276,15 @@ TEST(AdaptiveContouring, CircleWhereABallLeavesABoxIsKept)
     }
     return (1.0 / std::sqrt(Dot(n, n))) * n;
   };
-  const HermiteGrid grid = HermiteOf(value, normal, 41, h);
+  const HermiteGrid grid = MakeHermiteGrid(value, normal, 41, h);
   TriangleMesh circle;
   const double sine =
-    std::sqrt(radius * radius - (1.0 + half - centre[2]) * (1.0 + half - centre[2]));
+    std::sqrt(radius * radius - (1.0 + half - center[2]) * (1.0 + half - center[2]));
   for (std::int64_t i = 0; i < 2000; ++i)
   {
     const double t = static_cast<double>(i) * 8.0 * std::atan(1.0) / 2000.0;
     circle.Points.push_back(
-      { centre[0] + sine * std::cos(t), centre[1] + sine * std::sin(t), 1.0 + half });
+      { center[0] + sine * std::cos(t), center[1] + sine * std::sin(t), 1.0 + half });
     circle.Triangles.push_back({ i, i, i });
   }
   for (const double tolerance : { 0.0, 0.02 * h })

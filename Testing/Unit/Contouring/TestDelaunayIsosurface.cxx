@@ -29,7 +29,7 @@ namespace
 
 /// Samples `f(x, y, z)` on a grid of n^3 nodes over [-1, 1]^3.
 template <typename Array = vtkFloatArray, typename Function>
-vtkSmartPointer<vtkImageData> Sampled(int n, Function&& f)
+vtkSmartPointer<vtkImageData> SampleImage(int n, Function&& f)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(n, n, n);
@@ -59,7 +59,7 @@ struct Topology
   std::int64_t Genus = 0;
 };
 
-Topology TopologyOf(const TriangleMesh& mesh)
+Topology DescribeTopology(const TriangleMesh& mesh)
 {
   const std::vector<int> labels = Components(mesh);
   Topology result;
@@ -142,7 +142,7 @@ DelaunayIsosurfaceResult Isosurface(const ClosedLevelSet& set, double level, dou
 TEST(DelaunayIsosurface, SphereHasItsAnglesItsTopologyAndItsVolume)
 {
   const auto image =
-    Sampled(41, [](double x, double y, double z) { return Ball(x, y, z, 0, 0, 0, 0.7); });
+    SampleImage(41, [](double x, double y, double z) { return Ball(x, y, z, 0, 0, 0, 0.7); });
   vtkNew<vtkDelaunayIsosurface> filter;
   filter->SetInputData(image);
   filter->SetLevel(0.0);
@@ -153,8 +153,8 @@ TEST(DelaunayIsosurface, SphereHasItsAnglesItsTopologyAndItsVolume)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(),
     static_cast<vtkIdType>(result.Surface.Triangles.size()));
   EXPECT_TRUE(FindDefects(result.Surface).None());
-  EXPECT_EQ(TopologyOf(result.Surface).Components, 1);
-  EXPECT_EQ(TopologyOf(result.Surface).Genus, 0);
+  EXPECT_EQ(DescribeTopology(result.Surface).Components, 1);
+  EXPECT_EQ(DescribeTopology(result.Surface).Genus, 0);
   EXPECT_GE(TriangleAngles(result.Surface).Smallest, 30.0);
   EXPECT_NEAR(SignedVolume(result.Surface), 4.0 / 3.0 * 3.14159265 * 0.343, 0.02);
   double bounds[6];
@@ -165,7 +165,7 @@ TEST(DelaunayIsosurface, SphereHasItsAnglesItsTopologyAndItsVolume)
 
 TEST(DelaunayIsosurface, SmallComponentsAreNotLost)
 {
-  const auto image = Sampled(61,
+  const auto image = SampleImage(61,
     [](double x, double y, double z)
     {
       return std::max({ Ball(x, y, z, -0.3, 0, 0, 0.55), Ball(x, y, z, 0.7, 0.7, 0.7, 0.06),
@@ -174,25 +174,25 @@ TEST(DelaunayIsosurface, SmallComponentsAreNotLost)
   const auto set = CloseLevelSet(image, image->GetPointData()->GetScalars(), 0.0, true);
   const auto result = Isosurface(set, 0.0, 2.0 / 60);
   EXPECT_EQ(result.Warning, "");
-  EXPECT_EQ(TopologyOf(result.Surface).Components, 4);
+  EXPECT_EQ(DescribeTopology(result.Surface).Components, 4);
   EXPECT_GE(TriangleAngles(result.Surface).Smallest, 30.0);
 }
 
-TEST(DelaunayIsosurface, WhatLeavesTheVolumeIsClosed)
+TEST(DelaunayIsosurface, SurfacesThatLeaveTheVolumeAreClosed)
 {
-  const auto image = Sampled<vtkDoubleArray>(
+  const auto image = SampleImage<vtkDoubleArray>(
     31, [](double x, double y, double z) { return Ball(x, y, z, 0.8, 0, 0, 0.6); });
   const auto set = CloseLevelSet(image, image->GetPointData()->GetScalars(), 0.0, true);
   const auto result = Isosurface(set, 0.0, 2.0 / 30);
   EXPECT_TRUE(FindDefects(result.Surface).None());
-  EXPECT_EQ(TopologyOf(result.Surface).Components, 1);
+  EXPECT_EQ(DescribeTopology(result.Surface).Components, 1);
   EXPECT_GT(SignedVolume(result.Surface), 0.0);
 }
 
 TEST(DelaunayIsosurface, LowerInsideFacesAwayFromIt)
 {
   const auto image =
-    Sampled(31, [](double x, double y, double z) { return -Ball(x, y, z, 0, 0, 0, 0.6); });
+    SampleImage(31, [](double x, double y, double z) { return -Ball(x, y, z, 0, 0, 0, 0.6); });
   vtkNew<vtkDelaunayIsosurface> filter;
   filter->SetInputData(image);
   filter->InsideIsHigherOff();
@@ -206,7 +206,7 @@ TEST(DelaunayIsosurface, LowerInsideFacesAwayFromIt)
 
 TEST(DelaunayIsosurface, IntegersAnisotropyAndMirroredAxesWork)
 {
-  const auto image = Sampled<vtkUnsignedCharArray>(31,
+  const auto image = SampleImage<vtkUnsignedCharArray>(31,
     [](double x, double y, double z) { return 200.0 * (0.5 + Ball(x, y, z, 0, 0, 0, 0.6) / 4.0); });
   image->SetSpacing(1.0, 1.5, 2.0);
   image->SetDirectionMatrix(1, 0, 0, 0, -1, 0, 0, 0, 1);
@@ -236,19 +236,19 @@ TEST(DelaunayIsosurface, IntegersBeyondFloatAreExact)
   {
     const auto at = [offset](double x, double y, double z)
     { return offset + std::round(3000.0 * Ball(x, y, z, 0, 0, 0, 0.6)); };
-    const auto expected = cellsOf(Sampled<vtkDoubleArray>(31, at), offset + 0.5);
+    const auto expected = cellsOf(SampleImage<vtkDoubleArray>(31, at), offset + 0.5);
     EXPECT_GT(expected, 100);
-    EXPECT_EQ(cellsOf(Sampled<vtkTypeInt64Array>(31, at), offset + 0.5), expected) << offset;
+    EXPECT_EQ(cellsOf(SampleImage<vtkTypeInt64Array>(31, at), offset + 0.5), expected) << offset;
     if (offset < 2e9)
     {
-      EXPECT_EQ(cellsOf(Sampled<vtkIntArray>(31, at), offset + 0.5), expected) << offset;
+      EXPECT_EQ(cellsOf(SampleImage<vtkIntArray>(31, at), offset + 0.5), expected) << offset;
     }
   }
 }
 
-TEST(DelaunayIsosurface, NothingThereGivesNothing)
+TEST(DelaunayIsosurface, EmptyInputGivesEmptyOutput)
 {
-  const auto image = Sampled(11, [](double, double, double) { return 1.0; });
+  const auto image = SampleImage(11, [](double, double, double) { return 1.0; });
   vtkNew<vtkDelaunayIsosurface> filter;
   filter->SetInputData(image);
   filter->SetLevel(2.0);
@@ -257,10 +257,10 @@ TEST(DelaunayIsosurface, NothingThereGivesNothing)
   EXPECT_EQ(filter->GetErrorCode(), 0u);
 }
 
-TEST(DelaunayIsosurface, BadParametersAndValuesEndInASentence)
+TEST(DelaunayIsosurface, BadParametersAndValuesAreReported)
 {
   auto image =
-    Sampled(11, [](double x, double y, double z) { return Ball(x, y, z, 0, 0, 0, 0.6); });
+    SampleImage(11, [](double x, double y, double z) { return Ball(x, y, z, 0, 0, 0, 0.6); });
   auto* scalars = image->GetPointData()->GetScalars();
   const auto set = CloseLevelSet(image, scalars, 0.0, true);
   DelaunayIsosurfaceParameters wrong;
@@ -341,8 +341,8 @@ TEST(DelaunayIsosurface, RealMapsKeepTheirBoundsAndTopology)
     const auto result = Isosurface(set, map.Level, h);
     const double mySeconds = clock();
 
-    const Topology mine = TopologyOf(result.Surface);
-    const Topology theirs = TopologyOf(set.Guide);
+    const Topology mine = DescribeTopology(result.Surface);
+    const Topology theirs = DescribeTopology(set.Guide);
     const Deviation near = DeviationFrom(set, map.Level, result.Surface, h);
     const Deviation guideNear = DeviationFrom(set, map.Level, set.Guide, h);
     const TriangleAngles angles(result.Surface);

@@ -33,7 +33,7 @@ namespace
 
 TriangleMesh OnGrid(const TriangleMesh& mesh, double spacing, double reach)
 {
-  return ContourOf(mesh,
+  return ComputeContour(mesh,
     [&](vtkDualContouring* f)
     {
       f->SetSpacing(spacing);
@@ -64,8 +64,8 @@ std::vector<double> DistancesFrom(const TriangleMesh& mesh, const TriangleMesh& 
 /// corners included, and the solid is within 0.05 h of the contours.
 TEST(DualContouring, EdgesAndCornersOfPolyhedraAreKept)
 {
-  for (const TriangleMesh& solid : { Turned(Cube({ -0.5, -0.5, -0.5 }, 1.0)),
-         Turned(Octahedron(0.8)), Cube({ -0.5, -0.5, -0.5 }, 1.0) })
+  for (const TriangleMesh& solid : { Rotate(Cube({ -0.5, -0.5, -0.5 }, 1.0)),
+         Rotate(Octahedron(0.8)), Cube({ -0.5, -0.5, -0.5 }, 1.0) })
   {
     const double h = 0.07;
     for (const double reach : { 0.0, 1.0 })
@@ -93,8 +93,8 @@ TEST(DualContouring, SmoothLevelsConvergeWithOrderTwo)
   double last = 0.0;
   for (const int n : { 17, 33, 65 })
   {
-    const TriangleMesh contour =
-      ContourOf(Sampled(n, [](const Point3& p) { return 0.7 - std::sqrt(Dot(p, p) + 1e-12); }));
+    const TriangleMesh contour = ComputeContour(
+      SampleImage(n, [](const Point3& p) { return 0.7 - std::sqrt(Dot(p, p) + 1e-12); }));
     double worst = 0.0;
     for (const Point3& p : contour.Points)
     {
@@ -118,10 +118,10 @@ TEST(DualContouring, BallFromItsTriangles)
   ball->SetThetaResolution(80);
   ball->SetPhiResolution(80);
   ball->Update();
-  const double before = SignedVolume(MeshOf(ball->GetOutput()));
-  const TriangleMesh contour = OnGrid(MeshOf(ball->GetOutput()), 0.05, 0.0);
+  const double before = SignedVolume(ToTriangleMesh(ball->GetOutput()));
+  const TriangleMesh contour = OnGrid(ToTriangleMesh(ball->GetOutput()), 0.05, 0.0);
   EXPECT_NEAR(SignedVolume(contour) / before, 1.0, 5e-3);
-  EXPECT_LT(HausdorffDistance(contour, MeshOf(ball->GetOutput())), 0.05 * 0.05);
+  EXPECT_LT(HausdorffDistance(contour, ToTriangleMesh(ball->GetOutput())), 0.05 * 0.05);
 }
 
 TEST(DualContouring, NoiseGivesAManifold)
@@ -130,7 +130,7 @@ TEST(DualContouring, NoiseGivesAManifold)
   {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> value(-1.0, 1.0);
-    const TriangleMesh contour = ContourOf(Sampled(14,
+    const TriangleMesh contour = ComputeContour(SampleImage(14,
       [&](const Point3& p)
       {
         const bool border = std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) > 0.99;
@@ -147,7 +147,7 @@ TEST(DualContouring, NoiseGivesAManifold)
 
 TEST(DualContouring, QuadrilateralsMirrorsAndThreads)
 {
-  const auto image = Sampled(
+  const auto image = SampleImage(
     25, [](const Point3& p) { return 0.6 - std::abs(p[0]) - std::abs(p[1]) - std::abs(p[2]); });
   vtkNew<vtkDualContouring> filter;
   filter->SetInputData(image);
@@ -159,17 +159,17 @@ TEST(DualContouring, QuadrilateralsMirrorsAndThreads)
   filter->QuadrilateralsOff();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 2 * quads);
-  const TriangleMesh plain = MeshOf(filter->GetOutput());
+  const TriangleMesh plain = ToTriangleMesh(filter->GetOutput());
   EXPECT_GT(SignedVolume(plain), 0.0);
 
   image->SetDirectionMatrix(1, 0, 0, 0, -1, 0, 0, 0, 1);
   filter->Update();
-  EXPECT_NEAR(SignedVolume(MeshOf(filter->GetOutput())), SignedVolume(plain), 1e-9);
+  EXPECT_NEAR(SignedVolume(ToTriangleMesh(filter->GetOutput())), SignedVolume(plain), 1e-9);
   image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 1);
   for (const int threads : { 1, 3 })
   {
     vtkSMPTools::LocalScope({ threads, threads == 1 ? "Sequential" : "STDThread", false },
-      [&] { EXPECT_EQ(ContourOf(image).Points, plain.Points); });
+      [&] { EXPECT_EQ(ComputeContour(image).Points, plain.Points); });
   }
 }
 
@@ -200,7 +200,7 @@ TEST(DualContouring, SurfacesThatCrossAreRefusedWithTheirPlace)
 
 TEST(DualContouring, WrongInputAndPropertiesAreRefused)
 {
-  const auto image = Sampled(9, [](const Point3& p) { return 0.6 - std::abs(p[0]); });
+  const auto image = SampleImage(9, [](const Point3& p) { return 0.6 - std::abs(p[0]); });
   const auto fails = [](vtkDataObject* input, auto&& change)
   {
     vtkNew<vtkDualContouring> filter;
@@ -299,15 +299,15 @@ TEST(DualContouring, ToriAtSeveralSpacingsAndPoses)
       TriangleMesh axes{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, {} };
       for (int turn = 0; turn < pose; ++turn)
       {
-        axes = Turned(std::move(axes));
+        axes = Rotate(std::move(axes));
       }
       const auto depth = [&](const Point3& p)
       {
         const double away = std::hypot(Dot(p, axes.Points[0]), Dot(p, axes.Points[1])) - large;
         return small - std::hypot(away, Dot(p, axes.Points[2]));
       };
-      ExpectTorus(ContourOf(Sampled(n, depth)), large, small, h, 0.0);
-      surface = Turned(std::move(surface));
+      ExpectTorus(ComputeContour(SampleImage(n, depth)), large, small, h, 0.0);
+      surface = Rotate(std::move(surface));
     }
   }
 }
@@ -317,7 +317,7 @@ TEST(DualContouring, ToriAtSeveralSpacingsAndPoses)
 TEST(DualContouring, SlimSurfacesOnFineGridsNeedLittleMemory)
 {
   vtkNew<vtkPolyData> ring;
-  SetMesh(Turned(Turned(Ring(10.0, 0.3, 400, 24))), ring);
+  SetMesh(Rotate(Rotate(Ring(10.0, 0.3, 400, 24))), ring);
   vtkNew<vtkDualContouring> filter;
   filter->SetInputData(ring);
   filter->SetSpacing(0.08);
@@ -331,7 +331,7 @@ TEST(DualContouring, SlimSurfacesOnFineGridsNeedLittleMemory)
       RLIM_INFINITY };
     setrlimit(RLIMIT_AS, &limit);
     vtkSMPTools::LocalScope({ 1, "Sequential", false }, [&] { filter->Update(); });
-    const TriangleMesh contour = MeshOf(filter->GetOutput());
+    const TriangleMesh contour = ToTriangleMesh(filter->GetOutput());
     _exit(contour.Triangles.empty() ? 1 : EulerCharacteristic(contour) == 0 ? 0 : 2);
   }
   int status = 0;

@@ -24,25 +24,26 @@ using namespace isthmus::testing;
 namespace
 {
 
-vtkSmartPointer<vtkImageData> Turned(int n, const Value& value, const Rotation& turn)
+vtkSmartPointer<vtkImageData> Rotate(int n, const Value& value, const Rotation& turn)
 {
-  return Sampled(n, [&](const Point3& p) { return -value(turn(p)); });
+  return SampleImage(n, [&](const Point3& p) { return -value(turn(p)); });
 }
 
-struct Kept
+struct KeptShares
 {
   double All = 0.0, FarFromCorners = 0.0; ///< shares
   std::size_t Crossing = 0;               ///< triangles
 };
 
-Kept KeptOf(const Value& value, const TriangleMesh& all, const TriangleMesh& far, int n)
+KeptShares FilterCrossings(
+  const Value& value, const TriangleMesh& all, const TriangleMesh& far, int n)
 {
-  Kept kept;
+  KeptShares kept;
   constexpr unsigned turns = 3;
   for (unsigned seed = 1; seed <= turns; ++seed)
   {
     const Rotation turn(seed);
-    const TriangleMesh contour = ContourOf(Turned(n, value, turn));
+    const TriangleMesh contour = ComputeContour(Rotate(n, value, turn));
     const auto share = [&](TriangleMesh edges)
     {
       for (Point3& p : edges.Points)
@@ -58,7 +59,7 @@ Kept KeptOf(const Value& value, const TriangleMesh& all, const TriangleMesh& far
   return kept;
 }
 
-std::vector<GridCrossing> CrossingsOf(vtkImageData* image, double level, bool eno)
+std::vector<GridCrossing> FindCrossings(vtkImageData* image, double level, bool eno)
 {
   std::vector<double> values;
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -81,7 +82,7 @@ std::vector<GridCrossing> CrossingsOf(vtkImageData* image, double level, bool en
   return crossings;
 }
 
-Point3 PlaceOf(vtkImageData* image, const GridCrossing& crossing)
+Point3 GetPosition(vtkImageData* image, const GridCrossing& crossing)
 {
   Point3 p;
   image->GetPoint(crossing.Node, p.data());
@@ -157,7 +158,7 @@ TEST(ENOCrossings, EdgesOfSampledSolidsAreKept)
         0.975 },
       { "box and ball", BoxAndBall, BoxEdges(0, true), BoxEdges(corner, true), 0.9, 0.905 } })
   {
-    const Kept kept = KeptOf(c.Solid, c.Edges, c.FarFromCorners, n);
+    const KeptShares kept = FilterCrossings(c.Solid, c.Edges, c.FarFromCorners, n);
     std::printf("%s: %.2f %% of the edges within 0.05 h, %.2f %% of those 3 h from corners; %zu "
                 "triangles cross in three turns\n",
       c.Name, 100.0 * kept.All, 100.0 * kept.FarFromCorners, kept.Crossing);
@@ -171,13 +172,13 @@ TEST(ENOCrossings, CubeAlongTheGridIsExact)
 {
   for (const double shift : { 0.0, 0.013 })
   {
-    const auto image = Sampled(33,
+    const auto image = SampleImage(33,
       [shift](const Point3& p) {
         return 0.013 - Box(p - Point3{ shift, shift, shift });
       });
-    for (const GridCrossing& crossing : CrossingsOf(image, 0.0, true))
+    for (const GridCrossing& crossing : FindCrossings(image, 0.0, true))
     {
-      const Point3 p = PlaceOf(image, crossing) - Point3{ shift, shift, shift };
+      const Point3 p = GetPosition(image, crossing) - Point3{ shift, shift, shift };
       EXPECT_NEAR(Box(p), 0.013, 1e-12);
       const auto axis = static_cast<std::size_t>(crossing.Axis);
       EXPECT_NEAR(crossing.Normal[axis], p[axis] > 0.0 ? 1.0 : -1.0, 1e-12);
@@ -190,14 +191,14 @@ TEST(ENOCrossings, SmoothSetsKeepTheirOrders)
   double last = 0.0, lastNormal = 0.0;
   for (const int n : { 17, 33, 65 })
   {
-    const auto image = Sampled(n,
+    const auto image = SampleImage(n,
       [](const Point3& p) {
         return 0.7 - Length(p - Point3{ 0.01, 0.02, 0.03 });
       });
     double off = 0.0, turned = 0.0;
-    for (const GridCrossing& crossing : CrossingsOf(image, 0.0, true))
+    for (const GridCrossing& crossing : FindCrossings(image, 0.0, true))
     {
-      const Point3 r = PlaceOf(image, crossing) - Point3{ 0.01, 0.02, 0.03 };
+      const Point3 r = GetPosition(image, crossing) - Point3{ 0.01, 0.02, 0.03 };
       off = std::max(off, std::abs(Length(r) - 0.7));
       turned = std::max(turned, Length((1.0 / Length(r)) * r - Point3(crossing.Normal)));
     }
@@ -219,12 +220,12 @@ TEST(ENOCrossings, NoiseTurnsNormalsNoMore)
   {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
-    const auto truth = Sampled(33, [](const Point3& p) { return 0.7 - Length(p); });
-    const auto noisy =
-      Sampled(33, [&](const Point3& p) { return 0.7 - Length(p) + noise / 16.0 * normal(random); });
-    const auto exact = CrossingsOf(truth, 0.0, true);
-    const double central = AngleBetween(CrossingsOf(noisy, 0.0, false), exact);
-    const double eno = AngleBetween(CrossingsOf(noisy, 0.0, true), exact);
+    const auto truth = SampleImage(33, [](const Point3& p) { return 0.7 - Length(p); });
+    const auto noisy = SampleImage(
+      33, [&](const Point3& p) { return 0.7 - Length(p) + noise / 16.0 * normal(random); });
+    const auto exact = FindCrossings(truth, 0.0, true);
+    const double central = AngleBetween(FindCrossings(noisy, 0.0, false), exact);
+    const double eno = AngleBetween(FindCrossings(noisy, 0.0, true), exact);
     std::printf(
       "noise of %g h: normals off by %.4f, by central differences %.4f\n", noise, eno, central);
     EXPECT_LT(eno, 1.05 * central);
@@ -244,8 +245,8 @@ TEST(ENOCrossings, NoiseOnMapsTurnsNormalsNoMore)
     for (const std::size_t draw : { 0u, 1u })
     {
       const auto map = WithNoise(reader->GetOutput(), static_cast<unsigned>(draw));
-      eno[draw] = CrossingsOf(map, level, true);
-      central[draw] = CrossingsOf(map, level, false);
+      eno[draw] = FindCrossings(map, level, true);
+      central[draw] = FindCrossings(map, level, false);
     }
     const double disagree = AngleBetween(eno[0], eno[1]);
     const double before = AngleBetween(central[0], central[1]);
@@ -259,8 +260,8 @@ TEST(ENOCrossings, FewNodesAndFlatPlacesGiveNormals)
 {
   for (const int n : { 2, 3, 4 })
   {
-    const auto image = Sampled(n, [](const Point3& p) { return p[0] > 0.0 ? 1.0 : -1.0; });
-    const auto crossings = CrossingsOf(image, 0.0, true);
+    const auto image = SampleImage(n, [](const Point3& p) { return p[0] > 0.0 ? 1.0 : -1.0; });
+    const auto crossings = FindCrossings(image, 0.0, true);
     EXPECT_EQ(crossings.size(), static_cast<std::size_t>(n * n));
     for (const GridCrossing& crossing : crossings)
     {
@@ -276,10 +277,10 @@ TEST(ENOCrossings, CrossingIsOfTheFlatterParabola)
   const std::array<double, 4> values{ 6.0, 1.0, -2.0, -4.0 };
   for (const double direction : { 1.0, -1.0 })
   {
-    const auto image = Sampled(4,
+    const auto image = SampleImage(4,
       [&](const Point3& p)
       { return values[static_cast<std::size_t>(std::lround(1.5 * (direction * p[0] + 1.0)))]; });
-    const auto crossings = CrossingsOf(image, 0.0, true);
+    const auto crossings = FindCrossings(image, 0.0, true);
     ASSERT_EQ(crossings.size(), 16u);
     for (const GridCrossing& crossing : crossings)
     {
@@ -290,13 +291,13 @@ TEST(ENOCrossings, CrossingIsOfTheFlatterParabola)
   }
 }
 
-TEST(ENOCrossings, NormalsBesideTheBorderAreOfSecondOrder)
+TEST(ENOCrossings, NormalsNearTheBorderAreSecondOrder)
 {
-  const auto image = Sampled(4, [](const Point3& p) { return 0.5 - p[0] - p[1] * p[1]; });
+  const auto image = SampleImage(4, [](const Point3& p) { return 0.5 - p[0] - p[1] * p[1]; });
   int found = 0;
-  for (const GridCrossing& crossing : CrossingsOf(image, 0.0, true))
+  for (const GridCrossing& crossing : FindCrossings(image, 0.0, true))
   {
-    const Point3 p = PlaceOf(image, crossing);
+    const Point3 p = GetPosition(image, crossing);
     if (crossing.Axis == 0 && std::abs(p[1]) < 0.5)
     {
       EXPECT_NEAR(crossing.Normal[1] / crossing.Normal[0], 2.0 * p[1], 1e-9);

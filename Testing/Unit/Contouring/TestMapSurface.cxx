@@ -43,7 +43,7 @@ namespace
 
 constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
 
-vtkSmartPointer<vtkImageData> ImageOf(const Grid& grid)
+vtkSmartPointer<vtkImageData> MakeImage(const Grid& grid)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   const auto& n = grid.View.Dimensions;
@@ -59,19 +59,19 @@ vtkSmartPointer<vtkImageData> ImageOf(const Grid& grid)
   return image;
 }
 
-double FieldOf(vtkDataObject* surface, const char* name)
+double SampleField(vtkDataObject* surface, const char* name)
 {
   return surface->GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
-std::string SourceOf(vtkDataObject* output)
+std::string MakeSource(vtkDataObject* output)
 {
   return output->GetFieldData()->GetAbstractArray("LevelSource")->GetVariantValue(0).ToString();
 }
 
 }
 
-TEST(EstimateLevel, SplitsTwoClassesWhateverTheHotVoxels)
+TEST(EstimateLevel, SplitsTwoClassesDespiteOutliers)
 {
   std::mt19937 random(1);
   std::normal_distribution<double> background(0.0, 1.0), molecule(20.0, 3.0);
@@ -123,7 +123,7 @@ TEST(HideDust, ByAreaShareAndNumber)
     EXPECT_EQ(one.Found, 2);
     ASSERT_EQ(one.Areas.size(), 1U);
     EXPECT_EQ(one.Areas[0], all.Areas[0]);
-    EXPECT_EQ(DefectsOf(one.Surface), "");
+    EXPECT_EQ(DescribeDefects(one.Surface), "");
     EXPECT_EQ(EulerCharacteristic(one.Surface), 2);
     EXPECT_EQ(one.Components.size(), one.Surface.Triangles.size());
   }
@@ -136,15 +136,15 @@ TEST(HideDust, ByAreaShareAndNumber)
 
 TEST(VTKMapSurface, AutomaticLevelNormalsComponentsAndFieldData)
 {
-  const auto image = ImageOf(TwoBalls());
+  const auto image = MakeImage(TwoBalls());
   vtkNew<vtkMapSurface> filter;
   filter->SetInputData(image);
   filter->Update();
   vtkPolyData* surface = filter->GetOutput();
-  EXPECT_GT(FieldOf(surface, "Level"), 10.0);
-  EXPECT_LT(FieldOf(surface, "Level"), 90.0);
-  EXPECT_EQ(FieldOf(surface, "Level"), FieldOf(surface, "Level"));
-  EXPECT_EQ(FieldOf(surface, "ComponentsFound"), 2.0);
+  EXPECT_GT(SampleField(surface, "Level"), 10.0);
+  EXPECT_LT(SampleField(surface, "Level"), 90.0);
+  EXPECT_EQ(SampleField(surface, "Level"), SampleField(surface, "Level"));
+  EXPECT_EQ(SampleField(surface, "ComponentsFound"), 2.0);
   auto* component = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray("Component"));
   ASSERT_NE(component, nullptr);
   EXPECT_EQ(component->GetRange()[1], 1.0);
@@ -167,13 +167,13 @@ TEST(VTKMapSurface, AutomaticLevelNormalsComponentsAndFieldData)
   EXPECT_FALSE(filter->GetAutomaticLevel());
   filter->SetLargestComponents(1);
   filter->Update();
-  EXPECT_EQ(FieldOf(surface, "Level"), 70.0);
+  EXPECT_EQ(SampleField(surface, "Level"), 70.0);
   EXPECT_EQ(surface->GetFieldData()->GetArray("ComponentArea")->GetNumberOfTuples(), 1);
 }
 
 TEST(VTKMapSurface, TakesTheRecommendedLevel)
 {
-  const auto image = ImageOf(TwoBalls());
+  const auto image = MakeImage(TwoBalls());
   vtkNew<vtkDoubleArray> level;
   level->SetName("RecommendedLevel");
   level->InsertNextValue(33.25);
@@ -181,12 +181,12 @@ TEST(VTKMapSurface, TakesTheRecommendedLevel)
   vtkNew<vtkMapSurface> filter;
   filter->SetInputData(image);
   filter->Update();
-  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), 33.25);
-  EXPECT_EQ(SourceOf(filter->GetOutput()), "recommended by the depositors");
+  EXPECT_EQ(SampleField(filter->GetOutput(), "Level"), 33.25);
+  EXPECT_EQ(MakeSource(filter->GetOutput()), "recommended by the depositors");
   filter->SetLevel(44.0);
   filter->Update();
-  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), 44.0);
-  EXPECT_EQ(SourceOf(filter->GetOutput()), "given");
+  EXPECT_EQ(SampleField(filter->GetOutput(), "Level"), 44.0);
+  EXPECT_EQ(MakeSource(filter->GetOutput()), "given");
 }
 
 /// Each filter that contours a volume has the level of Map Surface (of Isosurface Stuffing:
@@ -198,20 +198,20 @@ void ExpectLevel(vtkImageData* image, double level, const std::string& source)
   filter->SetInputData(image);
   filter->InsideIsHigherOff();
   filter->Update();
-  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), level);
-  EXPECT_EQ(SourceOf(filter->GetOutput()), source);
+  EXPECT_EQ(SampleField(filter->GetOutput(), "Level"), level);
+  EXPECT_EQ(MakeSource(filter->GetOutput()), source);
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(AutomaticLevel, OfASignedDistanceIsZeroInAllFilters)
 {
-  const auto image = ImageOf(TwoBalls());
+  const auto image = MakeImage(TwoBalls());
   vtkDataArray* values = image->GetPointData()->GetScalars();
   vtkNew<vtkMapSurface> estimate;
   estimate->SetInputData(image);
   estimate->InsideIsHigherOff();
   estimate->Update();
-  const double estimated = FieldOf(estimate->GetOutput(), "Level");
+  const double estimated = SampleField(estimate->GetOutput(), "Level");
   EXPECT_NE(estimated, 0.0);
   ExpectLevel<vtkDualContouring>(image, estimated, "estimated from the values");
   ExpectLevel<vtkDelaunayIsosurface>(image, estimated, "estimated from the values");
@@ -247,12 +247,12 @@ TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
   filter->SetInputData(image);
   filter->SetLevel(50.0);
   filter->Update();
-  double centre[3], node[3];
-  filter->GetOutput()->GetCenter(centre);
+  double center[3], node[3];
+  filter->GetOutput()->GetCenter(center);
   image->TransformIndexToPhysicalPoint(9, 2, 8, node);
   for (int a = 0; a < 3; ++a)
   {
-    EXPECT_NEAR(centre[a], node[a], 1e-12);
+    EXPECT_NEAR(center[a], node[a], 1e-12);
   }
   // An octahedron of half diagonal 1 has volume 4/3, positive where it faces outwards.
   TriangleMesh mesh;
@@ -273,7 +273,7 @@ TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
 
   filter->SetAutomaticLevel(true);
   filter->Update();
-  const double before = FieldOf(filter->GetOutput(), "Level");
+  const double before = SampleField(filter->GetOutput(), "Level");
   for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
   {
     values->SetValue(i, static_cast<short>(i % 2 == 0 ? 1000 : 2000));
@@ -282,12 +282,12 @@ TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
   image->Modified();
   filter->Update();
   EXPECT_LT(before, 1000.0);
-  EXPECT_EQ(FieldOf(filter->GetOutput(), "Level"), 1500.0);
+  EXPECT_EQ(SampleField(filter->GetOutput(), "Level"), 1500.0);
 }
 
-TEST(VTKMapSurface, DelaunayQualityIsClosedToo)
+TEST(VTKMapSurface, DelaunayQualityIsClosed)
 {
-  const auto image = ImageOf(TwoBalls());
+  const auto image = MakeImage(TwoBalls());
   vtkNew<vtkMapSurface> filter;
   filter->SetInputData(image);
   filter->SetQuality(vtkMapSurface::Delaunay);
@@ -295,9 +295,9 @@ TEST(VTKMapSurface, DelaunayQualityIsClosedToo)
   EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("ComponentArea")->GetNumberOfTuples(), 2);
 }
 
-TEST(VTKMapSurface, RefusesWithASentenceAndAnEmptyOutput)
+TEST(VTKMapSurface, ReportsErrorsWithAnEmptyOutput)
 {
-  const auto image = ImageOf(TwoBalls());
+  const auto image = MakeImage(TwoBalls());
   const auto refused = [&](auto&& set, const char* sentence)
   {
     vtkNew<vtkMapSurface> filter;
@@ -413,17 +413,17 @@ TEST(VTKMapSurface, EmptyInputAndNothingInside)
 
   vtkNew<vtkTest::ErrorObserver> observer;
   filter->AddObserver(vtkCommand::WarningEvent, observer);
-  filter->SetInputData(ImageOf(TwoBalls()));
+  filter->SetInputData(MakeImage(TwoBalls()));
   filter->SetLevel(1e30);
   filter->Update();
   EXPECT_NE(observer->GetWarningMessage().find("Nothing is inside"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(ContrastOf, SkewnessIsThatOfTheValues)
+TEST(MeasureContrast, SkewnessMatchesTheValues)
 {
   // One node in ten is 3, the others are 1: (1 - 2 p) / sqrt(p (1 - p)), of any unit.
-  const Grid grid = Sampled(
+  const Grid grid = SampleGrid(
     { 10, 10, 10 }, { 1, 1, 1 }, [](double x, double, double) { return x == 4.0 ? 3.0 : 1.0; });
-  EXPECT_NEAR(ContrastOf(grid.View).Skewness, 0.8 / 0.3, 1e-9);
+  EXPECT_NEAR(MeasureContrast(grid.View).Skewness, 0.8 / 0.3, 1e-9);
 }

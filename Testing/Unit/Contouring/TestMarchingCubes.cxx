@@ -31,12 +31,12 @@ TEST(MarchingCubes, AreaAndVolumeOfABallConvergeWithOrderTwo)
   for (const int n : { 21, 41, 81 })
   {
     const double h = 4.0 / (n - 1);
-    const Grid grid = Sampled({ n, n, n }, { h, h, h },
+    const Grid grid = SampleGrid({ n, n, n }, { h, h, h },
       [](double x, double y, double z) {
         return Ball(x, y, z, { 2.03, 1.98, 2.01 }, 1.4);
       });
     const TriangleMesh mesh = At(grid, 0.0);
-    EXPECT_EQ(DefectsOf(mesh), "");
+    EXPECT_EQ(DescribeDefects(mesh), "");
     EXPECT_EQ(EulerCharacteristic(mesh), 2);
     double area = 0.0;
     for (const Triangle& t : mesh.Triangles)
@@ -62,22 +62,23 @@ TEST(MarchingCubes, AreaAndVolumeOfABallConvergeWithOrderTwo)
 TEST(MarchingCubes, NoiseGivesAClosedManifoldThatFacesOutwards)
 {
   std::mt19937 random(7);
-  const Grid grid = Sampled({ 17, 16, 15 }, { 1, 2, 3 },
+  const Grid grid = SampleGrid({ 17, 16, 15 }, { 1, 2, 3 },
     [&](double, double, double) { return static_cast<double>(random() % 5) - 2.0; });
   for (const double level : { -1.5, 0.0, 0.3, 1.0 }) // 0 and 1 are values of nodes
   {
     const TriangleMesh mesh = At(grid, level);
-    EXPECT_EQ(DefectsOf(mesh), "") << level;
+    EXPECT_EQ(DescribeDefects(mesh), "") << level;
     EXPECT_GT(SignedVolume(mesh), 0.0);
-    EXPECT_EQ(DefectsOf(At(grid, level, true, false)), "") << level;
+    EXPECT_EQ(DescribeDefects(At(grid, level, true, false)), "") << level;
   }
 }
 
 TEST(MarchingCubes, ALevelThatLeavesTheGridIsClosedHalfACellBeyondIt)
 {
-  const Grid grid = Sampled({ 5, 4, 6 }, { 1, 2, 0.5 }, [](double, double, double) { return 3.0; });
+  const Grid grid =
+    SampleGrid({ 5, 4, 6 }, { 1, 2, 0.5 }, [](double, double, double) { return 3.0; });
   const TriangleMesh box = At(grid, 1.0);
-  EXPECT_EQ(DefectsOf(box), "");
+  EXPECT_EQ(DescribeDefects(box), "");
   EXPECT_EQ(EulerCharacteristic(box), 2);
   Bounds3 bounds{ box.Points[0], box.Points[0] };
   for (const Point3& p : box.Points)
@@ -89,7 +90,7 @@ TEST(MarchingCubes, ALevelThatLeavesTheGridIsClosedHalfACellBeyondIt)
   EXPECT_TRUE(At(grid, 1.0, false).Triangles.empty());
 
   const Grid slope =
-    Sampled({ 6, 6, 6 }, { 1, 1, 1 }, [](double x, double, double) { return x - 2.25; });
+    SampleGrid({ 6, 6, 6 }, { 1, 1, 1 }, [](double x, double, double) { return x - 2.25; });
   const TriangleMesh open = At(slope, 0.0, false);
   EXPECT_EQ(open.Triangles.size(), 50U); // the plane x = 2.25 through 25 cells
   EXPECT_FALSE(FindDefects(open).BoundaryTriangles.empty());
@@ -99,14 +100,14 @@ TEST(MarchingCubes, ALevelThatLeavesTheGridIsClosedHalfACellBeyondIt)
   }
 }
 
-TEST(MarchingCubes, WhatIsNoNumberIsOutside)
+TEST(MarchingCubes, NaNIsOutside)
 {
-  Grid grid =
-    Sampled({ 8, 8, 8 }, { 1, 1, 1 }, [](double x, double, double) { return x < 3.5 ? Nan : 1.0; });
+  Grid grid = SampleGrid(
+    { 8, 8, 8 }, { 1, 1, 1 }, [](double x, double, double) { return x < 3.5 ? Nan : 1.0; });
   grid.Values[511] = std::numeric_limits<double>::infinity();
   grid.Values[255] = -1e300;
   const TriangleMesh mesh = At(grid, 0.5);
-  EXPECT_EQ(DefectsOf(mesh), "");
+  EXPECT_EQ(DescribeDefects(mesh), "");
   EXPECT_EQ(FindDefects(mesh).InvalidPoints.size(), 0U);
   EXPECT_THROW(At(grid, Nan), std::invalid_argument);
 }
@@ -114,7 +115,7 @@ TEST(MarchingCubes, WhatIsNoNumberIsOutside)
 // Inside is what lies beyond the level, so that a node of the level itself encloses nothing.
 TEST(MarchingCubes, ANodeAtTheLevelIsOutside)
 {
-  const Grid grid = Sampled({ 5, 5, 5 }, { 1, 1, 1 },
+  const Grid grid = SampleGrid({ 5, 5, 5 }, { 1, 1, 1 },
     [](double x, double y, double z) {
       return std::max({ 0.0, 3.0 - x, 3.0 - y, 3.0 - z });
     });
@@ -129,7 +130,7 @@ TEST(MarchingCubes, ANodeAtTheLevelIsOutside)
 
 TEST(MarchingCubes, HugeValuesInterpolate)
 {
-  const Grid grid = Sampled(
+  const Grid grid = SampleGrid(
     { 2, 2, 2 }, { 1, 1, 1 }, [](double x, double, double) { return x < 0.5 ? -1e308 : 1e308; });
   for (const Point3& p : At(grid, 0.0, false).Points)
   {
@@ -137,10 +138,10 @@ TEST(MarchingCubes, HugeValuesInterpolate)
   }
 }
 
-TEST(MarchingCubes, SameBitsOnOneAndOnThreeThreads)
+TEST(MarchingCubes, IdenticalOnOneAndThreeThreads)
 {
   std::mt19937 random(3);
-  const Grid grid = Sampled({ 30, 31, 67 }, { 1, 1, 1 },
+  const Grid grid = SampleGrid({ 30, 31, 67 }, { 1, 1, 1 },
     [&](double, double, double) { return static_cast<double>(random() % 1000); });
   TriangleMesh meshes[2];
   for (const int threads : { 1, 3 })

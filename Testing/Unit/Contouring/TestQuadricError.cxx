@@ -26,13 +26,13 @@ const Bounds3 Around{ { -2, -2, -2 }, { 2, 2, 2 } };
 std::vector<TangentPlane> OfSphere(double radius, int count, std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
-  const Point3 up{ 0.0, std::sqrt(0.75), 0.5 }, centre = (-radius) * up;
+  const Point3 up{ 0.0, std::sqrt(0.75), 0.5 }, center = (-radius) * up;
   std::vector<TangentPlane> planes;
   for (int i = 0; i < count; ++i)
   {
-    const Point3 d = Point3{ uniform(random), uniform(random), uniform(random) } - centre;
+    const Point3 d = Point3{ uniform(random), uniform(random), uniform(random) } - center;
     const Point3 n = (1.0 / Length(d)) * d;
-    planes.push_back({ centre + radius * n, n });
+    planes.push_back({ center + radius * n, n });
   }
   return planes;
 }
@@ -186,7 +186,7 @@ TEST(QuadricError, OfPlanesAndOfOneFaceAreTheTangentOnes)
 }
 
 /// Normals of nothing at all: some place in the box, no worse than the tangent planes' one.
-TEST(QuadricError, OfNoiseMeetNoWorse)
+TEST(QuadricError, OfNoiseIsNoWorse)
 {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
@@ -236,7 +236,7 @@ TEST(SharpFeatureGrid, MiddlesStayATenthFromFaces)
 }
 
 /// The planes of cell 1 meet on an edge of a cell beside it, the first one as well.
-TEST(VertexPlacement, GoesToTheEdgeInACellBesideIts)
+TEST(VertexPlacement, MovesToTheEdgeInANeighbouringCell)
 {
   for (const double x : { 0.8, 2.2 })
   {

@@ -39,7 +39,7 @@ inline vtkSmartPointer<vtkImageData> Ball(double hx, double hy, double hz, doubl
   return image;
 }
 
-inline vtkSmartPointer<vtkPolyData> Scaled(Model model, double factor)
+inline vtkSmartPointer<vtkPolyData> Scale(Model model, double factor)
 {
   for (Vector& p : model.Points)
   {

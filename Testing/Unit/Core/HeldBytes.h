@@ -51,7 +51,7 @@ inline std::int64_t MostHeldBytes()
 #if ISTHMUS_COUNTS_BYTES
 
 /// Notes a new block and hands it on.
-inline void* Counted(void* block)
+inline void* CountBlock(void* block)
 {
   if (block)
   {
@@ -66,7 +66,7 @@ inline void* Counted(void* block)
 }
 
 /// Notes that a block goes and hands it on.
-inline void* Discounted(void* block)
+inline void* UncountBlock(void* block)
 {
   if (block)
   {
@@ -92,32 +92,32 @@ extern "C"
 
   void* malloc(std::size_t size) noexcept
   {
-    return isthmus::testing::Counted(__libc_malloc(size));
+    return isthmus::testing::CountBlock(__libc_malloc(size));
   }
 
   void* calloc(std::size_t count, std::size_t size) noexcept
   {
-    return isthmus::testing::Counted(__libc_calloc(count, size));
+    return isthmus::testing::CountBlock(__libc_calloc(count, size));
   }
 
   void free(void* block) noexcept
   {
-    __libc_free(isthmus::testing::Discounted(block));
+    __libc_free(isthmus::testing::UncountBlock(block));
   }
 
   void* realloc(void* block, std::size_t size) noexcept
   {
-    void* moved = __libc_realloc(isthmus::testing::Discounted(block), size);
+    void* moved = __libc_realloc(isthmus::testing::UncountBlock(block), size);
     if (!moved && size != 0)
     {
-      isthmus::testing::Counted(block); // stays as it was
+      isthmus::testing::CountBlock(block); // stays as it was
     }
-    return isthmus::testing::Counted(moved);
+    return isthmus::testing::CountBlock(moved);
   }
 
   void* memalign(std::size_t alignment, std::size_t size) noexcept
   {
-    return isthmus::testing::Counted(__libc_memalign(alignment, size));
+    return isthmus::testing::CountBlock(__libc_memalign(alignment, size));
   }
 
   void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept

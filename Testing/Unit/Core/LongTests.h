@@ -21,8 +21,8 @@ namespace isthmus::testing
 class LongCases
 {
 public:
-  /// `name` decides at which turn a case runs and is printed by Tell(). After `hands` consecutive
-  /// merges all cases have run.
+  /// `name` decides at which turn a case runs and is printed by ReportCases(). After `hands`
+  /// consecutive merges all cases have run.
   LongCases(std::string name, std::uint64_t hands)
     : Name(std::move(name))
     , Hands(hands)
@@ -52,7 +52,7 @@ public:
   }
 
   /// Prints how many of how many cases were done.
-  void Tell(std::size_t done, std::size_t of) const
+  void ReportCases(std::size_t done, std::size_t of) const
   {
     std::printf("%s: %zu of %zu cases done (%s)\n", this->Name.c_str(), done, of,
       this->All      ? "ISTHMUS_LONG_TESTS=1: all"

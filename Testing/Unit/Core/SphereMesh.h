@@ -13,15 +13,15 @@
 namespace isthmus::testing
 {
 
-inline TriangleMesh Sphere(const Point3& centre, double radius, int resolution = 20)
+inline TriangleMesh Sphere(const Point3& center, double radius, int resolution = 20)
 {
   vtkNew<vtkSphereSource> source;
-  source->SetCenter(centre[0], centre[1], centre[2]);
+  source->SetCenter(center[0], center[1], center[2]);
   source->SetRadius(radius);
   source->SetThetaResolution(resolution);
   source->SetPhiResolution(resolution);
   source->Update();
-  return MeshOf(source->GetOutput());
+  return ToTriangleMesh(source->GetOutput());
 }
 
 }

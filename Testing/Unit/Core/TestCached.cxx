@@ -14,7 +14,7 @@ namespace
 {
 
 using isthmus::Cached;
-using isthmus::StateOf;
+using isthmus::GetState;
 
 TEST(Cached, EqualKeysComputeOnce)
 {
@@ -68,11 +68,11 @@ TEST(Cached, TheOldValueIsFreedFirst)
 TEST(Cached, StatesOfObjectsDifferByTime)
 {
   const vtkNew<vtkObject> object;
-  const auto before = StateOf(object);
-  EXPECT_EQ(StateOf(object), before);
+  const auto before = GetState(object);
+  EXPECT_EQ(GetState(object), before);
   object->Modified();
-  EXPECT_NE(StateOf(object), before);
-  EXPECT_EQ(StateOf(nullptr), isthmus::ObjectState(nullptr, 0));
+  EXPECT_NE(GetState(object), before);
+  EXPECT_EQ(GetState(nullptr), isthmus::ObjectState(nullptr, 0));
 }
 
 }

@@ -59,7 +59,7 @@ TEST(ChildProcess, EachEndHasItsName)
   EXPECT_EQ(RunChild({ folder.Path().string() }, {}, log, {}).End, ChildEnd::NotRun);
 }
 
-TEST(ChildProcess, StopsWhenAskedTo)
+TEST(ChildProcess, StopsOnRequest)
 {
   const TemporaryFolder folder;
   EXPECT_THROW(RunChild({ "sleep", "50" }, {}, folder.Path() / "log",
@@ -67,7 +67,7 @@ TEST(ChildProcess, StopsWhenAskedTo)
     Cancelled);
 }
 
-TEST(ChildProcess, ATemporaryFolderGoesWithItsContents)
+TEST(ChildProcess, ATemporaryFolderIsRemovedWithItsContents)
 {
   std::filesystem::path path;
   {

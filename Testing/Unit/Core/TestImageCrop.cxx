@@ -80,7 +80,7 @@ class Crops : public testing::TestWithParam<Extent>
 {
 };
 
-TEST_P(Crops, AreThoseOfVTK)
+TEST_P(Crops, MatchVTK)
 {
   const Extent whole{ -2, 6, 3, 9, 0, 4 };
   const auto ours = Image(whole);

@@ -16,7 +16,7 @@ using isthmus::MemoryText;
 
 constexpr double MiB = 1048576.0;
 
-std::string WhyRefused(const MemoryBudget& budget, double bytes)
+std::string CatchMessage(const MemoryBudget& budget, double bytes)
 {
   try
   {
@@ -36,20 +36,20 @@ TEST(MemoryBudget, LimitsAreInMiB)
   EXPECT_EQ(budget.WholeBytes(), 3145728u);
   EXPECT_TRUE(budget.Allows(3.0 * MiB));
   EXPECT_FALSE(budget.Allows(3.0 * MiB + 1.0));
-  EXPECT_EQ(WhyRefused(budget, 3.0 * MiB), "");
-  EXPECT_EQ(WhyRefused(budget, 6.0 * MiB),
+  EXPECT_EQ(CatchMessage(budget, 3.0 * MiB), "");
+  EXPECT_EQ(CatchMessage(budget, 6.0 * MiB),
     "A grid of 9 x 9 x 9 nodes needs about 6 MiB of memory, but MemoryLimit is 3 MiB: choose a "
     "larger Spacing, or raise MemoryLimit.");
 }
 
-TEST(MemoryBudget, WithoutALimitWhatIsAvailableMayBeTaken)
+TEST(MemoryBudget, WithoutALimitAvailableMemoryIsUsed)
 {
   const double before = AvailableMemory();
   const MemoryBudget budget;
   EXPECT_GT(budget.Bytes(), MiB);
   EXPECT_NEAR(budget.Bytes() / before, 1.0, 0.5); // other programs run beside this one
   EXPECT_TRUE(budget.Allows(MiB));
-  const std::string why = WhyRefused(budget, 1e17);
+  const std::string why = CatchMessage(budget, 1e17);
   EXPECT_NE(why.find("needs about 88.8 PiB of memory, but only "), std::string::npos) << why;
   EXPECT_NE(why.find(" are available: choose a larger Spacing."), std::string::npos) << why;
   EXPECT_EQ(why.find("MemoryLimit"), std::string::npos) << why;
@@ -58,7 +58,7 @@ TEST(MemoryBudget, WithoutALimitWhatIsAvailableMayBeTaken)
 TEST(MemoryBudget, NegativeLimitsAreRefused)
 {
   EXPECT_THROW(MemoryBudget(-1.0), std::invalid_argument);
-  EXPECT_THROW(MemoryBudget::OfMachine(-1.0), std::invalid_argument);
+  EXPECT_THROW(MemoryBudget::ForMachine(-1.0), std::invalid_argument);
 }
 
 TEST(MemoryBudget, GridsStateTheirDimensions)
@@ -77,9 +77,9 @@ TEST(MemoryBudget, GridsStateTheirDimensions)
   }
 }
 
-TEST(MemoryBudget, NoMachineHasWhatIsNoNumber)
+TEST(MemoryBudget, RefusesNaN)
 {
-  const MemoryBudget unlimited = MemoryBudget::OfBytes(0);
+  const MemoryBudget unlimited = MemoryBudget::ForBytes(0);
   EXPECT_EQ(unlimited.WholeBytes(), 0u);
   EXPECT_TRUE(unlimited.Allows(1e17));
   for (const double bytes : { 1e18, std::nan(""), std::numeric_limits<double>::infinity() })
@@ -93,9 +93,9 @@ TEST(MemoryBudget, TheSmallerOfTwoLimitsCounts)
 {
   EXPECT_EQ(MemoryBudget(4.0).AtMost(MiB).Bytes(), MiB);
   EXPECT_EQ(MemoryBudget(4.0).AtMost(9.0 * MiB).Bytes(), 4.0 * MiB);
-  EXPECT_NE(WhyRefused(MemoryBudget().AtMost(MiB), 2.0 * MiB).find("MemoryLimit is 1 MiB"),
+  EXPECT_NE(CatchMessage(MemoryBudget().AtMost(MiB), 2.0 * MiB).find("MemoryLimit is 1 MiB"),
     std::string::npos);
-  EXPECT_EQ(MemoryBudget::OfBytes(77).WholeBytes(), 77u);
+  EXPECT_EQ(MemoryBudget::ForBytes(77).WholeBytes(), 77u);
 }
 
 TEST(MemoryBudget, SizesAreReadable)

@@ -40,8 +40,9 @@ TEST(NamedColumns, ValuesOfContainersAndLists)
 TEST(NamedColumns, FunctionsOfRowsAndOfItems)
 {
   const vtkNew<vtkFieldData> data;
-  AddColumnOf<vtkUnsignedCharArray>(data, "Odd", 3, [](std::size_t row) { return row % 2 == 1; });
-  AddColumnOf<vtkStringArray>(data, "Name", std::vector<int>{ 7, 8 },
+  AddComputedColumn<vtkUnsignedCharArray>(
+    data, "Odd", 3, [](std::size_t row) { return row % 2 == 1; });
+  AddComputedColumn<vtkStringArray>(data, "Name", std::vector<int>{ 7, 8 },
     [](int item) { return "residue " + std::to_string(item); });
   EXPECT_EQ(data->GetArray("Odd")->GetNumberOfTuples(), 3);
   EXPECT_EQ(data->GetArray("Odd")->GetComponent(1, 0), 1.0);

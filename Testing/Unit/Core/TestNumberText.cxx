@@ -22,17 +22,17 @@ void ExpectPoints()
   EXPECT_EQ(FormatNumber(std::strtod("nan", nullptr)), "not a number");
   EXPECT_EQ(FixedNumber(2.5, 17), "2.50000000000000000");
   EXPECT_EQ(FixedNumber(-1.7e308, 17).size(), 328u);
-  EXPECT_EQ(TextOf("(", -1.5, ", ", 12345, ")"), "(-1.5, 12345)");
+  EXPECT_EQ(JoinText("(", -1.5, ", ", 12345, ")"), "(-1.5, 12345)");
   EXPECT_EQ(MemoryText(1.5 * 1024.0 * 1024.0), "1.5 MiB");
   std::string_view text = " +1.5\t-2 x";
   double a = 0.0;
   int b = 0;
-  EXPECT_TRUE(TakeNumber(text, a) && TakeNumber(text, b));
+  EXPECT_TRUE(ExtractNumber(text, a) && ExtractNumber(text, b));
   EXPECT_EQ(a, 1.5);
   EXPECT_EQ(b, -2);
-  EXPECT_FALSE(TakeNumber(text, a));
-  EXPECT_EQ(TakeWord(text), "x");
-  EXPECT_TRUE(TakeWord(text).empty());
+  EXPECT_FALSE(ExtractNumber(text, a));
+  EXPECT_EQ(ExtractWord(text), "x");
+  EXPECT_TRUE(ExtractWord(text).empty());
   EXPECT_EQ(RightAligned(FixedNumber(27.34, 3), 8) + LeftAligned("x", 3) + '.', "  27.340x  .");
 }
 

@@ -102,7 +102,7 @@ TEST(ParallelFor, IsSequentialWhereNoThreadFits)
 }
 #endif
 
-TEST(ParallelFor, HandsAnExceptionToTheCaller)
+TEST(ParallelFor, RethrowsInTheCaller)
 {
   EXPECT_THROW(isthmus::ParallelFor(0, 1000, 1,
                  [](std::int64_t first, std::int64_t)
@@ -131,7 +131,7 @@ TEST(ParallelFor, ProgressRisesToOneOnTheCallersThread)
   EXPECT_DOUBLE_EQ(fractions.back(), 1.0);
 }
 
-TEST(ParallelFor, StopsWhenToldTo)
+TEST(ParallelFor, StopsOnRequest)
 {
   std::atomic<int> pieces{ 0 };
   EXPECT_THROW(

@@ -20,16 +20,16 @@
 namespace
 {
 
-using isthmus::MeshOf;
 using isthmus::Point3;
 using isthmus::PolyDataTriangles;
 using isthmus::SurfaceView;
+using isthmus::ToTriangleMesh;
 using isthmus::Triangle;
 using isthmus::TriangleMesh;
 using Damage = PolyDataTriangles::Damage;
 using Cells = std::vector<std::vector<vtkIdType>>;
 
-vtkSmartPointer<vtkPolyData> DataOf(
+vtkSmartPointer<vtkPolyData> ToPolyData(
   const std::vector<Point3>& places, const Cells& polygons, const Cells& strips = {})
 {
   vtkNew<vtkPoints> points;
@@ -70,7 +70,7 @@ std::vector<Triangle> ByTriangleFilter(vtkPolyData* data)
   return triangles;
 }
 
-std::string WhyRefused(vtkPolyData* data, Damage damage)
+std::string CatchMessage(vtkPolyData* data, Damage damage)
 {
   try
   {
@@ -97,10 +97,10 @@ TEST(SurfaceView, IsTheOwnersMemory)
   EXPECT_EQ(view.NumberOfTriangles(), 2);
   EXPECT_EQ(&view.Point(view.Corners(1)[1]), &mesh.Points[3]);
   EXPECT_EQ(isthmus::SurfaceArea(mesh), 1.0);
-  const TriangleMesh copy = isthmus::CopyOf(view);
+  const TriangleMesh copy = isthmus::CopyMesh(view);
   EXPECT_EQ(copy.Points, mesh.Points);
   EXPECT_EQ(copy.Triangles, mesh.Triangles);
-  EXPECT_EQ(isthmus::PointsFrom({ 1, 2, 3 }, mesh)[3], (Point3{ 0, -1, -3 }));
+  EXPECT_EQ(isthmus::TranslatedPoints({ 1, 2, 3 }, mesh)[3], (Point3{ 0, -1, -3 }));
 }
 
 TEST(SurfaceView, IsNoLargerThanTwoPointersAndTwoSizes)
@@ -109,7 +109,7 @@ TEST(SurfaceView, IsNoLargerThanTwoPointersAndTwoSizes)
   EXPECT_EQ(sizeof(SurfaceView), 32U);
 }
 
-TEST(PolyDataTriangles, AreThoseOfVTKsTriangleFilter)
+TEST(PolyDataTriangles, MatchVTKsTriangleFilter)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> radius(0.3, 1.2), height(-0.3, 0.3);
@@ -130,7 +130,7 @@ TEST(PolyDataTriangles, AreThoseOfVTKsTriangleFilter)
       polygons.push_back(ids);
     }
     strips = { { 0, 1, 2, 3, 4, 5 }, { 7, 8, 9 } };
-    const auto data = DataOf(points, polygons, strips);
+    const auto data = ToPolyData(points, polygons, strips);
     const std::vector<Triangle> expected = ByTriangleFilter(data);
     for (const Damage damage : { Damage::Refused, Damage::Kept })
     {
@@ -143,8 +143,8 @@ TEST(PolyDataTriangles, AreThoseOfVTKsTriangleFilter)
 
 TEST(PolyDataTriangles, KnowTheirCells)
 {
-  const auto mixed = DataOf(Square, { { 0, 1, 3, 2 }, { 0, 1, 2 } }, { { 0, 1, 2, 3 } });
-  const auto plain = DataOf(Square, { { 0, 1, 2 }, { 1, 3, 2 } });
+  const auto mixed = ToPolyData(Square, { { 0, 1, 3, 2 }, { 0, 1, 2 } }, { { 0, 1, 2, 3 } });
+  const auto plain = ToPolyData(Square, { { 0, 1, 2 }, { 1, 3, 2 } });
   for (vtkPolyData* data : { mixed.Get(), plain.Get() })
   {
     vtkNew<vtkCellArray> lines;
@@ -155,53 +155,53 @@ TEST(PolyDataTriangles, KnowTheirCells)
   const PolyDataTriangles ofMixed(mixed), ofPlain(plain);
   for (vtkIdType t = 0; t < ofMixed.View().NumberOfTriangles(); ++t)
   {
-    cells.push_back(ofMixed.CellOf(t));
+    cells.push_back(ofMixed.GetCellId(t));
   }
   EXPECT_EQ(cells, (std::vector<vtkIdType>{ 1, 1, 2, 3, 3 }));
-  EXPECT_EQ(ofPlain.CellOf(0), 1);
-  EXPECT_EQ(ofPlain.CellOf(1), 2);
+  EXPECT_EQ(ofPlain.GetCellId(0), 1);
+  EXPECT_EQ(ofPlain.GetCellId(1), 2);
 }
 
 TEST(PolyDataTriangles, RefuseOrKeepDamage)
 {
-  const auto lost = DataOf(Square, { { 0, 1, 2 }, { 0, 4, 2 } });
-  EXPECT_NE(WhyRefused(lost, Damage::Refused).find("Cell 1 has the corner 4"), std::string::npos);
-  EXPECT_EQ(MeshOf(lost).Triangles, (std::vector<Triangle>{ { 0, 1, 2 }, { 0, 4, 2 } }));
+  const auto lost = ToPolyData(Square, { { 0, 1, 2 }, { 0, 4, 2 } });
+  EXPECT_NE(CatchMessage(lost, Damage::Refused).find("Cell 1 has the corner 4"), std::string::npos);
+  EXPECT_EQ(ToTriangleMesh(lost).Triangles, (std::vector<Triangle>{ { 0, 1, 2 }, { 0, 4, 2 } }));
 
   std::vector<Point3> places = Square;
   places[3][1] = std::numeric_limits<double>::quiet_NaN();
-  const auto unused = DataOf(places, { { 0, 1, 2 } });
-  EXPECT_EQ(WhyRefused(unused, Damage::Refused), "");
-  const auto used = DataOf(places, { { 0, 1, 2 }, { 1, 3, 2 } });
-  EXPECT_NE(WhyRefused(used, Damage::Refused).find("Point 3"), std::string::npos);
-  EXPECT_EQ(MeshOf(used).Triangles.size(), 2U);
+  const auto unused = ToPolyData(places, { { 0, 1, 2 } });
+  EXPECT_EQ(CatchMessage(unused, Damage::Refused), "");
+  const auto used = ToPolyData(places, { { 0, 1, 2 }, { 1, 3, 2 } });
+  EXPECT_NE(CatchMessage(used, Damage::Refused).find("Point 3"), std::string::npos);
+  EXPECT_EQ(ToTriangleMesh(used).Triangles.size(), 2U);
 
-  const auto flat = DataOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } },
+  const auto flat = ToPolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } },
     { { 0, 1, 2 }, { 0, 1 }, { 0, 1, 2, 3 } });
-  EXPECT_NE(WhyRefused(flat, Damage::Refused).find("can't be split"), std::string::npos);
-  EXPECT_EQ(MeshOf(flat).Triangles, ByTriangleFilter(flat));
+  EXPECT_NE(CatchMessage(flat, Damage::Refused).find("can't be split"), std::string::npos);
+  EXPECT_EQ(ToTriangleMesh(flat).Triangles, ByTriangleFilter(flat));
 
   // What must be split would be read beyond the points.
-  const auto wrong = DataOf(Square, { { 0, 1, 3, 9 } });
+  const auto wrong = ToPolyData(Square, { { 0, 1, 3, 9 } });
   for (const Damage damage : { Damage::Refused, Damage::Kept })
   {
-    EXPECT_NE(WhyRefused(wrong, damage).find("Cell 0 has the corner 9"), std::string::npos);
+    EXPECT_NE(CatchMessage(wrong, damage).find("Cell 0 has the corner 9"), std::string::npos);
   }
 }
 
-TEST(PolyDataTriangles, OfNothingAreNone)
+TEST(PolyDataTriangles, OfEmptyInputAreEmpty)
 {
   vtkNew<vtkPolyData> empty;
   EXPECT_EQ(PolyDataTriangles(empty).View().NumberOfTriangles(), 0);
-  EXPECT_TRUE(MeshOf(empty).Points.empty());
+  EXPECT_TRUE(ToTriangleMesh(empty).Points.empty());
 }
 
-TEST(PolyDataMesh, GoesThereAndBack)
+TEST(PolyDataMesh, RoundTripIsExact)
 {
   const TriangleMesh mesh{ Square, { { 0, 1, 3 }, { 0, 3, 2 } } };
   vtkNew<vtkPolyData> data;
   SetMesh(mesh, data);
-  const TriangleMesh back = MeshOf(data);
+  const TriangleMesh back = ToTriangleMesh(data);
   EXPECT_EQ(back.Points, mesh.Points);
   EXPECT_EQ(back.Triangles, mesh.Triangles);
 }

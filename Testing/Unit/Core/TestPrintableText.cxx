@@ -8,7 +8,7 @@
 
 using namespace isthmus;
 
-TEST(PrintableText, TextStaysAsItIs)
+TEST(PrintableText, ValidTextIsUnchanged)
 {
   for (const char* text : { "", "Level 1.5\nand more ~", "\xc2\x80\xdf\xbf", "\xe0\xa0\x80",
          "\xed\x9f\xbf\xee\x80\x80\xef\xbf\xbf", "\xf0\x90\x80\x80\xf4\x8f\xbf\xbf" })
@@ -17,7 +17,7 @@ TEST(PrintableText, TextStaysAsItIs)
   }
 }
 
-TEST(PrintableText, WhatIsNoneIsAQuestionMarkForEachByte)
+TEST(PrintableText, InvalidBytesBecomeQuestionMarks)
 {
   EXPECT_EQ(Printable("a\tb\rc\x7f"), "a?b?c?");
   EXPECT_EQ(Printable(std::string("a\0b", 3)), "a?b");

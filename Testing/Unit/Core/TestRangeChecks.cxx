@@ -24,7 +24,7 @@ namespace
 {
 
 template <typename Call>
-std::string RefusalOf(Call&& call)
+std::string CatchRefusal(Call&& call)
 {
   try
   {
@@ -43,17 +43,17 @@ TEST(RangeChecks, BothEndsBelongToARange)
 {
   EXPECT_NO_THROW(RequireRange("Length", 1.0, 1.0, 2.0));
   EXPECT_NO_THROW(RequireRange("Length", 2.0, 1.0, 2.0));
-  EXPECT_EQ(RefusalOf([] { RequireRange("Length", 0.5, 1.0, 2.0, "It is a length."); }),
+  EXPECT_EQ(CatchRefusal([] { RequireRange("Length", 0.5, 1.0, 2.0, "It is a length."); }),
     "Length is 0.5, but it must be from 1 to 2. It is a length.");
-  EXPECT_EQ(RefusalOf([] { RequireRange("Length", 2.5, 1.0, 2.0); }),
+  EXPECT_EQ(CatchRefusal([] { RequireRange("Length", 2.5, 1.0, 2.0); }),
     "Length is 2.5, but it must be from 1 to 2.");
   EXPECT_THROW(RequireRange("Length", std::nan(""), 1.0, 2.0), std::invalid_argument);
 }
 
-TEST(RangeChecks, OnlyTheUpperEndBelongsToWhatIsAbove)
+TEST(RangeChecks, RequireAboveIncludesOnlyTheUpperEnd)
 {
   EXPECT_NO_THROW(RequireAbove("Length", 2.0, 1.0, 2.0));
-  EXPECT_EQ(RefusalOf([] { RequireAbove("Length", 1.0, 1.0, 2.0, "It is a length."); }),
+  EXPECT_EQ(CatchRefusal([] { RequireAbove("Length", 1.0, 1.0, 2.0, "It is a length."); }),
     "Length is 1, but it must be above 1 and at most 2. It is a length.");
   EXPECT_THROW(RequireAbove("Length", 2.5, 1.0, 2.0), std::invalid_argument);
   EXPECT_THROW(RequireAbove("Length", std::nan(""), 1.0, 2.0), std::invalid_argument);
@@ -63,22 +63,22 @@ TEST(RangeChecks, ARangeWithoutEndNeedsAFiniteNumber)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_NO_THROW(RequireRange("Length", 1e300, 0.0, Unlimited));
-  EXPECT_EQ(RefusalOf([] { RequireRange("Length", -1.0, 0.0, Unlimited); }),
+  EXPECT_EQ(CatchRefusal([] { RequireRange("Length", -1.0, 0.0, Unlimited); }),
     "Length is -1, but it must be a finite number of at least 0.");
   EXPECT_THROW(RequireRange("Length", infinity, 0.0, Unlimited), std::invalid_argument);
-  EXPECT_EQ(RefusalOf([] { RequireAbove("Length", 0.0, 0.0, Unlimited); }),
+  EXPECT_EQ(CatchRefusal([] { RequireAbove("Length", 0.0, 0.0, Unlimited); }),
     "Length is 0, but it must be a finite number above 0.");
   EXPECT_THROW(RequireAbove("Length", infinity, 0.0, Unlimited), std::invalid_argument);
 }
 
-TEST(RangeChecks, AConditionThatHoldsIsNoRefusal)
+TEST(RangeChecks, ATrueConditionPasses)
 {
   EXPECT_NO_THROW(RequireThat(true, "Length", 3.0, "it must be even"));
-  EXPECT_EQ(RefusalOf([] { RequireThat(false, "Length", 3.0, "it must be even"); }),
+  EXPECT_EQ(CatchRefusal([] { RequireThat(false, "Length", 3.0, "it must be even"); }),
     "Length is 3, but it must be even.");
 }
 
-TEST(RangeChecks, LargestMagnitudeIgnoresWhatIsNotFinite)
+TEST(RangeChecks, LargestMagnitudeIgnoresNonFiniteValues)
 {
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
@@ -107,7 +107,7 @@ TEST(RangeChecks, RefusesValuesOfWhichProductsOverflowOrUnderflow)
     values->InsertNextValue(0.5 * value);
     values->InsertNextValue(-value);
     values->InsertNextValue(std::nan(""));
-    return RefusalOf([&] { RequireUsualValues(values); });
+    return CatchRefusal([&] { RequireUsualValues(values); });
   };
   for (const double usual : { 0.0, 1e-36, 1.0, 1e36 })
   {
@@ -135,7 +135,7 @@ TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
   const std::string far =
     "Point 1 of input 0 has the coordinate -1e+300: at most 1e+100 is supported. "
     "Remove the point, or choose another unit of length.";
-  EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(atoms, "input 0"); }), far);
+  EXPECT_EQ(CatchRefusal([&] { RequireUsualCoordinates(atoms, "input 0"); }), far);
   // Points that no cell uses are of no account where there are cells.
   vtkNew<vtkCellArray> vertices;
   vertices->InsertNextCell({ 0 });
@@ -146,12 +146,12 @@ TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
   vtkNew<vtkPolyData> both;
   both->SetPoints(points);
   both->SetVerts(vertices);
-  EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(both, "input 0"); }), far);
+  EXPECT_EQ(CatchRefusal([&] { RequireUsualCoordinates(both, "input 0"); }), far);
   points->SetPoint(1, 1e100, 0.0, 0.0);
   EXPECT_NO_THROW(RequireUsualCoordinates(both, "input 0"));
   points->SetPoint(0, 1e-120, 0.0, 0.0);
   points->SetPoint(1, 0.0, 2e-120, 0.0);
-  EXPECT_EQ(RefusalOf([&] { RequireUsualCoordinates(both, "input 1"); }),
+  EXPECT_EQ(CatchRefusal([&] { RequireUsualCoordinates(both, "input 1"); }),
     "The largest coordinate of input 1 is 2e-120: it should be at least 1e-100. Choose another "
     "unit of length (Transform).");
   points->SetPoint(0, 0.0, 0.0, 0.0);
@@ -162,7 +162,7 @@ TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
   EXPECT_NO_THROW(RequireUsualCoordinates(molecule, "input 0"));
 }
 
-TEST(RangeChecks, SaysNumbersInWords)
+TEST(RangeChecks, FormatsNumbers)
 {
   EXPECT_EQ(FormatNumber(1e300), "1e+300");
   EXPECT_EQ(FormatNumber(std::numeric_limits<double>::quiet_NaN()), "not a number");

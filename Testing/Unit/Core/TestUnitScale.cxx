@@ -17,7 +17,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 }
 
-TEST(UnitScale, ScalesByPowersOfTwoOnlyWhatNeedsIt)
+TEST(UnitScale, ScalesByPowersOfTwoOnlyIfNecessary)
 {
   const std::vector<Point3> usual{ { 1.0, -300.0, 0.1 } };
   EXPECT_TRUE(UnitScale(usual).IsOne());
@@ -33,7 +33,7 @@ TEST(UnitScale, ScalesByPowersOfTwoOnlyWhatNeedsIt)
   EXPECT_THROW(UnitScale(std::vector<Point3>{ { 0.0, 1e-101, 0.0 } }), std::invalid_argument);
 }
 
-TEST(UnitScale, OrdinaryDataStayAsTheyAre)
+TEST(UnitScale, OrdinaryDataAreUnchanged)
 {
   const auto factor = [](double largest) {
     return UnitScale(std::vector<Point3>{ { 0.0, -largest, 0.0 } }).Factor();
@@ -49,7 +49,7 @@ TEST(UnitScale, OrdinaryDataStayAsTheyAre)
   EXPECT_EQ(factor(0.0), 1.0);
 }
 
-TEST(UnitScale, TakesTracesBesideTheLargestCoordinateForNothing)
+TEST(UnitScale, RoundsCoordinatesFarBelowTheLargestToZero)
 {
   std::vector<Point3> points{ { 1.0, 6e-17, -1e-51 }, { 0.5, 1e-300, 0.0 } };
   const UnitScale scale(points);

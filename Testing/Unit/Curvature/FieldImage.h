@@ -25,7 +25,7 @@ struct Lattice
 };
 
 /// n x n x n nodes from -half to half on each axis.
-inline Lattice CentredCube(int n, double half)
+inline Lattice CenteredCube(int n, double half)
 {
   const double h = 2.0 * half / (n - 1);
   Lattice lattice;

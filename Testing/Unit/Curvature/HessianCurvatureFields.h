@@ -27,14 +27,14 @@ inline double Spheres(double x, double y, double z)
 
 inline Lattice Block()
 {
-  Lattice lattice = CentredCube(17, 1.0);
+  Lattice lattice = CenteredCube(17, 1.0);
   lattice.Dimensions = { 17, 15, 13 };
   lattice.Origin = { 0.3, 0.4, 0.5 };
   return lattice;
 }
 
 /// The lattice turned about an axis that is none of its own.
-inline Lattice Turned(Lattice lattice)
+inline Lattice Rotate(Lattice lattice)
 {
   const double c = std::cos(0.6), s = std::sin(0.6), t = std::cos(1.1), u = std::sin(1.1);
   lattice.Direction = { c, -s * t, s * u, s, c * t, -c * u, 0.0, u, t };

@@ -27,7 +27,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-GridPart<float> PartOf(vtkImageData* image)
+GridPart<float> MakeGridPart(vtkImageData* image)
 {
   GridPart<float> part;
   auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -53,7 +53,7 @@ double Ball(double x, double y, double z)
 vtkSmartPointer<vtkImageData> NoisyBall(double deviation, double correlation, double spacing = 1.0)
 {
   constexpr int size = 48;
-  const auto unit = CentredCube(size, 0.5 * (size - 1));
+  const auto unit = CenteredCube(size, 0.5 * (size - 1));
   auto image = SampledImage(unit, Ball, VTK_FLOAT);
   const auto noise = SampledImage(unit, Ball, VTK_FLOAT);
   auto* values = vtkFloatArray::SafeDownCast(noise->GetPointData()->GetScalars());
@@ -92,9 +92,9 @@ double Wave(double x, double y, double z)
 
 }
 
-TEST(CurvatureScale, DerivativesAtANodeAreThoseOfTheSmoothedGrid)
+TEST(CurvatureScale, DerivativesAtANodeMatchTheSmoothedGrid)
 {
-  Lattice lattice = CentredCube(20, 10.0);
+  Lattice lattice = CenteredCube(20, 10.0);
   lattice.Spacing = { 1.0, 0.8, 1.3 };
   const auto image = SampledImage(lattice, Wave, VTK_FLOAT);
   for (const double scale : { 0.0, 0.9, 1.7 })
@@ -106,15 +106,15 @@ TEST(CurvatureScale, DerivativesAtANodeAreThoseOfTheSmoothedGrid)
       {
         smooth = SmoothAtScale(image, smooth, scale, {});
       }
-      GridView<const float> grid = PartOf(image).Values;
+      GridView<const float> grid = MakeGridPart(image).Values;
       grid.Data = vtkFloatArray::SafeDownCast(smooth)->GetPointer(0);
       for (const std::int64_t i : { 3, 4, 9, 16 }) // 3 and 16: the kernel is cut at the border
       {
         DerivativeRows rows;
         DifferentiateAtNodes(grid, { i, 10, 16 }, 1, accuracy, rows);
         NodeDerivatives filter, reference;
-        ASSERT_TRUE(
-          DifferentiateSmoothed(PartOf(image), { i, 10, 16 }, scale, accuracy, filter, reference));
+        ASSERT_TRUE(DifferentiateSmoothed(
+          MakeGridPart(image), { i, 10, 16 }, scale, accuracy, filter, reference));
         constexpr double rounding = 2e-6; // of the smoothed floats
         EXPECT_NEAR(filter.Value, rows.Value[0], rounding);
         EXPECT_NEAR(filter.Gradient[0], rows.X[0], rounding);
@@ -134,8 +134,8 @@ TEST(CurvatureScale, DerivativesAtANodeAreThoseOfTheSmoothedGrid)
 
 TEST(CurvatureScale, PartOfAGridGivesTheSameDerivatives)
 {
-  const auto image = SampledImage(CentredCube(30, 15.0), Wave, VTK_FLOAT);
-  const GridPart<float> all = PartOf(image);
+  const auto image = SampledImage(CenteredCube(30, 15.0), Wave, VTK_FLOAT);
+  const GridPart<float> all = MakeGridPart(image);
   GridPart<float> upper = all; // without the lowest 6 layers
   upper.First = { 0, 0, 6 };
   upper.Values.Dimensions[2] -= 6;
@@ -168,7 +168,7 @@ TEST(CurvatureScale, NoiseIsMeasuredAndDecidesTheScale)
   double before = 0.0;
   for (const double deviation : { 0.01, 0.1, 0.4 })
   {
-    const CurvatureScale choice = ChooseCurvatureScale(PartOf(NoisyBall(deviation, 0.0)), 2);
+    const CurvatureScale choice = ChooseCurvatureScale(MakeGridPart(NoisyBall(deviation, 0.0)), 2);
     EXPECT_NEAR(choice.Noise, deviation, 0.15 * deviation);
     EXPECT_LT(choice.Correlation, 0.5);
     EXPECT_GE(choice.Scale, before);
@@ -177,29 +177,30 @@ TEST(CurvatureScale, NoiseIsMeasuredAndDecidesTheScale)
   EXPECT_GE(before, 2.8);
   for (const double correlation : { 1.0, 2.0 })
   {
-    const CurvatureScale choice = ChooseCurvatureScale(PartOf(NoisyBall(0.1, correlation)), 2);
+    const CurvatureScale choice =
+      ChooseCurvatureScale(MakeGridPart(NoisyBall(0.1, correlation)), 2);
     EXPECT_NEAR(choice.Correlation, correlation, 0.2 * correlation);
     EXPECT_NEAR(choice.Noise, 0.1, 0.03);
   }
 }
 
-TEST(CurvatureScale, UnitsChangeNothing)
+TEST(CurvatureScale, DoesNotDependOnUnits)
 {
   const auto image = NoisyBall(0.1, 0.0);
   const auto scaled = NoisyBall(0.1, 0.0, 1e-3);
-  const CurvatureScale one = ChooseCurvatureScale(PartOf(image), 2);
-  const CurvatureScale other = ChooseCurvatureScale(PartOf(scaled), 2);
+  const CurvatureScale one = ChooseCurvatureScale(MakeGridPart(image), 2);
+  const CurvatureScale other = ChooseCurvatureScale(MakeGridPart(scaled), 2);
   EXPECT_NEAR(other.Scale, 1e-3 * one.Scale, 1e-9); // scales are rounded to floats
   EXPECT_NEAR(other.Error(0.1 * 1e3, 0.01 * 1e3, 0.3 * 1e3), 1e3 * one.Error(0.1, 0.01, 0.3), 1e-6);
 }
 
-TEST(CurvatureScale, SmoothDataWithoutNoiseStayAsTheyAre)
+TEST(CurvatureScale, SmoothDataWithoutNoiseAreUnchanged)
 {
   const auto density = [](double x, double y, double z)
   { return 1.0 / (1.0 + (x * x + 1.2 * y * y + 0.8 * z * z) / 100.0); };
-  const auto image = SampledImage(CentredCube(50, 24.5), density, VTK_FLOAT);
-  EXPECT_EQ(ChooseCurvatureScale(PartOf(image), 2).Scale, 0.0);
-  EXPECT_EQ(ChooseCurvatureScale(PartOf(image), 4).Scale, 0.0);
+  const auto image = SampledImage(CenteredCube(50, 24.5), density, VTK_FLOAT);
+  EXPECT_EQ(ChooseCurvatureScale(MakeGridPart(image), 2).Scale, 0.0);
+  EXPECT_EQ(ChooseCurvatureScale(MakeGridPart(image), 4).Scale, 0.0);
 }
 
 // Once smoothing has removed the atoms, nothing changes from scale to scale: that is no small bias.
@@ -223,17 +224,17 @@ TEST(CurvatureScale, AtomsAreNotSmoothedAway)
     }
     return sum;
   };
-  const auto image = SampledImage(CentredCube(40, 19.5), density, VTK_FLOAT);
-  EXPECT_LT(ChooseCurvatureScale(PartOf(image), 2).Scale, 0.8);
-  EXPECT_LT(ChooseCurvatureScale(PartOf(image), 4).Scale, 0.8);
+  const auto image = SampledImage(CenteredCube(40, 19.5), density, VTK_FLOAT);
+  EXPECT_LT(ChooseCurvatureScale(MakeGridPart(image), 2).Scale, 0.8);
+  EXPECT_LT(ChooseCurvatureScale(MakeGridPart(image), 4).Scale, 0.8);
 }
 
 // Nodes beside the step of a mask have no gradient, and no infinite share in the estimate.
 TEST(CurvatureScale, MasksAreSmoothed)
 {
   const auto mask = [](double x, double y, double z) { return Ball(x, y, z) > 0.0 ? 1.0 : 0.0; };
-  const auto image = SampledImage(CentredCube(48, 23.5), mask, VTK_FLOAT);
-  const CurvatureScale choice = ChooseCurvatureScale(PartOf(image), 2);
+  const auto image = SampledImage(CenteredCube(48, 23.5), mask, VTK_FLOAT);
+  const CurvatureScale choice = ChooseCurvatureScale(MakeGridPart(image), 2);
   EXPECT_GT(choice.Scale, 1.0);
   EXPECT_TRUE(std::isfinite(choice.Error(0.1, 0.01, 0.3)));
 }
@@ -243,18 +244,19 @@ TEST(CurvatureScale, NothingToEstimate)
   const auto constant = [](double, double, double) { return 3.0; };
   for (const int size : { 1, 2, 9, 11, 12, 30 })
   {
-    const CurvatureScale choice =
-      ChooseCurvatureScale(PartOf(SampledImage(CentredCube(size, 1.0), constant, VTK_FLOAT)), 2);
+    const CurvatureScale choice = ChooseCurvatureScale(
+      MakeGridPart(SampledImage(CenteredCube(size, 1.0), constant, VTK_FLOAT)), 2);
     EXPECT_EQ(choice.Scale, 0.0) << size;
     EXPECT_EQ(choice.Samples, 0) << size;
   }
   const auto none = [](double, double, double) { return std::nan(""); };
   EXPECT_EQ(
-    ChooseCurvatureScale(PartOf(SampledImage(CentredCube(30, 1.0), none, VTK_FLOAT)), 2).Samples,
+    ChooseCurvatureScale(MakeGridPart(SampledImage(CenteredCube(30, 1.0), none, VTK_FLOAT)), 2)
+      .Samples,
     0);
 }
 
-TEST(CurvatureScale, StatedErrorsAreThoseOfTheBall)
+TEST(CurvatureScale, StatedErrorsMatchTheBall)
 {
   const auto image = NoisyBall(0.3, 0.0);
   vtkNew<vtkHessianCurvature> filter;
@@ -289,7 +291,7 @@ TEST(CurvatureScale, StatedErrorsAreThoseOfTheBall)
   EXPECT_GT(within, 0.85 * count);
 }
 
-TEST(CurvatureScale, ResultIsThatOfTheScaleChosenOnAnyNumberOfThreads)
+TEST(CurvatureScale, ResultMatchesTheChosenScaleOnAnyNumberOfThreads)
 {
   const auto image = NoisyBall(0.1, 0.0, 1.5);
   std::vector<std::vector<double>> results;

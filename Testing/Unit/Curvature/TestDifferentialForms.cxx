@@ -54,9 +54,9 @@ std::array<double, 2> FromForms(vtkAlgorithm* filter, vtkIdType id)
 }
 
 // The level sets of f(x, y) - z are graphs; differences of quadratics are exact.
-TEST(DifferentialForms, OfAGraphAreThoseOfItsDerivatives)
+TEST(DifferentialForms, OfAGraphMatchItsDerivatives)
 {
-  const auto graph = SampledImage(CentredCube(9, 1.0),
+  const auto graph = SampledImage(CenteredCube(9, 1.0),
     [](double x, double y, double z)
     { return 0.2 * x * x + 0.3 * x * y - 0.15 * y * y + 0.1 * x - z; });
   vtkNew<vtkHessianCurvature> filter;
@@ -104,7 +104,7 @@ TEST(DifferentialForms, OfAGraphAreThoseOfItsDerivatives)
 TEST(DifferentialForms, NormalCurvatureOfACylinderIsEulers)
 {
   const auto cylinder =
-    SampledImage(CentredCube(15, 1.0), [](double x, double y, double) { return x * x + y * y; });
+    SampledImage(CenteredCube(15, 1.0), [](double x, double y, double) { return x * x + y * y; });
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(cylinder);
   filter->AutomaticScaleOff();
@@ -137,7 +137,7 @@ TEST(DifferentialForms, GaussMapPointsOutwards)
   Lattice lattice = Block();
   lattice.Spacing = { 0.1, -0.07, 0.13 };
   lattice.Origin = { 0.3, 1.4, 0.5 };
-  const auto image = SampledImage(Turned(lattice), Spheres);
+  const auto image = SampledImage(Rotate(lattice), Spheres);
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(image);
   filter->SetAccuracy(4);

@@ -59,7 +59,7 @@ TEST(SurfaceCurvature, TensorOnCylinder)
   for (const auto neighbourhood : { CurvatureNeighbourhood::OneRing, CurvatureNeighbourhood::Ball,
          CurvatureNeighbourhood::GeodesicDisc })
   {
-    const auto result = CurvatureOfSurface(cylinder.View(), Tensor(neighbourhood, 0.3));
+    const auto result = ComputeSurfaceCurvature(cylinder.View(), Tensor(neighbourhood, 0.3));
     const bool oneRing = neighbourhood == CurvatureNeighbourhood::OneRing;
     EXPECT_EQ(result.BoundaryPoints, 2 * 96);
     double worst[2] = { 0.0, 0.0 }; // inside, near the boundary
@@ -96,8 +96,8 @@ TEST(SurfaceCurvature, BallAndDiscHaveTheirAreas)
     const TriangleStars stars(mesh.View());
     const DihedralAngles dihedrals(mesh.View(), stars);
     EdgeTensorIntegrator patch(mesh.View(), stars, dihedrals, radius);
-    const double ball = patch.OverBall(point).Area;
-    return std::array<double, 2>{ ball, patch.OverDisc(point).Area };
+    const double ball = patch.IntegrateOverBall(point).Area;
+    return std::array<double, 2>{ ball, patch.IntegrateOverDisc(point).Area };
   };
   for (const double radius : { 0.11, 0.21, 0.35 })
   {
@@ -121,9 +121,9 @@ TEST(SurfaceCurvature, BallAndDiscHaveTheirAreas)
   for (const auto neighbourhood :
     { CurvatureNeighbourhood::Ball, CurvatureNeighbourhood::GeodesicDisc })
   {
-    const auto onPlane = CurvatureOfSurface(plane.View(), Tensor(neighbourhood, 0.21));
+    const auto onPlane = ComputeSurfaceCurvature(plane.View(), Tensor(neighbourhood, 0.21));
     EXPECT_NEAR(onPlane.Mean[20 * 41 + 20], 0.0, 1e-14);
-    const auto result = CurvatureOfSurface(sphere.View(), Tensor(neighbourhood, 0.35));
+    const auto result = ComputeSurfaceCurvature(sphere.View(), Tensor(neighbourhood, 0.35));
     for (std::size_t i = 0; i < sphere.Points.size(); ++i)
     {
       EXPECT_NEAR(result.Mean[i], 1.0, 0.05);

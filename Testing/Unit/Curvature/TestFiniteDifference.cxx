@@ -68,9 +68,9 @@ std::array<double, 3> Quartic(double u)
 }
 
 /// The field on nodes -half ... half of an anisotropic grid.
-struct Sampled
+struct SampledField
 {
-  Sampled(const Field& field, std::array<std::int64_t, 3> dimensions, double half)
+  SampledField(const Field& field, std::array<std::int64_t, 3> dimensions, double half)
   {
     this->Grid.Dimensions = dimensions;
     for (int axis = 0; axis < 3; ++axis)
@@ -103,7 +103,7 @@ struct Sampled
   double Half = 0.0;
 };
 
-double WorstAtNodes(const Field& field, const Sampled& sampled, int accuracy)
+double WorstAtNodes(const Field& field, const SampledField& sampled, int accuracy)
 {
   const int radius = StencilRadius(accuracy);
   DerivativeRows rows;
@@ -126,7 +126,7 @@ double WorstAtNodes(const Field& field, const Sampled& sampled, int accuracy)
   return worst;
 }
 
-double WorstAtPoints(const Field& field, const Sampled& sampled, int accuracy, double inset)
+double WorstAtPoints(const Field& field, const SampledField& sampled, int accuracy, double inset)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> inside(-sampled.Half + inset, sampled.Half - inset);
@@ -149,10 +149,10 @@ double WorstAtPoints(const Field& field, const Sampled& sampled, int accuracy, d
 
 TEST(FiniteDifference, PolynomialsOfTheOrdersDegreeAreExact)
 {
-  const Sampled square({ Square }, { 11, 12, 13 }, 1.0);
+  const SampledField square({ Square }, { 11, 12, 13 }, 1.0);
   EXPECT_LT(WorstAtNodes({ Square }, square, 2), 2e-12);
   EXPECT_LT(WorstAtPoints({ Square }, square, 2, 0.2), 2e-12);
-  const Sampled quartic({ Quartic }, { 11, 12, 13 }, 1.0);
+  const SampledField quartic({ Quartic }, { 11, 12, 13 }, 1.0);
   EXPECT_LT(WorstAtNodes({ Quartic }, quartic, 4), 2e-12);
   EXPECT_LT(WorstAtPoints({ Quartic }, quartic, 4, 0.4), 2e-12);
 }
@@ -161,8 +161,8 @@ TEST(FiniteDifference, OrderOfConvergence)
 {
   for (const int accuracy : { 2, 4 })
   {
-    const Sampled coarse({ Sine }, { 21, 23, 25 }, 1.0);
-    const Sampled fine({ Sine }, { 41, 45, 49 }, 1.0);
+    const SampledField coarse({ Sine }, { 21, 23, 25 }, 1.0);
+    const SampledField fine({ Sine }, { 41, 45, 49 }, 1.0);
     const double nodes =
       std::log2(WorstAtNodes({ Sine }, coarse, accuracy) / WorstAtNodes({ Sine }, fine, accuracy));
     const double points = std::log2(WorstAtPoints({ Sine }, coarse, accuracy, 0.2) /
@@ -176,7 +176,7 @@ TEST(FiniteDifference, OrderOfConvergence)
 
 TEST(FiniteDifference, APointOnANodeGetsTheNodesDerivatives)
 {
-  const Sampled sampled({ Sine }, { 12, 11, 10 }, 1.0);
+  const SampledField sampled({ Sine }, { 12, 11, 10 }, 1.0);
   DerivativeRows node;
   DerivativeRows point;
   for (const int accuracy : { 2, 4 })
@@ -195,7 +195,7 @@ TEST(FiniteDifference, APointOnANodeGetsTheNodesDerivatives)
 
 TEST(FiniteDifference, ContinuousAcrossCells)
 {
-  const Sampled sampled({ Sine }, { 12, 11, 10 }, 1.0);
+  const SampledField sampled({ Sine }, { 12, 11, 10 }, 1.0);
   DerivativeRows rows;
   for (const int accuracy : { 2, 4 })
   {
@@ -207,7 +207,7 @@ TEST(FiniteDifference, ContinuousAcrossCells)
 
 TEST(FiniteDifference, PointsOutsideAreRefused)
 {
-  const Sampled sampled({ Sine }, { 12, 11, 10 }, 1.0);
+  const SampledField sampled({ Sine }, { 12, 11, 10 }, 1.0);
   DerivativeRows rows;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

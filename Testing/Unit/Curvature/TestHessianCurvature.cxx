@@ -208,7 +208,7 @@ void ExpectSameOnAnyThreads(int accuracy)
 
 }
 
-TEST(HessianCurvature, SameBitsOnAnyNumberOfThreads)
+TEST(HessianCurvature, IdenticalOnAnyNumberOfThreads)
 {
   for (const int accuracy : { 2, 4 })
   {

@@ -118,7 +118,7 @@ void ExpectSecondOrder(const Shape& shape)
   GaussianAndMean mesh[3];
   for (int i = 0; i < 3; ++i)
   {
-    const auto image = SampledImage(CentredCube(sizes[i], 0.5), shape.Density);
+    const auto image = SampledImage(CenteredCube(sizes[i], 0.5), shape.Density);
     const auto surface = Isosurface(image);
     second[i] = ErrorsOfHessian(image, surface, shape, 2);
     const GaussianAndMean fourth = ErrorsOfHessian(image, surface, shape, 4);
@@ -170,7 +170,7 @@ GaussianAndMean CurvatureOfEllipsoid(double x, double y, double z)
     -2.0 / 0.09, -2.0 / 0.04, 0.0, 0.0, 0.0 });
 }
 
-/// Largest relative error at fixed points, none of them near a node or the centre.
+/// Largest relative error at fixed points, none of them near a node or the center.
 double ErrorOffNodes(int n, int accuracy)
 {
   std::mt19937 random(3);
@@ -188,7 +188,7 @@ double ErrorOffNodes(int n, int accuracy)
   vtkNew<vtkPolyData> places;
   places->SetPoints(points);
   vtkNew<vtkHessianCurvature> filter;
-  filter->SetInputData(0, SampledImage(CentredCube(n, 0.5), Ellipsoids));
+  filter->SetInputData(0, SampledImage(CenteredCube(n, 0.5), Ellipsoids));
   filter->SetInputData(1, places);
   filter->SetAccuracy(accuracy);
   filter->Update();

@@ -62,9 +62,9 @@ TEST(HessianCurvatureFilter, EveryScalarType)
   }
 }
 
-TEST(HessianCurvatureFilter, KeepsWhatTheInputHad)
+TEST(HessianCurvatureFilter, KeepsTheInputsArrays)
 {
-  const auto image = SampledImage(Turned(Block()), Ellipsoids, VTK_FLOAT);
+  const auto image = SampledImage(Rotate(Block()), Ellipsoids, VTK_FLOAT);
   vtkNew<vtkDoubleArray> other;
   other->SetName("Other");
   other->SetNumberOfTuples(image->GetNumberOfPoints());
@@ -174,7 +174,7 @@ TEST(HessianCurvatureFilter, ProgressIsMonotoneAndStopsOnRequest)
     watch = Watch();
     vtkNew<vtkHessianCurvature> filter;
     filter->AddObserver(vtkCommand::ProgressEvent, listener);
-    filter->SetInputData(SampledImage(CentredCube(80, 1.0), Ellipsoids));
+    filter->SetInputData(SampledImage(CenteredCube(80, 1.0), Ellipsoids));
     filter->SetScale(scale);
     filter->Update();
     EXPECT_TRUE(watch.Monotone);

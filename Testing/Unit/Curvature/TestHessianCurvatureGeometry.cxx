@@ -86,7 +86,7 @@ TEST(HessianCurvatureFilter, DirectionMatrix)
 {
   Lattice lattice = Block();
   lattice.Spacing = { 0.1, 0.07, 0.13 };
-  ExpectEllipsoids(Turned(lattice));
+  ExpectEllipsoids(Rotate(lattice));
 }
 
 TEST(HessianCurvatureFilter, NegativeSpacing)
@@ -95,7 +95,7 @@ TEST(HessianCurvatureFilter, NegativeSpacing)
   lattice.Origin = { 2.0, 0.4, 2.0 };
   lattice.Spacing = { -0.1, 0.07, -0.09 };
   ExpectEllipsoids(lattice);
-  ExpectEllipsoids(Turned(lattice));
+  ExpectEllipsoids(Rotate(lattice));
 }
 
 TEST(HessianCurvatureFilter, PointsOfATurnedImage)
@@ -103,7 +103,7 @@ TEST(HessianCurvatureFilter, PointsOfATurnedImage)
   Lattice lattice = Block();
   lattice.Spacing = { 0.1, -0.07, 0.13 };
   lattice.Origin = { 0.3, 1.4, 0.5 };
-  const auto image = SampledImage(Turned(lattice), Spheres);
+  const auto image = SampledImage(Rotate(lattice), Spheres);
   vtkNew<vtkPoints> points;
   for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
   {
@@ -132,7 +132,7 @@ TEST(HessianCurvatureFilter, PointsOfATurnedImage)
 TEST(HessianCurvatureFilter, CylinderDirectionsAndUmbilics)
 {
   const auto cylinder =
-    SampledImage(CentredCube(15, 1.0), [](double x, double y, double) { return -x * x - y * y; });
+    SampledImage(CenteredCube(15, 1.0), [](double x, double y, double) { return -x * x - y * y; });
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(cylinder);
   filter->GetOutputArraySelection()->EnableArray("PrincipalDirection1");
@@ -159,23 +159,23 @@ TEST(HessianCurvatureFilter, CylinderDirectionsAndUmbilics)
   EXPECT_NEAR(Value(filter, "MinimumCurvature", id), -1.0 / r, 1e-12);
   EXPECT_EQ(Value(filter, "SurfaceType", id), 2.0);
 
-  filter->SetInputData(SampledImage(CentredCube(15, 1.0), Spheres));
+  filter->SetInputData(SampledImage(CenteredCube(15, 1.0), Spheres));
   filter->Update();
   const double* u = PointArray(filter->GetOutput(), "PrincipalDirection1")->GetTuple3(id);
   EXPECT_NEAR(std::hypot(u[0], u[1], u[2]), 1.0, 1e-12);
 }
 
-TEST(HessianCurvatureFilter, ScaleTamesNoise)
+TEST(HessianCurvatureFilter, ScaleReducesNoise)
 {
   std::mt19937 random(2);
   std::normal_distribution<double> noise(0.0, 0.01);
   const auto image = SampledImage(
-    CentredCube(41, 20.0),
+    CenteredCube(41, 20.0),
     [&](double x, double y, double z)
     { return std::exp(-(x * x + y * y + z * z) / 200.0) + noise(random); },
     VTK_FLOAT);
   vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(SampledImage(CentredCube(41, 20.0),
+  contour->SetInputData(SampledImage(CenteredCube(41, 20.0),
     [](double x, double y, double z) { return std::exp(-(x * x + y * y + z * z) / 200.0); }));
   contour->SetValue(0, std::exp(-0.5));
   vtkNew<vtkHessianCurvature> filter;
@@ -224,7 +224,7 @@ TEST(HessianCurvatureFilter, ScaleIsVtksGaussian)
 TEST(HessianCurvatureFilter, CurvednessMarksEdgesAndCorners)
 {
   const auto power = [](double v) { return std::pow(v, 8); };
-  const auto cube = SampledImage(CentredCube(81, 1.3),
+  const auto cube = SampledImage(CenteredCube(81, 1.3),
     [&](double x, double y, double z) { return power(x) + power(y) + power(z); });
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(cube);

@@ -26,7 +26,7 @@
 using namespace isthmus::testing;
 
 /// Any part asked for has the values of the whole, with and without smoothing.
-TEST(HessianCurvatureFilter, PiecesAreThoseOfTheWhole)
+TEST(HessianCurvatureFilter, PiecesMatchTheWhole)
 {
   for (const double scale : { 0.0, 1.5 })
   {
@@ -85,7 +85,7 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
   {
-    Lattice lattice = CentredCube(17, 1.0);
+    Lattice lattice = CenteredCube(17, 1.0);
     lattice.Dimensions[2] = 9;
     vtkImageData::GetData(outputVector)->ShallowCopy(SampledImage(lattice, Ellipsoids));
     return 1;
@@ -94,7 +94,7 @@ protected:
 
 }
 
-TEST(HessianCurvatureFilter, ASourceThatGivesTooLittleIsAskedOnlyTwice)
+TEST(HessianCurvatureFilter, ASourceWithATooSmallExtentIsUpdatedTwice)
 {
   vtkNew<HalfSource> source;
   vtkNew<vtkHessianCurvature> filter;
@@ -109,7 +109,7 @@ namespace
 {
 
 /// Runs the filter on `image` and answers the error that it gave, checking that nothing came out.
-std::string ErrorOf(vtkHessianCurvature* filter, vtkDataObject* image)
+std::string RecordError(vtkHessianCurvature* filter, vtkDataObject* image)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTest::ErrorObserver> executive;
@@ -127,9 +127,9 @@ std::string ErrorOf(vtkHessianCurvature* filter, vtkDataObject* image)
 }
 
 /// A surface around the volume overlaps with it by its box, but has no point in it.
-TEST(HessianCurvatureFilter, SurfacesOutsideTheVolumeAreRefusedOrWarnedAbout)
+TEST(HessianCurvatureFilter, SurfacesOutsideTheVolumeAreErrorsOrWarnings)
 {
-  const auto image = SampledImage(CentredCube(17, 1.0), Ellipsoids);
+  const auto image = SampledImage(CenteredCube(17, 1.0), Ellipsoids);
   const auto surface = [](int inside, int outside)
   {
     auto points = vtkSmartPointer<vtkPoints>::New();
@@ -166,32 +166,33 @@ TEST(HessianCurvatureFilter, BadParametersAreNamed)
   const auto image = SampledImage(Block(), Spheres);
   vtkNew<vtkHessianCurvature> filter;
   filter->SetAccuracy(3);
-  EXPECT_NE(ErrorOf(filter, image).find("Accuracy is 3"), std::string::npos);
+  EXPECT_NE(RecordError(filter, image).find("Accuracy is 3"), std::string::npos);
   filter->SetAccuracy(2);
   filter->SetScale(-1.0);
-  EXPECT_NE(ErrorOf(filter, image).find("Scale is -1"), std::string::npos);
+  EXPECT_NE(RecordError(filter, image).find("Scale is -1"), std::string::npos);
   filter->SetScale(std::nan(""));
-  EXPECT_NE(ErrorOf(filter, image).find("Scale is not a number"), std::string::npos);
+  EXPECT_NE(RecordError(filter, image).find("Scale is not a number"), std::string::npos);
   filter->SetScale(0.0);
   filter->SetMeanTolerance(-0.1);
-  EXPECT_NE(ErrorOf(filter, image).find("MeanTolerance is -0.1"), std::string::npos);
+  EXPECT_NE(RecordError(filter, image).find("MeanTolerance is -0.1"), std::string::npos);
   filter->SetMeanTolerance(0.001);
   filter->SetShapeIndexConvention(2);
-  EXPECT_NE(ErrorOf(filter, image).find("ShapeIndexConvention is 2"), std::string::npos);
+  EXPECT_NE(RecordError(filter, image).find("ShapeIndexConvention is 2"), std::string::npos);
 }
 
-TEST(HessianCurvatureFilter, BadInputIsNamed)
+TEST(HessianCurvatureFilter, ReportsBadInput)
 {
   vtkNew<vtkHessianCurvature> filter;
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(5, 5, 5);
-  EXPECT_NE(ErrorOf(filter, bare).find("no active scalars"), std::string::npos);
+  EXPECT_NE(RecordError(filter, bare).find("no active scalars"), std::string::npos);
 
   vtkNew<vtkImageData> colours;
   colours->SetDimensions(5, 5, 5);
   colours->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   colours->GetPointData()->GetScalars()->SetName("Colours");
-  EXPECT_NE(ErrorOf(filter, colours).find("Array 'Colours' has 3 components"), std::string::npos);
+  EXPECT_NE(
+    RecordError(filter, colours).find("Array 'Colours' has 3 components"), std::string::npos);
 
   vtkNew<vtkDoubleArray> brief;
   brief->SetName("Brief");
@@ -199,7 +200,7 @@ TEST(HessianCurvatureFilter, BadInputIsNamed)
   brief->Fill(1.0);
   bare->GetPointData()->SetScalars(brief);
   EXPECT_NE(
-    ErrorOf(filter, bare).find("array 'Brief' has 7 values for the 125"), std::string::npos);
+    RecordError(filter, bare).find("array 'Brief' has 7 values for the 125"), std::string::npos);
 
   const auto image = SampledImage(Block(), Spheres);
   vtkNew<vtkDoubleArray> cells;
@@ -208,9 +209,10 @@ TEST(HessianCurvatureFilter, BadInputIsNamed)
   cells->Fill(1.0);
   image->GetCellData()->AddArray(cells);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cells");
-  EXPECT_NE(ErrorOf(filter, image).find("Array 'Cells' is not on points"), std::string::npos);
+  EXPECT_NE(RecordError(filter, image).find("Array 'Cells' is not on points"), std::string::npos);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Absent");
-  EXPECT_NE(ErrorOf(filter, image).find("no array 'Absent' to work on; its point arrays are: '"),
+  EXPECT_NE(
+    RecordError(filter, image).find("no array 'Absent' to work on; its point arrays are: '"),
     std::string::npos);
 }
 
@@ -223,7 +225,7 @@ TEST(HessianCurvatureFilter, SurfaceWithoutAVolume)
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(1, surface);
   vtkNew<vtkImageData> empty;
-  EXPECT_NE(ErrorOf(filter, empty).find("The image is empty"), std::string::npos);
+  EXPECT_NE(RecordError(filter, empty).find("The image is empty"), std::string::npos);
 
   vtkNew<vtkHessianCurvature> unconnected;
   vtkNew<vtkTest::ErrorObserver> observer;

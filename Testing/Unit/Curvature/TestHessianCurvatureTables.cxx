@@ -69,7 +69,7 @@ struct Errors
 };
 
 /// Errors at all nodes with a value of an n x n grid on [-10, 10]^2, as thick as the stencil.
-Errors ErrorsOf(Surface surface, int n, int accuracy)
+Errors RecordErrors(Surface surface, int n, int accuracy)
 {
   const double h = 20.0 / (n - 1);
   Lattice lattice;
@@ -138,7 +138,7 @@ TEST(HessianCurvatureTables, AllPrintedErrorsOfTheThesis)
 {
   for (const Row& row : tables)
   {
-    const Errors errors = ErrorsOf(row.Case, row.Nodes, 2);
+    const Errors errors = RecordErrors(row.Case, row.Nodes, 2);
     EXPECT_EQ(errors.Nodes, static_cast<vtkIdType>(row.Nodes - 2) * (row.Nodes - 2));
     EXPECT_EQ(FourDigits(errors.GaussianMaximum), row.Printed[0]) << row.Nodes << " K maximum";
     EXPECT_EQ(FourDigits(errors.GaussianRms), row.Printed[1]) << row.Nodes << " K rms";
@@ -149,8 +149,8 @@ TEST(HessianCurvatureTables, AllPrintedErrorsOfTheThesis)
 
 void ExpectFourthOrder(Surface surface, int n, const char* name)
 {
-  const Errors coarse = ErrorsOf(surface, n, 4);
-  const Errors fine = ErrorsOf(surface, 2 * n - 1, 4);
+  const Errors coarse = RecordErrors(surface, n, 4);
+  const Errors fine = RecordErrors(surface, 2 * n - 1, 4);
   const double gaussian = std::log2(coarse.GaussianMaximum / fine.GaussianMaximum);
   const double gaussianRms = std::log2(coarse.GaussianRms / fine.GaussianRms);
   const double mean = std::log2(coarse.MeanMaximum / fine.MeanMaximum);
@@ -177,7 +177,7 @@ TEST(HessianCurvatureTables, FourthOrderIsExactOnTheCubicCase)
 {
   for (const int n : { 11, 21, 41, 81 })
   {
-    const Errors errors = ErrorsOf(Cubic, n, 4);
+    const Errors errors = RecordErrors(Cubic, n, 4);
     std::printf("case 2, %d nodes: K %.2e of %.2e, H %.2e of %.2e\n", n, errors.GaussianMaximum,
       errors.LargestGaussian, errors.MeanMaximum, errors.LargestMean);
     EXPECT_LT(errors.GaussianMaximum, 1e-12 * errors.LargestGaussian);

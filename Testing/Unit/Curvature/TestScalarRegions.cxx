@@ -305,7 +305,7 @@ TEST(vtkScalarRegions, TablesLabelsAndColors)
   EXPECT_TRUE(cells->HasArray("JointRegion"));
 }
 
-TEST(vtkScalarRegions, BadInputIsToldInASentence)
+TEST(vtkScalarRegions, ReportsBadInput)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkScalarRegions> filter;

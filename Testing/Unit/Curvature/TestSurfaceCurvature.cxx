@@ -26,7 +26,7 @@ struct Statistics
   double Deviation = 0.0;
 };
 
-Statistics StatisticsOf(const std::vector<double>& values, const std::vector<double>& areas)
+Statistics ComputeStatistics(const std::vector<double>& values, const std::vector<double>& areas)
 {
   double area = 0.0, sum = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -61,9 +61,9 @@ TEST(SurfaceCurvature, SphereStatisticsOfTables42And43)
     {
       SurfaceCurvatureOptions options;
       options.DualArea = rule;
-      const SurfaceCurvatureResult result = CurvatureOfSurface(sphere.View(), options);
-      const Statistics k = StatisticsOf(result.Gaussian, result.Area);
-      const Statistics h = StatisticsOf(result.Mean, result.Area);
+      const SurfaceCurvatureResult result = ComputeSurfaceCurvature(sphere.View(), options);
+      const Statistics k = ComputeStatistics(result.Gaussian, result.Area);
+      const Statistics h = ComputeStatistics(result.Mean, result.Area);
       std::printf("r^2 = %g %-11s mean K %.6f (printed %.6f) sd %.6f, mean H %.6f (%.6f) sd %.6f\n",
         row.RadiusSquared, rule == DualArea::Voronoi ? "Voronoi" : "barycentric", k.Mean, row.MeanK,
         k.Deviation, h.Mean, row.MeanH, h.Deviation);
@@ -73,9 +73,9 @@ TEST(SurfaceCurvature, SphereStatisticsOfTables42And43)
     }
     EXPECT_LT(deviationK[0], deviationK[1]);
   }
-  const SurfaceCurvatureResult unit = CurvatureOfSurface(Icosphere(10, 1.0).View(), {});
-  EXPECT_NEAR(StatisticsOf(unit.Gaussian, unit.Area).Mean, 1.003081, 1e-6);
-  EXPECT_NEAR(StatisticsOf(unit.Gaussian, unit.Area).Deviation, 0.000375, 1e-5);
+  const SurfaceCurvatureResult unit = ComputeSurfaceCurvature(Icosphere(10, 1.0).View(), {});
+  EXPECT_NEAR(ComputeStatistics(unit.Gaussian, unit.Area).Mean, 1.003081, 1e-6);
+  EXPECT_NEAR(ComputeStatistics(unit.Gaussian, unit.Area).Deviation, 0.000375, 1e-5);
 }
 
 TEST(SurfaceCurvature, AreasArePartitionsAndDefectsSumToTheEulerNumber)
@@ -87,7 +87,7 @@ TEST(SurfaceCurvature, AreasArePartitionsAndDefectsSumToTheEulerNumber)
   {
     SurfaceCurvatureOptions options;
     options.DualArea = rule;
-    const auto result = CurvatureOfSurface(mesh.View(), options);
+    const auto result = ComputeSurfaceCurvature(mesh.View(), options);
     double total = 0.0;
     for (std::size_t i = 0; i < result.Area.size(); ++i)
     {
@@ -115,21 +115,21 @@ TEST(SurfaceCurvature, OrientationDecidesTheSign)
   {
     SurfaceCurvatureOptions options;
     options.Method = estimate;
-    const auto outward = CurvatureOfSurface(sphere.View(), options);
+    const auto outward = ComputeSurfaceCurvature(sphere.View(), options);
     EXPECT_NEAR(outward.Mean[0], 0.5, 0.05);
     TurnInsideOut(sphere);
-    const auto inward = CurvatureOfSurface(sphere.View(), options);
+    const auto inward = ComputeSurfaceCurvature(sphere.View(), options);
     EXPECT_NEAR(inward.Mean[0], outward.Mean[0], 1e-12);
     options.Orientation = SurfaceOrientation::AsWound;
-    EXPECT_NEAR(CurvatureOfSurface(sphere.View(), options).Mean[0], -outward.Mean[0], 1e-12);
+    EXPECT_NEAR(ComputeSurfaceCurvature(sphere.View(), options).Mean[0], -outward.Mean[0], 1e-12);
     options.Orientation = SurfaceOrientation::Reversed;
-    EXPECT_NEAR(CurvatureOfSurface(sphere.View(), options).Mean[0], outward.Mean[0], 1e-12);
+    EXPECT_NEAR(ComputeSurfaceCurvature(sphere.View(), options).Mean[0], outward.Mean[0], 1e-12);
     TurnInsideOut(sphere);
 
     options.Orientation = SurfaceOrientation::Automatic; // open: as wound
-    EXPECT_GT(CurvatureOfSurface(cap.View(), options).Mean[24], 0.4);
+    EXPECT_GT(ComputeSurfaceCurvature(cap.View(), options).Mean[24], 0.4);
     TurnInsideOut(cap);
-    EXPECT_LT(CurvatureOfSurface(cap.View(), options).Mean[24], -0.4);
+    EXPECT_LT(ComputeSurfaceCurvature(cap.View(), options).Mean[24], -0.4);
     TurnInsideOut(cap);
   }
 }
@@ -167,7 +167,7 @@ TEST(SurfaceCurvature, NestedShellsAreOrientedByNesting)
       Append(all, cap, { -9.0, 0.0, 0.0 });
       SurfaceCurvatureOptions options;
       options.Method = estimate;
-      const auto result = CurvatureOfSurface(all.View(), options);
+      const auto result = ComputeSurfaceCurvature(all.View(), options);
       for (unsigned s = 0; s < 4; ++s)
       {
         EXPECT_NEAR(result.Mean[first[s] + 5] * radii[s], signs[s], 0.1) << turned << " " << s;
@@ -190,8 +190,8 @@ TEST(SurfaceCurvature, InvariantUnderMotionScaleAndOrder)
   std::reverse(moved.Triangles.begin(), moved.Triangles.end());
   for (const auto& options : { SurfaceCurvatureOptions{}, Tensor(CurvatureNeighbourhood::Ball) })
   {
-    const auto a = CurvatureOfSurface(torus.View(), options);
-    const auto b = CurvatureOfSurface(moved.View(), options);
+    const auto a = ComputeSurfaceCurvature(torus.View(), options);
+    const auto b = ComputeSurfaceCurvature(moved.View(), options);
     for (std::size_t i = 0; i < torus.Points.size(); ++i)
     {
       EXPECT_NEAR(a.Mean[i], scale * b.Mean[i], 1e-10);
@@ -200,7 +200,7 @@ TEST(SurfaceCurvature, InvariantUnderMotionScaleAndOrder)
   }
 }
 
-TEST(SurfaceCurvature, WhatHasNoCurvatureIsMarked)
+TEST(SurfaceCurvature, PointsWithoutCurvatureAreMarked)
 {
   Model model = Icosphere(4, 1.0);
   model.AddPoint(9, 9, 9);
@@ -213,7 +213,7 @@ TEST(SurfaceCurvature, WhatHasNoCurvatureIsMarked)
   for (const auto& options : { SurfaceCurvatureOptions{}, Tensor(CurvatureNeighbourhood::Ball, 0.4),
          Tensor(CurvatureNeighbourhood::GeodesicDisc, 0.4) })
   {
-    const auto result = CurvatureOfSurface(model.View(), options);
+    const auto result = ComputeSurfaceCurvature(model.View(), options);
     EXPECT_EQ(result.IrregularPoints, 2);
     EXPECT_GE(result.DegeneratePoints, 3 - (options.Method == CurvatureEstimate::AngleDefect) * 3);
     for (const vtkIdType point : { extra - 1, thin, model.Triangles[0][0] })
@@ -226,8 +226,8 @@ TEST(SurfaceCurvature, WhatHasNoCurvatureIsMarked)
       EXPECT_TRUE(std::isfinite(result.Mean[i]) && std::isfinite(result.Gaussian[i]));
     }
   }
-  EXPECT_THROW(CurvatureOfSurface(model.View(), Tensor(CurvatureNeighbourhood::Ball, -1.0)),
+  EXPECT_THROW(ComputeSurfaceCurvature(model.View(), Tensor(CurvatureNeighbourhood::Ball, -1.0)),
     std::invalid_argument);
-  EXPECT_TRUE(CurvatureOfSurface(Model{}.View(), {}).Mean.empty());
-  EXPECT_THROW(CurvatureOfSurface(model.View(), {}, [](double) { return false; }), Cancelled);
+  EXPECT_TRUE(ComputeSurfaceCurvature(Model{}.View(), {}).Mean.empty());
+  EXPECT_THROW(ComputeSurfaceCurvature(model.View(), {}, [](double) { return false; }), Cancelled);
 }

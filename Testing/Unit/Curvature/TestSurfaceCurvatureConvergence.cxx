@@ -71,7 +71,7 @@ std::vector<Graph> SurfaceTypes()
 }
 
 /// Mesh of a graph with n x n squares; points move by up to `shake` of a square's side.
-Model MeshOf(const Graph& graph, int n, double shake = 0.0)
+Model MakeMesh(const Graph& graph, int n, double shake = 0.0)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> move(-shake / n, shake / n);
@@ -91,10 +91,10 @@ struct Errors
 };
 
 /// Root mean squares of the errors at valid points at least `margin` from the border.
-Errors ErrorsOf(const Graph& graph, const Model& mesh, const SurfaceCurvatureOptions& options,
+Errors RecordErrors(const Graph& graph, const Model& mesh, const SurfaceCurvatureOptions& options,
   double margin = 0.0)
 {
-  const SurfaceCurvatureResult result = CurvatureOfSurface(mesh.View(), options);
+  const SurfaceCurvatureResult result = ComputeSurfaceCurvature(mesh.View(), options);
   Errors sums;
   double count = 0.0;
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
@@ -121,7 +121,7 @@ TEST(SurfaceCurvature, SecondOrderOnRegularMeshes)
     Errors last;
     for (const int n : { 16, 32, 64, 128 })
     {
-      const Errors now = ErrorsOf(graph, MeshOf(graph, n), {});
+      const Errors now = RecordErrors(graph, MakeMesh(graph, n), {});
       const double orderK = std::log2(last.Gaussian / now.Gaussian);
       const double orderH = std::log2(last.Mean / now.Mean);
       std::printf("%-15s n = %-3d K %.3e (order %.2f) H %.3e (order %.2f)\n", graph.Name, n,
@@ -149,10 +149,10 @@ TEST(SurfaceCurvature, PlateauOnIrregularMeshes)
     Errors defect, ball, firstDefect, firstBall;
     for (const int n : { 32, 64, 128 })
     {
-      const Model mesh = MeshOf(graph, n, 0.2);
+      const Model mesh = MakeMesh(graph, n, 0.2);
       const double radius = 0.6 / std::sqrt(static_cast<double>(n));
-      defect = ErrorsOf(graph, mesh, {}, 0.2);
-      ball = ErrorsOf(graph, mesh, Tensor(CurvatureNeighbourhood::Ball, radius), 0.2);
+      defect = RecordErrors(graph, mesh, {}, 0.2);
+      ball = RecordErrors(graph, mesh, Tensor(CurvatureNeighbourhood::Ball, radius), 0.2);
       std::printf("%-13s n = %-3d angle defect K %.3e H %.3e; ball of %.2f h K %.3e H %.3e\n",
         graph.Name, n, defect.Gaussian, defect.Mean, radius * n, ball.Gaussian, ball.Mean);
       firstDefect = n == 32 ? defect : firstDefect;

@@ -37,7 +37,7 @@ Model Soup(const Model& model)
   return soup;
 }
 
-vtkSmartPointer<vtkSurfaceCurvature> CurvatureOf(const Model& model)
+vtkSmartPointer<vtkSurfaceCurvature> ComputeCurvature(const Model& model)
 {
   auto filter = vtkSmartPointer<vtkSurfaceCurvature>::New();
   filter->SetInputData(ToPolyData(model));
@@ -62,11 +62,11 @@ double SumOfAreas(vtkSurfaceCurvature* filter)
 
 }
 
-TEST(vtkSurfaceCurvature, TrianglesWithPointsOfTheirOwnHaveTheCurvatureOfTheClosedSurface)
+TEST(vtkSurfaceCurvature, TriangleSoupsHaveTheCurvatureOfTheClosedSurface)
 {
   const Model torus = Torus(24, 12, 3.0, 1.0);
-  const auto closed = CurvatureOf(torus);
-  const auto soup = CurvatureOf(Soup(torus));
+  const auto closed = ComputeCurvature(torus);
+  const auto soup = ComputeCurvature(Soup(torus));
   for (std::size_t t = 0; t < torus.Triangles.size(); ++t)
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -83,14 +83,14 @@ TEST(vtkSurfaceCurvature, TrianglesWithPointsOfTheirOwnHaveTheCurvatureOfTheClos
   EXPECT_NEAR(SumOfAreas(soup), SumOfAreas(closed), 1e-10 * SumOfAreas(closed));
 }
 
-TEST(vtkSurfaceCurvature, WhatIsOpenStaysOpenAndUnusedPointsNeedNoPlace)
+TEST(vtkSurfaceCurvature, OpenSurfacesStayOpenAndUnusedPointsAreIgnored)
 {
   Model open = Icosphere(4, 2.0);
   open.Triangles.resize(open.Triangles.size() / 2);
-  const auto whole = CurvatureOf(open);
+  const auto whole = ComputeCurvature(open);
   Model soup = Soup(open);
   soup.Points.push_back({ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 });
-  const auto taken = CurvatureOf(soup);
+  const auto taken = ComputeCurvature(soup);
   vtkIdType border = 0;
   for (std::size_t t = 0; t < open.Triangles.size(); ++t)
   {
@@ -103,7 +103,7 @@ TEST(vtkSurfaceCurvature, WhatIsOpenStaysOpenAndUnusedPointsNeedNoPlace)
   EXPECT_EQ(Value(taken, "CurvatureValid", static_cast<vtkIdType>(soup.Points.size()) - 1), 0.0);
 }
 
-TEST(vtkSurfaceCurvature, BadInputIsToldInASentence)
+TEST(vtkSurfaceCurvature, ReportsBadInput)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkSurfaceCurvature> filter;

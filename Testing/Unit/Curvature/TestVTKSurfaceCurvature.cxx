@@ -252,7 +252,7 @@ TEST(vtkSurfaceCurvature, PrincipalCurvaturesAreOrderedAndNeverDropped)
   EXPECT_GT(umbilics, 100) << "the case was not met";
 }
 
-TEST(vtkSurfaceCurvature, NamesSignsAndTypesAreThoseOfTheHessian)
+TEST(vtkSurfaceCurvature, NamesSignsAndTypesMatchHessianCurvature)
 {
   vtkNew<vtkHessianCurvature> hessian;
   hessian->SetInputData(0, DistanceImage(60));
@@ -284,7 +284,7 @@ TEST(vtkSurfaceCurvature, NamesSignsAndTypesAreThoseOfTheHessian)
   EXPECT_TRUE(filter->GetOutput()->GetFieldData()->GetAbstractArray("SurfaceTypeNames"));
 }
 
-TEST(vtkSurfaceCurvature, SameBitsOnAnyNumberOfThreads)
+TEST(vtkSurfaceCurvature, IdenticalOnAnyNumberOfThreads)
 {
   const auto surface = ToPolyData(Torus(80, 40, 2.0, 0.5));
   for (const int method : { vtkSurfaceCurvature::AngleDefect, vtkSurfaceCurvature::EdgeTensor })
@@ -306,7 +306,7 @@ TEST(vtkSurfaceCurvature, SameBitsOnAnyNumberOfThreads)
   }
 }
 
-TEST(vtkSurfaceCurvature, KeepsWhatTheInputHadAndSwitchesArrays)
+TEST(vtkSurfaceCurvature, KeepsTheInputsArraysAndSwitchesItsOwn)
 {
   auto surface = ToPolyData(Icosphere(2, 1.0));
   vtkNew<vtkDoubleArray> other;
@@ -327,7 +327,7 @@ TEST(vtkSurfaceCurvature, KeepsWhatTheInputHadAndSwitchesArrays)
 }
 
 // Of a sphere 2, of a torus 0, of two spheres 4: by the mesh and by the image, to their own errors.
-TEST(vtkSurfaceCurvature, WhatIsOutOfRangeIsNamed)
+TEST(vtkSurfaceCurvature, ReportsValuesOutOfRange)
 {
   const std::pair<const char*, std::function<void(vtkSurfaceCurvature*)>> cases[] = {
     { "Method is 2, but it must be from 0 to 1", [](auto* f) { f->SetMethod(2); } },
@@ -352,7 +352,7 @@ TEST(vtkSurfaceCurvature, WhatIsOutOfRangeIsNamed)
   }
 }
 
-TEST(GaussBonnet, CountsWhatIsThere)
+TEST(GaussBonnet, CountsValidPoints)
 {
   struct Shape
   {

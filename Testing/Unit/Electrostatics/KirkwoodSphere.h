@@ -21,7 +21,7 @@ namespace isthmus::testing
 class KirkwoodSphere
 {
 public:
-  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Center{ 0.0, 0.0, 0.0 };
   double Radius = 1.0, Solute = 2.0, Solvent = 80.0, Kappa = 0.0, Layer = 0.0, Kelvin = 298.15;
   std::vector<ChargedAtom> Charges;
 
@@ -68,7 +68,7 @@ public:
   }
   double Distance(const Point3& x) const
   {
-    return std::hypot(x[0] - this->Centre[0], x[1] - this->Centre[1], x[2] - this->Centre[2]);
+    return std::hypot(x[0] - this->Center[0], x[1] - this->Center[1], x[2] - this->Center[2]);
   }
 
 private:
@@ -130,7 +130,7 @@ private:
       cosine = 0.0;
       for (std::size_t a = 0; a < 3; ++a)
       {
-        cosine += (charge[a] - this->Centre[a]) * (x[a] - this->Centre[a]) / (rq * r);
+        cosine += (charge[a] - this->Center[a]) * (x[a] - this->Center[a]) / (rq * r);
       }
     }
     const double R = this->Radius;

@@ -139,7 +139,7 @@ inline ManufacturedErrors SolveManufactured(
   const Manufactured& m, const LevelFunction& level, const FrameFunction& frame)
 {
   const SolverBox box = WholeBox(level);
-  const std::vector<unsigned char> inside = SidesOfNodes(level, box);
+  const std::vector<unsigned char> inside = ClassifyNodes(level, box);
   const std::vector<InterfaceCrossing> crossings = FindCrossings(level, box, inside);
   std::vector<SecondOrderTaylor> jumps;
   for (const InterfaceCrossing& c : crossings)

@@ -16,7 +16,7 @@
 namespace isthmus::testing
 {
 
-/// phi(r) outside a sphere of charge q at its centre: (r^2 phi')' = r^2 f(phi) / eps_s from a on,
+/// phi(r) outside a sphere of charge q at its center: (r^2 phi')' = r^2 f(phi) / eps_s from a on,
 /// phi' = -C q / (eps_s r^2) before. Integrated inwards from the Debye-Hueckel tail, whose height
 /// is found by bisection.
 class RadialSolution

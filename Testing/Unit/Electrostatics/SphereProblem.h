@@ -13,14 +13,14 @@
 namespace isthmus::testing
 {
 
-/// K1: Born's ion. K2: three charges off the centre; K3 the same with kappa 0.1; K4: charges one
-/// angstrom under the surface. Centres off the nodes.
+/// K1: Born's ion. K2: three charges off the center; K3 the same with kappa 0.1; K4: charges one
+/// angstrom under the surface. Centers off the nodes.
 inline KirkwoodSphere Kirkwood(int number)
 {
   KirkwoodSphere s;
-  s.Centre = { 0.11, -0.07, 0.05 };
+  s.Center = { 0.11, -0.07, 0.05 };
   const auto add = [&](double q, double x, double y, double z) {
-    s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.0 });
+    s.Charges.push_back({ { s.Center[0] + x, s.Center[1] + y, s.Center[2] + z }, q, 1.0 });
   };
   s.Radius = number == 1 ? 2.0 : 5.0;
   s.Solute = number == 1 ? 1.0 : 2.0;
@@ -122,7 +122,7 @@ struct SphereErrors
   double Outside = 0.0, Inside = 0.0, Energy = 0.0;
 };
 
-inline SphereErrors ErrorsOf(const SphereProblem& problem, const GridPotential& solution)
+inline SphereErrors RecordErrors(const SphereProblem& problem, const GridPotential& solution)
 {
   SphereErrors errors;
   const SolverBox& box = solution.GetBox();

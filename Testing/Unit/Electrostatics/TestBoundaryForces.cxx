@@ -102,7 +102,7 @@ PoissonBoltzmannParameters Water()
   return parameters;
 }
 
-TEST(BoundaryForces, WithTheReactionForceTheyAreTheSlopeOfTheEnergy)
+TEST(BoundaryForces, WithTheReactionForceTheyAreTheEnergyGradient)
 {
   const PoissonBoltzmannParameters parameters = Water();
   const Result result = Solve(Molecule(), parameters);
@@ -121,7 +121,7 @@ TEST(BoundaryForces, WithTheReactionForceTheyAreTheSlopeOfTheEnergy)
   EXPECT_GT(reaction, 0.2 * largest); // so the boundary's part is needed
 }
 
-TEST(BoundaryForces, NothingPullsOnTheWholeMolecule)
+TEST(BoundaryForces, TheNetForceIsZero)
 {
   for (const Point3& spacing : { Point3{ 0.4, 0.4, 0.4 }, Point3{ 0.3, 0.4, 0.48 } })
   {
@@ -160,28 +160,28 @@ void ExpectIonsForce(double radius, bool nonlinear, double tolerance)
   EXPECT_LT(std::abs(error), tolerance * std::abs(ions));
 }
 
-TEST(BoundaryForces, IonsUnderALayerPushToo)
+TEST(BoundaryForces, IonsUnderALayerExertPressure)
 {
   ExpectIonsForce(0.6, false, 0.06);
   ExpectIonsForce(0.6, true, 0.06);
 }
 
-TEST(BoundaryForces, IonsAtTheSurfacePushToo)
+TEST(BoundaryForces, IonsAtTheSurfaceExertPressure)
 {
   ExpectIonsForce(0.0, false, 0.06);
   // 12 % if the energy's sum took cells that the surface cuts as wholes.
   ExpectIonsForce(0.0, true, 0.03);
 }
 
-TEST(BoundaryForces, CutCellsMakeUpTheVolume)
+TEST(BoundaryForces, CutCellsSumToTheVolume)
 {
   constexpr double h = 0.5, radius = 4.0;
   constexpr std::int64_t n = 31;
   std::vector<double> distance;
   for (std::int64_t node = 0; node < n * n * n; ++node)
   {
-    const auto at = [&](std::int64_t i, double centre)
-    { return h * static_cast<double>(i) - centre; };
+    const auto at = [&](std::int64_t i, double center)
+    { return h * static_cast<double>(i) - center; };
     distance.push_back(
       std::hypot(at(node % n, 7.41), at(node / n % n, 7.63), at(node / n / n, 7.55)) - radius);
   }
@@ -189,7 +189,7 @@ TEST(BoundaryForces, CutCellsMakeUpTheVolume)
   level.Doubles = { distance.data(), { n, n, n }, { h, h, h } };
   level.InsideIsHigher = false;
   const SolverBox box = BoxAround(level, 2.0);
-  const auto inside = SidesOfNodes(level, box);
+  const auto inside = ClassifyNodes(level, box);
   double cells = 0.0, whole = 0.0;
   for (const unsigned char in : inside)
   {
@@ -204,7 +204,7 @@ TEST(BoundaryForces, CutCellsMakeUpTheVolume)
   EXPECT_NEAR((whole + cells) / exact, 1.0 + 0.25 * h * h / (radius * radius), 2e-4);
 }
 
-TEST(SurfaceMotion, SharesAddUpToTheNormal)
+TEST(SurfaceMotion, SharesSumToTheNormal)
 {
   const auto atoms = Molecule();
   const SurfaceMotion motion(atoms, Decay);
@@ -227,7 +227,7 @@ TEST(SurfaceMotion, SharesAddUpToTheNormal)
   }
 }
 
-TEST(SurfaceMotion, OtherSurfacesGoWithTheNearestBall)
+TEST(SurfaceMotion, OtherSurfacesMoveWithTheNearestBall)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(-20.0, 20.0), size(0.0, 3.0);

@@ -66,7 +66,7 @@ void ForTouching(const Sides& sides, std::int64_t node, Each&& each)
 }
 
 /// Nodes inside with the chance `share`, but for the border.
-Sides Drawn(double share, unsigned int seed)
+Sides RandomSides(double share, unsigned int seed)
 {
   Sides sides;
   sides.Box.Dimensions = { 13, 11, 9 };
@@ -98,7 +98,7 @@ Sides Drawn(double share, unsigned int seed)
 }
 
 /// The lowest node of the component outside that each node belongs to.
-std::vector<std::int64_t> Flooded(const Sides& sides)
+std::vector<std::int64_t> LabelByFlooding(const Sides& sides)
 {
   std::vector<std::int64_t> lowest(sides.Inside.size(), -1);
   for (std::int64_t start = 0; start < sides.Box.Size(); ++start)
@@ -123,8 +123,8 @@ TEST(ClosedCavities, AreThoseThatAFloodFromTheBorderDoesNotReach)
   std::size_t cavities = 0;
   for (unsigned int seed = 0; seed < 20; ++seed)
   {
-    const Sides sides = Drawn(seed < 10 ? 0.8 : 0.9, seed);
-    const std::vector<std::int64_t> lowest = Flooded(sides);
+    const Sides sides = RandomSides(seed < 10 ? 0.8 : 0.9, seed);
+    const std::vector<std::int64_t> lowest = LabelByFlooding(sides);
     std::map<std::int64_t, std::vector<std::int64_t>> wanted;
     for (std::size_t c = 0; c < sides.Crossings.size(); ++c)
     {
@@ -138,7 +138,7 @@ TEST(ClosedCavities, AreThoseThatAFloodFromTheBorderDoesNotReach)
         wanted[component].push_back(static_cast<std::int64_t>(c));
       }
     }
-    const auto found = WallsOfClosedCavities(sides.Box, sides.Inside, sides.Crossings);
+    const auto found = FindCavityWalls(sides.Box, sides.Inside, sides.Crossings);
     std::map<std::int64_t, std::vector<std::int64_t>> byFirst;
     for (const auto& [component, wall] : wanted)
     {

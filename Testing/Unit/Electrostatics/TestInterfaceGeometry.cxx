@@ -80,7 +80,7 @@ protected:
     this->Box.Corner = { 0.0, 0.0, 0.0 };
     for (std::int64_t node = 0; node < this->Box.Size(); ++node)
     {
-      this->Values.push_back(this->Shape(this->Box.Position(node) - this->Centre));
+      this->Values.push_back(this->Shape(this->Box.Position(node) - this->Center));
     }
     this->Level.Doubles = { this->Values.data(), this->Box.Dimensions,
       { this->Box.Spacing[0], this->Box.Spacing[1], this->Box.Spacing[2] } };
@@ -89,7 +89,7 @@ protected:
 
   void ExpectFrame(const SurfaceFrame& frame, const Point3& x) const
   {
-    const SurfaceFrame expected = this->Shape.FrameAt(x - this->Centre);
+    const SurfaceFrame expected = this->Shape.FrameAt(x - this->Center);
     for (std::size_t i = 0; i < 3; ++i)
     {
       EXPECT_NEAR(frame.Normal[i], expected.Normal[i], 1e-9);
@@ -101,7 +101,7 @@ protected:
   }
 
   const Ellipsoid Shape;
-  const Point3 Centre{ 3.21, 3.27, 4.13 };
+  const Point3 Center{ 3.21, 3.27, 4.13 };
   SolverBox Box;
   std::vector<double> Values;
   LevelFunction Level;
@@ -111,7 +111,7 @@ protected:
 
 TEST_F(InterfaceGeometry, NodesAreInsideWhereTheFunctionIsNegative)
 {
-  const std::vector<unsigned char> inside = SidesOfNodes(this->Level, this->Box);
+  const std::vector<unsigned char> inside = ClassifyNodes(this->Level, this->Box);
   ASSERT_EQ(inside.size(), this->Values.size());
   for (std::size_t n = 0; n < inside.size(); ++n)
   {
@@ -121,7 +121,7 @@ TEST_F(InterfaceGeometry, NodesAreInsideWhereTheFunctionIsNegative)
 
 TEST_F(InterfaceGeometry, EveryCrossedEdgeHasItsCrossingAndFrame)
 {
-  const std::vector<unsigned char> inside = SidesOfNodes(this->Level, this->Box);
+  const std::vector<unsigned char> inside = ClassifyNodes(this->Level, this->Box);
   const auto crossings = FindCrossings(this->Level, this->Box, inside);
   std::set<std::pair<std::int64_t, int>> edges;
   for (const InterfaceCrossing& crossing : crossings)
@@ -132,7 +132,7 @@ TEST_F(InterfaceGeometry, EveryCrossedEdgeHasItsCrossingAndFrame)
       inside[static_cast<std::size_t>(crossing.Node + this->Box.Steps()[axis])]);
     Point3 x = this->Box.Position(crossing.Node);
     x[axis] += crossing.Fraction * this->Box.Spacing[axis];
-    EXPECT_NEAR(this->Shape(x - this->Centre), 0.0, 1e-10);
+    EXPECT_NEAR(this->Shape(x - this->Center), 0.0, 1e-10);
     this->ExpectFrame(crossing.Frame, x);
   }
   std::size_t crossed = 0;
@@ -155,9 +155,9 @@ TEST_F(InterfaceGeometry, EveryCrossedEdgeHasItsCrossingAndFrame)
 
 TEST_F(InterfaceGeometry, PointsComeToTheLevelAlongTheGradient)
 {
-  const Point3 start = this->Centre + Point3{ 1.2, 1.1, 0.4 };
+  const Point3 start = this->Center + Point3{ 1.2, 1.1, 0.4 };
   const Point3 x = OnLevel(this->Level, this->Box, start);
-  EXPECT_NEAR(this->Shape(x - this->Centre), 0.0, 1e-9);
+  EXPECT_NEAR(this->Shape(x - this->Center), 0.0, 1e-9);
   EXPECT_LT(Length(x - start), 0.5);
   this->ExpectFrame(isthmus::FrameAt(this->Level, this->Box, x), x);
 }
@@ -169,6 +169,6 @@ TEST_F(InterfaceGeometry, ASurfaceAtTheBorderIsRefused)
   tight.First = { 0, 0, 8 };
   tight.Corner[2] += 8.0 * tight.Spacing[2];
   tight.Dimensions[2] -= 8;
-  const std::vector<unsigned char> inside = SidesOfNodes(this->Level, tight);
+  const std::vector<unsigned char> inside = ClassifyNodes(this->Level, tight);
   EXPECT_THROW(FindCrossings(this->Level, tight, inside), std::invalid_argument);
 }

@@ -23,21 +23,21 @@ Point3 Along(const Point3& x, double by)
   return { x[0] + by, x[1] + by, x[2] + by };
 }
 
-Manufactured Moved(Manufactured m, double by)
+Manufactured Translate(Manufactured m, double by)
 {
   m.A.Source = Along(m.A.Source, by);
   m.B.Source = Along(m.B.Source, by);
   return m;
 }
 
-struct Sampled
+struct SampledLevel
 {
   std::vector<double> Values;
   LevelFunction Level;
 
   /// f, moved by `shift` spacings along each axis, on nodes of [0, 2 Half]^3; below 0 inside.
   template <typename F>
-  Sampled(double h, double shift, F&& f)
+  SampledLevel(double h, double shift, F&& f)
   {
     const auto n = static_cast<std::int64_t>(std::llround(2.0 * Half / h)) + 1;
     for (std::int64_t node = 0; node < n * n * n; ++node)
@@ -150,8 +150,8 @@ struct Gaussians
   }
   double Term(const Ball& b, const Point3& x) const
   {
-    const double r2 = std::pow(x[0] - b.Centre[0], 2) + std::pow(x[1] - b.Centre[1], 2) +
-      std::pow(x[2] - b.Centre[2], 2);
+    const double r2 = std::pow(x[0] - b.Center[0], 2) + std::pow(x[1] - b.Center[1], 2) +
+      std::pow(x[2] - b.Center[2], 2);
     return std::exp(-this->Decay * (r2 / (b.Radius * b.Radius) - 1.0));
   }
   SurfaceFrame Frame(const Point3& x) const
@@ -163,7 +163,7 @@ struct Gaussians
     {
       const double t = this->Term(b, x);
       const double k = 2.0 * this->Decay / (b.Radius * b.Radius);
-      const Eigen::Vector3d y(x[0] - b.Centre[0], x[1] - b.Centre[1], x[2] - b.Centre[2]);
+      const Eigen::Vector3d y(x[0] - b.Center[0], x[1] - b.Center[1], x[2] - b.Center[2]);
       sum += t;
       first -= t * k * y;
       second += t * (k * k * y * y.transpose() - k * Eigen::Matrix3d::Identity());
@@ -210,8 +210,8 @@ TEST(ManufacturedInterface, Torus)
   ExpectSecondOrder("torus",
     [&](double h, double shift)
     {
-      const Sampled sampled(h, shift, torus);
-      return SolveManufactured(Moved(m, shift * h), sampled.Level,
+      const SampledLevel sampled(h, shift, torus);
+      return SolveManufactured(Translate(m, shift * h), sampled.Level,
         [&](const InterfaceCrossing&, const Point3& x)
         { return torus.Frame(Along(x, -shift * h)); });
     });
@@ -220,13 +220,13 @@ TEST(ManufacturedInterface, Torus)
 TEST(ManufacturedInterface, FourteenGaussians)
 {
   const Gaussians gaussians{ FourteenAtoms() };
-  const auto& c = gaussians.Balls[6].Centre;
+  const auto& c = gaussians.Balls[6].Center;
   const Manufactured m{ { { -6.0, 3.0, 20.0 }, 30.0 }, { { c[0], c[1], c[2] }, 6.0 } };
   ExpectSecondOrder("fourteen Gaussians",
     [&](double h, double shift)
     {
-      const Sampled sampled(h, shift, gaussians);
-      return SolveManufactured(Moved(m, shift * h), sampled.Level,
+      const SampledLevel sampled(h, shift, gaussians);
+      return SolveManufactured(Translate(m, shift * h), sampled.Level,
         [&](const InterfaceCrossing&, const Point3& x)
         { return gaussians.Frame(Along(x, -shift * h)); });
     });
@@ -249,7 +249,7 @@ TEST(ManufacturedInterface, FlowSurface)
       level.Floats = { flow.Distance.data(), flow.Grid.Dimensions, { h, h, h } };
       level.InsideIsHigher = false;
       const auto& o = flow.Grid.Origin;
-      const auto& c = balls[6].Centre;
+      const auto& c = balls[6].Center;
       const Manufactured m{ { { -6.0 - o[0], 3.0 - o[1], 20.0 - o[2] }, 30.0 },
         { { c[0] - o[0], c[1] - o[1], c[2] - o[2] }, 6.0 } };
       return SolveManufactured(

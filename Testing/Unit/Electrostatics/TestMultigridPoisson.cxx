@@ -131,7 +131,7 @@ TEST(MultigridPoisson, ACycleLeavesASmallPartOnAnyNumberOfNodes)
   }
 }
 
-TEST(MultigridPoisson, StretchedSpacingsAreCaughtUpWith)
+TEST(MultigridPoisson, StretchedSpacingsAreSemicoarsened)
 {
   EXPECT_LT(Reduction(Problem({ 33, 33, 33 }, { 1, 1, 0.1 }, 2.0)), 0.6);
   EXPECT_LT(Reduction(Problem({ 33, 33, 33 }, { 0.01, 1, 1 }, 2.0)), 0.6);
@@ -144,7 +144,7 @@ TEST(MultigridPoisson, ADiagonalOnlyHelps)
   EXPECT_LT(Reduction(problem), 0.5);
 }
 
-TEST(MultigridPoisson, SameBitsOnAnyNumberOfThreads)
+TEST(MultigridPoisson, IdenticalOnAnyNumberOfThreads)
 {
   const Problem problem({ 33, 47, 38 }, { 1, 1, 1 }, 2.0);
   std::vector<float> answers[2];
@@ -174,7 +174,7 @@ ChargeList RandomCharges(std::size_t count)
   return charges;
 }
 
-TEST(ChargeSums, DerivativesAreThoseOfTheSum)
+TEST(ChargeSums, DerivativesMatchTheSum)
 {
   const ChargeList charges = RandomCharges(21);
   const Point3 x{ 50.0, 20.0, -10.0 };
@@ -190,7 +190,7 @@ TEST(ChargeSums, DerivativesAreThoseOfTheSum)
   EXPECT_LT(ScreenedSum(charges, 0.1, x) / taylor.Value, 0.5);
 }
 
-TEST(ChargeSums, OfOneChargeAreThoseOnPaper)
+TEST(ChargeSums, OfOneChargeAreAnalytic)
 {
   ChargeList charges;
   charges.Add({ 1.0, 2.0, 3.0 }, -2.0);

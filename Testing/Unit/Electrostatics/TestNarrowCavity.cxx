@@ -13,7 +13,7 @@ namespace
 
 constexpr double Solute = 2.0, Solvent = 80.0, Outer = 6.0, Source = 3.2;
 
-/// A charge of 1 e at distance Source from the centre, in the shell from `inner` to Outer.
+/// A charge of 1 e at distance Source from the center, in the shell from `inner` to Outer.
 class Shell
 {
 public:
@@ -40,7 +40,7 @@ public:
       this->Cavity.push_back((1.0 + k) * (near + A));
     }
   }
-  /// In the cavity, at distance r from the centre and with the cosine to the charge.
+  /// In the cavity, at distance r from the center and with the cosine to the charge.
   double operator()(double r, double cosine) const
   {
     double sum = 0.0, before = 0.0, legendre = 1.0, power = 1.0;
@@ -66,18 +66,18 @@ struct Errors
   std::int64_t Nodes = 0;
 };
 
-/// Of the nodes in the cavity, with the centre `shift` nodes off a node along each axis.
+/// Of the nodes in the cavity, with the center `shift` nodes off a node along each axis.
 Errors InCavity(double inner, double h, const Point3& shift)
 {
   const double half = 9.0;
   const auto n = static_cast<std::int64_t>(std::llround(2.0 * half / h)) + 1;
-  Point3 centre;
+  Point3 center;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    centre[a] = half + shift[a] * h;
+    center[a] = half + shift[a] * h;
   }
   const auto from = [&](const Point3& x) {
-    return Point3{ x[0] - centre[0], x[1] - centre[1], x[2] - centre[2] };
+    return Point3{ x[0] - center[0], x[1] - center[1], x[2] - center[2] };
   };
   std::vector<double> distance;
   for (std::int64_t node = 0; node < n * n * n; ++node)
@@ -91,7 +91,7 @@ Errors InCavity(double inner, double h, const Point3& shift)
   level.Doubles = { distance.data(), { n, n, n }, { h, h, h } };
   level.InsideIsHigher = false;
   const Point3 axis{ 0.36, 0.48, 0.8 };
-  std::vector<ChargedAtom> atoms{ { centre, 1.0, 1.0 } };
+  std::vector<ChargedAtom> atoms{ { center, 1.0, 1.0 } };
   for (std::size_t a = 0; a < 3; ++a)
   {
     atoms[0].Position[a] += Source * axis[a];

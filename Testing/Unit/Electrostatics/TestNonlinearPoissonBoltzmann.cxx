@@ -18,9 +18,9 @@ double ChargedSphere(double layer, double h, int& steps, BoundaryCondition condi
   DielectricModel model = DielectricModel::SharpInterface)
 {
   KirkwoodSphere sphere;
-  sphere.Centre = { 0.11, -0.07, 0.05 };
+  sphere.Center = { 0.11, -0.07, 0.05 };
   sphere.Radius = 10.0;
-  sphere.Charges.push_back({ sphere.Centre, 40.0, 10.0 });
+  sphere.Charges.push_back({ sphere.Center, 40.0, 10.0 });
   SphereProblem problem(sphere, 20, h);
   problem.Parameters.DielectricModel = model;
   problem.Parameters.Ions = salt;
@@ -84,7 +84,7 @@ TEST(NonlinearPoissonBoltzmann, IonsOfThreeRadii)
   EXPECT_LE(steps, 8);
 }
 
-TEST(NonlinearPoissonBoltzmann, BorderOfItsOwn)
+TEST(NonlinearPoissonBoltzmann, SelfConsistentBorder)
 {
   int steps = 0;
   EXPECT_LE(ChargedSphere(2.0, 1.0, steps, BoundaryCondition::SelfConsistent), 0.35);

@@ -25,12 +25,12 @@ class KirkwoodTest : public ::testing::TestWithParam<Demand>
 {
 };
 
-TEST_P(KirkwoodTest, SolutionIsWithinTheDemand)
+TEST_P(KirkwoodTest, SolutionIsWithinTolerance)
 {
   const Demand demand = GetParam();
   SphereProblem problem(Kirkwood(demand.Number), demand.Half, demand.Spacing);
   const auto solution = problem.Solve();
-  const SphereErrors errors = ErrorsOf(problem, *solution);
+  const SphereErrors errors = RecordErrors(problem, *solution);
   std::printf("K%d h=%g: energy %.2e outside %.4f inside %.4f iterations %d\n", demand.Number,
     demand.Spacing, errors.Energy, errors.Outside, errors.Inside, solution->GetReport().Iterations);
   EXPECT_LE(errors.Energy, demand.Energy);
@@ -52,11 +52,11 @@ double EnergyWithLayer(double layer, double h, SphereErrors& errors)
   sphere.Layer = layer;
   SphereProblem problem(sphere, 10, h);
   const auto solution = problem.Solve();
-  errors = ErrorsOf(problem, *solution);
+  errors = RecordErrors(problem, *solution);
   return solution->GetReport().SolvationEnergy;
 }
 
-TEST(PoissonBoltzmann, IonLayerIsKirkwoodsToo)
+TEST(PoissonBoltzmann, IonLayerMatchesKirkwood)
 {
   SphereErrors coarse, fine, none;
   const double layered = EnergyWithLayer(2.0, 1.0, coarse);
@@ -74,7 +74,7 @@ double OrderOutside(int number, double half, double coarse, double fine)
   for (const double h : { coarse, fine })
   {
     SphereProblem problem(Kirkwood(number), half, h);
-    errors[h == fine ? 1 : 0] = ErrorsOf(problem, *problem.Solve()).Outside;
+    errors[h == fine ? 1 : 0] = RecordErrors(problem, *problem.Solve()).Outside;
   }
   const double order = std::log(errors[0] / errors[1]) / std::log(coarse / fine);
   std::printf("K%d: order %.2f from %g to %g\n", number, order, coarse, fine);
@@ -88,18 +88,18 @@ TEST(PoissonBoltzmann, ErrorsFallWithTheSquareOfTheSpacing)
   EXPECT_GE(OrderOutside(2, 6.0, 0.5, 0.125), 1.7);
 }
 
-TEST(PoissonBoltzmann, BorderOfItsOwnIsAsGoodAsTheSeries)
+TEST(PoissonBoltzmann, SelfConsistentBorderMatchesTheSeries)
 {
   SphereProblem exact(Kirkwood(2), 12, 0.5);
-  const SphereErrors with = ErrorsOf(exact, *exact.Solve());
+  const SphereErrors with = RecordErrors(exact, *exact.Solve());
   SphereProblem own(Kirkwood(2), 12, 0.5);
   own.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
-  const SphereErrors without = ErrorsOf(own, *own.Solve());
+  const SphereErrors without = RecordErrors(own, *own.Solve());
   EXPECT_LT(without.Outside, with.Outside + 0.015);
   SphereProblem sum(Kirkwood(2), 12, 0.5);
   sum.Parameters.BoundaryCondition = BoundaryCondition::MultipleDebyeHueckel;
   // What is known of the sum: it does not feel the cavity.
-  EXPECT_GT(ErrorsOf(sum, *sum.Solve()).Outside, 0.1);
+  EXPECT_GT(RecordErrors(sum, *sum.Solve()).Outside, 0.1);
 }
 
 TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
@@ -110,9 +110,9 @@ TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
   for (int i = 0; i < 200; ++i)
   {
     const double z = -0.995 + 0.01 * i, t = 2.4 * i, r = std::sqrt(1.0 - z * z);
-    points.push_back({ 8.0 + problem.Sphere.Centre[0] + 5.0 * r * std::cos(t),
-      8.0 + problem.Sphere.Centre[1] + 5.0 * r * std::sin(t),
-      8.0 + problem.Sphere.Centre[2] + 5.0 * z });
+    points.push_back({ 8.0 + problem.Sphere.Center[0] + 5.0 * r * std::cos(t),
+      8.0 + problem.Sphere.Center[1] + 5.0 * r * std::sin(t),
+      8.0 + problem.Sphere.Center[2] + 5.0 * z });
   }
   const SurfaceValues values = EvaluateAtSurface(*solution, problem.Level, points, 298.15);
   EXPECT_EQ(values.Failed, 0);
@@ -134,7 +134,7 @@ TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
   EXPECT_NEAR(sum, -(1.0 / 2.0 - 1.0 / 80.0), 0.01);
 }
 
-TEST(PoissonBoltzmann, SameBitsOnOneAndTwoThreads)
+TEST(PoissonBoltzmann, IdenticalOnOneAndTwoThreads)
 {
   std::vector<double> potentials[2];
   for (int threads = 1; threads <= 2; ++threads)
@@ -150,7 +150,7 @@ TEST(PoissonBoltzmann, SameBitsOnOneAndTwoThreads)
   EXPECT_EQ(potentials[0], potentials[1]);
 }
 
-TEST(PoissonBoltzmann, AgainIsAsFromNothing)
+TEST(PoissonBoltzmann, ResolvingMatchesAFreshStart)
 {
   SphereProblem problem(Kirkwood(3), 10, 0.5);
   const auto first = problem.Solve();
@@ -269,7 +269,7 @@ void ExpectRefusal(SphereProblem& problem, const std::string& words)
   }
 }
 
-TEST(PoissonBoltzmann, RefusesWhatItCannotDo)
+TEST(PoissonBoltzmann, RefusesInvalidInput)
 {
   const double nan = std::nan("");
   const auto with = [](auto&& change, const char* words)

@@ -35,10 +35,10 @@ namespace
 KirkwoodSphere Sphere()
 {
   KirkwoodSphere s;
-  s.Centre = { 100.11, -50.07, 7.05 };
+  s.Center = { 100.11, -50.07, 7.05 };
   s.Radius = 5.0;
   const auto add = [&](double q, double x, double y, double z) {
-    s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.5 });
+    s.Charges.push_back({ { s.Center[0] + x, s.Center[1] + y, s.Center[2] + z }, q, 1.5 });
   };
   add(1, 2.5, 0, 0);
   add(-1, 0, -3, 0.5);
@@ -74,7 +74,7 @@ struct GridChoice
   bool Float = false;
 };
 
-/// f(distance from the centre) on a grid around the sphere.
+/// f(distance from the center) on a grid around the sphere.
 vtkSmartPointer<vtkImageData> Volume(
   const KirkwoodSphere& sphere, const GridChoice& choice, const std::function<double(double)>& f)
 {
@@ -93,7 +93,7 @@ vtkSmartPointer<vtkImageData> Volume(
     const double c = 0.6, s = 0.8;
     image->SetDirectionMatrix(c, -s, 0, s, c, 0, 0, 0, 1);
   }
-  // The first node half a box from the centre along each axis of the grid.
+  // The first node half a box from the center along each axis of the grid.
   double first[3], ijk[3] = { double(extent[0]), double(extent[2]), double(extent[4]) };
   for (int a = 0; a < 3; ++a)
   {
@@ -101,7 +101,7 @@ vtkSmartPointer<vtkImageData> Volume(
   }
   image->TransformContinuousIndexToPhysicalPoint(ijk, first);
   image->SetOrigin(
-    sphere.Centre[0] - first[0], sphere.Centre[1] - first[1], sphere.Centre[2] - first[2]);
+    sphere.Center[0] - first[0], sphere.Center[1] - first[1], sphere.Center[2] - first[2]);
   vtkSmartPointer<vtkDataArray> values = choice.Float
     ? vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkFloatArray>::New())
     : vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkDoubleArray>::New());
@@ -127,7 +127,7 @@ struct Errors
   double Energy = 0.0, Outside = 0.0, Reaction = 0.0, Surface = 0.0;
 };
 
-Errors ErrorsOf(vtkPoissonBoltzmann* filter, const KirkwoodSphere& sphere)
+Errors RecordErrors(vtkPoissonBoltzmann* filter, const KirkwoodSphere& sphere)
 {
   Errors errors;
   vtkImageData* image = filter->GetOutput();
@@ -177,7 +177,7 @@ Errors RunOn(vtkDataObject* surface, double isoValue, bool insideIsHigher)
     EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("f"), nullptr);
   }
   EXPECT_GT(filter->GetSurface()->GetNumberOfPolys(), 1000);
-  return ErrorsOf(filter, sphere);
+  return RecordErrors(filter, sphere);
 }
 
 void ExpectSmall(const Errors& errors)
@@ -271,7 +271,7 @@ TEST(PoissonBoltzmannFilter, BornIonWithoutASurface)
   KirkwoodSphere ion;
   ion.Radius = 2.5;
   ion.Charges.push_back({ { 0.2, 0.1, -0.3 }, 1.0, 2.5 });
-  ion.Centre = ion.Charges.front().Position;
+  ion.Center = ion.Charges.front().Position;
   vtkNew<vtkPoissonBoltzmann> filter;
   filter->SetInputDataObject(0, Atoms(ion));
   filter->SetSpacing(0.25);
@@ -287,7 +287,7 @@ TEST(PoissonBoltzmannFilter, BornIonWithoutASurface)
   EXPECT_GT(Field(filter->GetOutput(), "Iterations"), 0.0);
 }
 
-TEST(PoissonBoltzmannFilter, AnAtomThatIsThereTwiceCountsOnce)
+TEST(PoissonBoltzmannFilter, ADuplicateAtomCountsOnce)
 {
   KirkwoodSphere ion;
   ion.Charges.push_back({ { 0.2, 0.1, -0.3 }, 1.0, 2.5 });
@@ -328,7 +328,7 @@ TEST(PoissonBoltzmannFilter, FocusingTakesTheBorderFromInput2)
   inner->SetLevel(0.0);
   inner->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput);
   inner->Update();
-  EXPECT_LT(ErrorsOf(inner, sphere).Outside, 0.15);
+  EXPECT_LT(RecordErrors(inner, sphere).Outside, 0.15);
 }
 
 /// Runs a changed filter that has to fail with a sentence that holds `words`.
@@ -355,7 +355,7 @@ void ExpectError(
   EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 0);
 }
 
-TEST(PoissonBoltzmannFilter, EveryRefusalIsASentence)
+TEST(PoissonBoltzmannFilter, EveryRefusalHasAMessage)
 {
   const double nan = vtkMath::Nan();
   using Filter = vtkPoissonBoltzmann*;
@@ -387,7 +387,7 @@ TEST(PoissonBoltzmannFilter, TooLargeAGridIsRefusedBeforeItsSurfaceIsMade)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(5.0);
-  ball->SetCenter(Sphere().Centre.data());
+  ball->SetCenter(Sphere().Center.data());
   ball->Update();
   for (vtkDataObject* surface :
     { static_cast<vtkDataObject*>(nullptr), ball->GetOutputDataObject(0) })
@@ -419,17 +419,17 @@ TEST(PoissonBoltzmannFilter, AnAtomFarFromTheOthersIsRefusedBeforeAnythingIsSolv
 
 TEST(PoissonBoltzmannFilter, SurfacesThatCrossAreRefusedWithTheirPlace)
 {
-  const Point3 centre = Sphere().Centre;
+  const Point3 center = Sphere().Center;
   TriangleMesh both;
-  for (const double offset : { 0.0, 6.0 }) // along x: they cross 3 from each centre
+  for (const double offset : { 0.0, 6.0 }) // along x: they cross 3 from each center
   {
     vtkNew<vtkSphereSource> ball;
     ball->SetRadius(5.0);
-    ball->SetCenter(centre[0] + offset, centre[1], centre[2]);
+    ball->SetCenter(center[0] + offset, center[1], center[2]);
     ball->SetPhiResolution(30);
     ball->SetThetaResolution(30);
     ball->Update();
-    const TriangleMesh one = MeshOf(ball->GetOutput());
+    const TriangleMesh one = ToTriangleMesh(ball->GetOutput());
     const auto first = static_cast<vtkIdType>(both.Points.size());
     both.Points.insert(both.Points.end(), one.Points.begin(), one.Points.end());
     for (const Triangle& t : one.Triangles)

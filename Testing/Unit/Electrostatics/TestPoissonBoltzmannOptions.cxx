@@ -43,7 +43,7 @@ vtkSmartPointer<vtkPolyData> Atoms(double gap = 0.0)
   return atoms;
 }
 
-vtkSmartPointer<vtkPoissonBoltzmann> Solved(
+vtkSmartPointer<vtkPoissonBoltzmann> Solve(
   vtkPolyData* atoms, const std::function<void(vtkPoissonBoltzmann*)>& change)
 {
   auto filter = vtkSmartPointer<vtkPoissonBoltzmann>::New();
@@ -60,9 +60,9 @@ double Energy(vtkPoissonBoltzmann* filter)
   return filter->GetOutput()->GetFieldData()->GetArray("SolvationEnergy")->GetTuple1(0);
 }
 
-TEST(PoissonBoltzmannOptions, MapsAreWhatTheEquationWasSolvedWith)
+TEST(PoissonBoltzmannOptions, MapsAreTheInputFieldsOfTheEquation)
 {
-  const auto filter = Solved(Atoms(),
+  const auto filter = Solve(Atoms(),
     [](vtkPoissonBoltzmann* f)
     {
       f->GetOutputArraySelection()->EnableAllArrays();
@@ -109,9 +109,9 @@ TEST(PoissonBoltzmannOptions, MapsAreWhatTheEquationWasSolvedWith)
   EXPECT_EQ(range[0], 0.0);
 }
 
-TEST(PoissonBoltzmannOptions, NothingIsAddedUnasked)
+TEST(PoissonBoltzmannOptions, NothingIsAddedByDefault)
 {
-  const auto filter = Solved(Atoms(), [](vtkPoissonBoltzmann*) {});
+  const auto filter = Solve(Atoms(), [](vtkPoissonBoltzmann*) {});
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("Dielectric"), nullptr);
   EXPECT_EQ(filter->GetAtoms()->GetPointData()->GetArray("PolarForce"), nullptr);
 }
@@ -134,11 +134,11 @@ double NetForce(vtkPointSet* atoms, const char* name, double& largest)
   return std::hypot(net[0], net[1], net[2]);
 }
 
-TEST(PoissonBoltzmannOptions, ForcesOnTwoMoleculesAddUpToNothing)
+TEST(PoissonBoltzmannOptions, ForcesOnTwoMoleculesSumToZero)
 {
   for (const double gap : { 0.0, 7.0 })
   {
-    const auto filter = Solved(Atoms(gap),
+    const auto filter = Solve(Atoms(gap),
       [](vtkPoissonBoltzmann* f)
       {
         f->GetOutputArraySelection()->EnableAllArrays();
@@ -152,11 +152,11 @@ TEST(PoissonBoltzmannOptions, ForcesOnTwoMoleculesAddUpToNothing)
   }
 }
 
-TEST(PoissonBoltzmannOptions, ForcesOnASurfaceOfPolygonsAddUpToNothing)
+TEST(PoissonBoltzmannOptions, ForcesOnAPolygonalSurfaceSumToZero)
 {
   const auto atoms = Atoms();
-  const auto first = Solved(atoms, [](vtkPoissonBoltzmann*) {});
-  const auto second = Solved(atoms,
+  const auto first = Solve(atoms, [](vtkPoissonBoltzmann*) {});
+  const auto second = Solve(atoms,
     [&](vtkPoissonBoltzmann* f)
     {
       f->SetInputDataObject(1, first->GetSurface());
@@ -167,11 +167,11 @@ TEST(PoissonBoltzmannOptions, ForcesOnASurfaceOfPolygonsAddUpToNothing)
   EXPECT_LT(net, 0.1 * largest);
 }
 
-TEST(PoissonBoltzmannOptions, IonsMayHaveRadiiOfTheirOwn)
+TEST(PoissonBoltzmannOptions, IonsMayHaveIndividualRadii)
 {
   const auto energy = [](double cation, double anion)
   {
-    return Energy(Solved(Atoms(),
+    return Energy(Solve(Atoms(),
       [&](vtkPoissonBoltzmann* f)
       {
         f->AddIon(1.0, 0.5, cation);
@@ -179,7 +179,7 @@ TEST(PoissonBoltzmannOptions, IonsMayHaveRadiiOfTheirOwn)
       }));
   };
   const double two =
-    Energy(Solved(Atoms(), [](vtkPoissonBoltzmann* f) { f->SetIonicStrength(0.5); }));
+    Energy(Solve(Atoms(), [](vtkPoissonBoltzmann* f) { f->SetIonicStrength(0.5); }));
   EXPECT_NEAR(energy(2.0, 2.0), two, 1e-12 * std::abs(two));
   // The nearer ions get, the more they lower the energy; of the linear equation both kinds alike.
   EXPECT_LT(energy(1.0, 2.0), two - 1e-3);
@@ -187,7 +187,7 @@ TEST(PoissonBoltzmannOptions, IonsMayHaveRadiiOfTheirOwn)
   EXPECT_NEAR(energy(1.0, 2.0), energy(2.0, 1.0), 1e-6 * std::abs(two));
 }
 
-TEST(PoissonBoltzmannOptions, ARadiusThatIsNoneIsASentence)
+TEST(PoissonBoltzmannOptions, AnInvalidRadiusIsReported)
 {
   vtkNew<vtkPoissonBoltzmann> filter;
   vtkNew<vtkTest::ErrorObserver> observer;

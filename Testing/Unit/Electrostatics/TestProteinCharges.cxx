@@ -53,7 +53,7 @@ private:
   std::string Before;
 };
 
-NamedAtom Named(const char* name, const char* residue, int id, const char* chain, Point3 place,
+NamedAtom MakeAtom(const char* name, const char* residue, int id, const char* chain, Point3 place,
   bool hetero = false)
 {
   NamedAtom atom;
@@ -69,18 +69,18 @@ NamedAtom Named(const char* name, const char* residue, int id, const char* chain
 /// Glycine, alanine, water and a ligand; the chain has a name that no PDB file could have.
 std::vector<NamedAtom> Molecule()
 {
-  return { Named("N", "GLY", 15000, "AA-2", { 1.931, 0.090, -0.034 }),
-    Named("CA", "GLY", 15000, "AA-2", { 0.761, -0.799, -0.008 }),
-    Named("C", "GLY", 15000, "AA-2", { -0.498, 0.029, -0.005 }),
-    Named("O", "GLY", 15000, "AA-2", { -0.429, 1.235, -0.023 }),
-    Named("N", "ALA", 15001, "AA-2", { -1.697, -0.574, 0.018 }),
-    Named("CA", "ALA", 15001, "AA-2", { -2.923, 0.230, 0.021 }),
-    Named("CB", "ALA", 15001, "AA-2", { -3.019, 1.080, 1.290 }),
-    Named("C", "ALA", 15001, "AA-2", { -4.143, -0.667, -0.052 }),
-    Named("O", "ALA", 15001, "AA-2", { -5.257, -0.163, 0.010 }),
-    Named("OXT", "ALA", 15001, "AA-2", { -3.981, -1.890, -0.175 }),
-    Named("O", "HOH", 1, "W", { 9.0, 0.0, 0.0 }, true),
-    Named("C1", "LIG", 7, "", { 0.0, 9.0, 0.0 }, true) };
+  return { MakeAtom("N", "GLY", 15000, "AA-2", { 1.931, 0.090, -0.034 }),
+    MakeAtom("CA", "GLY", 15000, "AA-2", { 0.761, -0.799, -0.008 }),
+    MakeAtom("C", "GLY", 15000, "AA-2", { -0.498, 0.029, -0.005 }),
+    MakeAtom("O", "GLY", 15000, "AA-2", { -0.429, 1.235, -0.023 }),
+    MakeAtom("N", "ALA", 15001, "AA-2", { -1.697, -0.574, 0.018 }),
+    MakeAtom("CA", "ALA", 15001, "AA-2", { -2.923, 0.230, 0.021 }),
+    MakeAtom("CB", "ALA", 15001, "AA-2", { -3.019, 1.080, 1.290 }),
+    MakeAtom("C", "ALA", 15001, "AA-2", { -4.143, -0.667, -0.052 }),
+    MakeAtom("O", "ALA", 15001, "AA-2", { -5.257, -0.163, 0.010 }),
+    MakeAtom("OXT", "ALA", 15001, "AA-2", { -3.981, -1.890, -0.175 }),
+    MakeAtom("O", "HOH", 1, "W", { 9.0, 0.0, 0.0 }, true),
+    MakeAtom("C1", "LIG", 7, "", { 0.0, 9.0, 0.0 }, true) };
 }
 
 ChildLimits Short(double seconds)
@@ -112,7 +112,7 @@ std::string Answering(const std::string& lines)
   return "for last in \"$@\"; do :; done\nprintf '" + lines + "' >\"$last\"\n";
 }
 
-TEST(ProteinCharges, AnswersAreTakenResidueByResidue)
+TEST(ProteinCharges, OutputIsMatchedResidueByResidue)
 {
   const OnlyProgram program(Answering("REMARK 1\\n"
                                       "ATOM 1 N GLY A 1 1.931 0.090 -0.034 -0.5 1.8\\n"
@@ -121,12 +121,12 @@ TEST(ProteinCharges, AnswersAreTakenResidueByResidue)
                                       "ATOM 4 CG ALA A 2 -3.5 2.0 1.3 0.5 1.9\\nTER\\nEND\\n"));
   const ChargedProtein protein = ChargeProtein(Molecule(), ChargeTable::PARSE, Short(60));
   ASSERT_EQ(protein.Atoms.size(), 4u);
-  EXPECT_EQ(protein.Atoms[0].Like, 0u);
+  EXPECT_EQ(protein.Atoms[0].SourceAtom, 0u);
   EXPECT_FALSE(protein.Atoms[0].IsNew);
   EXPECT_EQ(protein.Atoms[1].Name, "H");
   EXPECT_TRUE(protein.Atoms[1].IsNew);
   EXPECT_EQ(protein.Atoms[1].Charge, 0.75);
-  EXPECT_EQ(protein.Atoms[2].Like, 6u);
+  EXPECT_EQ(protein.Atoms[2].SourceAtom, 6u);
   EXPECT_EQ(protein.Atoms[2].Radius, 1.9);
   // Water goes without a word, the ligand doesn't, nor does a heavy atom out of nowhere.
   EXPECT_NE(protein.Warning.find("LIG 7:"), std::string::npos) << protein.Warning;
@@ -134,7 +134,7 @@ TEST(ProteinCharges, AnswersAreTakenResidueByResidue)
   EXPECT_NE(protein.Warning.find(" 1 atoms other than hydrogens"), std::string::npos);
 }
 
-TEST(ProteinCharges, WhatTheProgramIsGivenFitsItsColumns)
+TEST(ProteinCharges, InputOfTheProgramFitsItsColumns)
 {
   // The program's answer is the atoms it was given, with charges by their order.
   const std::string script = "for last in \"$@\"; do before=$file; file=$last; done\n"
@@ -147,13 +147,13 @@ TEST(ProteinCharges, WhatTheProgramIsGivenFitsItsColumns)
   EXPECT_TRUE(protein.Warning.empty()) << protein.Warning;
   for (std::size_t i = 0; i < 10; ++i)
   {
-    EXPECT_EQ(protein.Atoms[i].Like, i);
+    EXPECT_EQ(protein.Atoms[i].SourceAtom, i);
     EXPECT_FALSE(protein.Atoms[i].IsNew);
     EXPECT_EQ(protein.Atoms[i].Name, Molecule()[i].Name);
   }
 }
 
-TEST(ProteinCharges, WhateverTheProgramDoesIsASentence)
+TEST(ProteinCharges, EveryFailureOfTheProgramHasAMessage)
 {
   ExpectSentence("", "not installed");
   ExpectSentence("echo 'ValueError: Too few atoms.' >&2; echo RuntimeError >&2; exit 1",
@@ -172,7 +172,7 @@ TEST(ProteinCharges, WhateverTheProgramDoesIsASentence)
   std::vector<NamedAtom> many;
   for (int i = 0; i < 63; ++i)
   {
-    many.push_back(Named("N", "GLY", 1, std::to_string(i).c_str(), { 1.0 * i, 0, 0 }));
+    many.push_back(MakeAtom("N", "GLY", 1, std::to_string(i).c_str(), { 1.0 * i, 0, 0 }));
   }
   ExpectSentence("exit 0", "62 chains", 60, many);
 }
@@ -264,7 +264,7 @@ TEST(ProteinCharges, FilterSolvesForAtomsWithoutCharges)
   EXPECT_NE(told->GetWarningMessage().find("LIG 7"), std::string::npos);
 }
 
-TEST(ProteinCharges, FilterTellsOnceThatTheProgramIsNotThere)
+TEST(ProteinCharges, FilterReportsAMissingProgramOnce)
 {
   const OnlyProgram none("");
   vtkNew<vtkPoissonBoltzmann> filter;

@@ -26,7 +26,7 @@ SphereErrors SmoothErrors(const KirkwoodSphere& sphere, double half, double h)
   SphereProblem problem(sphere, half, h);
   problem.Parameters.DielectricModel = DielectricModel::SmoothDielectric;
   const auto solution = problem.Solve();
-  const SphereErrors errors = ErrorsOf(problem, *solution);
+  const SphereErrors errors = RecordErrors(problem, *solution);
   const PoissonBoltzmannReport& report = solution->GetReport();
   std::printf("R %g h %g: energy %.5f outside %.4f inside %.4f iterations %d\n", sphere.Radius, h,
     errors.Energy, errors.Outside, errors.Inside, report.Iterations);
@@ -35,24 +35,24 @@ SphereErrors SmoothErrors(const KirkwoodSphere& sphere, double half, double h)
   return errors;
 }
 
-KirkwoodSphere Ion(double radius, const Point3& centre = { 0.11, -0.07, 0.05 })
+KirkwoodSphere Ion(double radius, const Point3& center = { 0.11, -0.07, 0.05 })
 {
   KirkwoodSphere ion = Kirkwood(1);
   ion.Radius = radius;
-  ion.Centre = centre;
-  ion.Charges.front().Position = centre;
+  ion.Center = center;
+  ion.Charges.front().Position = center;
   return ion;
 }
 
-TEST(SmoothDielectric, IonsAreBorns)
+TEST(SmoothDielectric, IonsHaveBornsEnergy)
 {
   const double most[3] = { 1.0e-2, 2.5e-3, 1.0e-3 };
-  for (const Point3& centre : { Point3{ 0.11, -0.07, 0.05 }, Point3{ 0.0, 0.0, 0.0 } })
+  for (const Point3& center : { Point3{ 0.11, -0.07, 0.05 }, Point3{ 0.0, 0.0, 0.0 } })
   {
     for (int r = 0; r < 3; ++r)
     {
       const double radius = 1.0 + r;
-      EXPECT_LE(SmoothErrors(Ion(radius, centre), radius + 2.0, 0.25).Energy, most[r]);
+      EXPECT_LE(SmoothErrors(Ion(radius, center), radius + 2.0, 0.25).Energy, most[r]);
     }
   }
 }
@@ -65,14 +65,14 @@ TEST(SmoothDielectric, EnergyIsSecondOrder)
   EXPECT_GT(0.5 * std::log2(coarse.Outside / fine.Outside), 0.9);
 }
 
-TEST(SmoothDielectric, ChargesOffTheCentreInSalt)
+TEST(SmoothDielectric, ChargesOffTheCenterInElectrolyte)
 {
   const SphereErrors errors = SmoothErrors(Kirkwood(3), 10.0, 0.5);
   EXPECT_LE(errors.Energy, 4e-3);
   EXPECT_LE(errors.Outside, 0.5);
   // The sharp interface on the same nodes.
   SphereProblem sharp(Kirkwood(3), 10.0, 0.5);
-  EXPECT_LT(4.0 * ErrorsOf(sharp, *sharp.Solve()).Energy, errors.Energy);
+  EXPECT_LT(4.0 * RecordErrors(sharp, *sharp.Solve()).Energy, errors.Energy);
 }
 
 TEST(SmoothDielectric, FluxIsTheCharge)

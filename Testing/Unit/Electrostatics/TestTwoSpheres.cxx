@@ -15,7 +15,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// Charges off the centres, towards each other, and a gap.
+/// Charges off the centers, towards each other, and a gap.
 TwoSpheres Pair(double gap)
 {
   return { { -0.5 * gap - 3.0, 3.0, 1.0, 1.2 }, { 0.5 * gap + 2.5, 2.5, -1.0, -0.8 }, 2.0, 80.0 };

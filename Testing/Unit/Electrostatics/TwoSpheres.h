@@ -2,11 +2,11 @@
  * @file TwoSpheres.h
  * @brief Two dielectric spheres with charges on their axis in a solvent, by multipoles.
  *
- * Sphere j has its centre on the z axis. Inside, phi = G + sum a_n (r/R)^n P_n; outside, the sum
- * over both spheres of b_n (R/r)^(n+1) P_n about each centre. What one sphere's multipoles are
- * about the other's centre follows from the translation of solid harmonics along the axis,
+ * Sphere j has its center on the z axis. Inside, phi = G + sum a_n (r/R)^n P_n; outside, the sum
+ * over both spheres of b_n (R/r)^(n+1) P_n about each center. What one sphere's multipoles are
+ * about the other's center follows from the translation of solid harmonics along the axis,
  *
- *     P_n(cos t) / r^(n+1)  about a centre at distance D  =  sum_m (+-) binom(n + m, n) r^m P_m /
+ *     P_n(cos t) / r^(n+1)  about a center at distance D  =  sum_m (+-) binom(n + m, n) r^m P_m /
  * D^(n+m+1)
  *
  * (J. D. Jackson, Classical Electrodynamics, chapter 3; bispherical coordinates give the same
@@ -33,8 +33,8 @@ public:
 
   struct Sphere
   {
-    double Z, Radius;      ///< centre on the axis
-    double Charge, Offset; ///< a charge on the axis, so far above the centre
+    double Z, Radius;      ///< center on the axis
+    double Charge, Offset; ///< a charge on the axis, so far above the center
   };
 
   TwoSpheres(const Sphere& low, const Sphere& high, double solute, double solvent)
@@ -114,15 +114,15 @@ public:
   double Solute, Solvent;
 
 private:
-  /// What (R'/r')^(k+1) P_k about the other centre has of (r/R)^l P_l about this one, at r = R.
+  /// What (R'/r')^(k+1) P_k about the other center has of (r/R)^l P_l about this one, at r = R.
   double Translation(
     int s, int k, int l, const Sphere& here, const Sphere& there, double distance) const
   {
     const double binomial =
       std::exp(std::lgamma(k + l + 1.0) - std::lgamma(k + 1.0) - std::lgamma(l + 1.0) +
         (k + 1.0) * std::log(there.Radius / distance) + l * std::log(here.Radius / distance));
-    // Seen from the lower centre the other lies above: r' cos t' = r cos t - D, and the sign is
-    // (-1)^k; from the upper centre it is (-1)^l.
+    // Seen from the lower center the other lies above: r' cos t' = r cos t - D, and the sign is
+    // (-1)^k; from the upper center it is (-1)^l.
     return ((s == 0 ? k : l) % 2 ? -1.0 : 1.0) * binomial;
   }
 

@@ -93,7 +93,7 @@ TEST(PDETransform, EachWaveGoesToTheModeOfItsWavelength)
   }
 }
 
-TEST(PDETransform, HalvesTheWavelengthItIsToldTo)
+TEST(PDETransform, HalvesTheRequestedWavelength)
 {
   for (int k = 0; k < 4; ++k)
   {

@@ -30,7 +30,7 @@
 namespace isthmus::testing
 {
 
-/// Two balls of radius R, centres at +-`distance` R: the minimal surface around them.
+/// Two balls of radius R, centers at +-`distance` R: the minimal surface around them.
 struct Catenoid
 {
   double Radius = 2.0;
@@ -117,14 +117,14 @@ inline std::vector<Ball> BallsOfPQR(const std::string& file)
   return balls;
 }
 
-inline vtkSmartPointer<vtkMolecularFlowSurface> FilterOf(vtkDataObject* atoms)
+inline vtkSmartPointer<vtkMolecularFlowSurface> MakeFilter(vtkDataObject* atoms)
 {
   auto filter = vtkSmartPointer<vtkMolecularFlowSurface>::New();
   filter->SetInputDataObject(atoms);
   return filter;
 }
 
-inline SurfaceMeasures MeasuresOf(vtkPolyData* surface)
+inline SurfaceMeasures MeasureFlowSurface(vtkPolyData* surface)
 {
   return MeasureSurface(PolyDataTriangles(surface).View());
 }

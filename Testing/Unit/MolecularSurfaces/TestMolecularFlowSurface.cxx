@@ -22,7 +22,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-double LastOf(vtkTable* table, const char* column)
+double GetLast(vtkTable* table, const char* column)
 {
   return table->GetValueByName(table->GetNumberOfRows() - 1, column).ToDouble();
 }
@@ -50,10 +50,10 @@ double LowestOnBorder(vtkImageData* image)
 
 TEST(MolecularFlowSurface, OutputsFitEachOther)
 {
-  const auto filter = FilterOf(AtomsOf(RandomBalls(60, 12.0)));
+  const auto filter = MakeFilter(MakeAtoms(RandomBalls(60, 12.0)));
   filter->Update();
   vtkPolyData* surface = filter->GetOutput();
-  const SurfaceMeasure whole = MeasuresOf(surface).Whole;
+  const SurfaceMeasure whole = MeasureFlowSurface(surface).Whole;
   EXPECT_TRUE(whole.IsClosed());
   EXPECT_EQ(whole.IrregularPoints, 0);
   EXPECT_GT(whole.Volume, 0.0); // triangles face outwards
@@ -85,10 +85,10 @@ TEST(MolecularFlowSurface, OutputsFitEachOther)
   EXPECT_GT(LowestOnBorder(image), 0.9);
   vtkTable* history = filter->GetHistory();
   EXPECT_EQ(history->GetValueByName(0, "Time").ToDouble(), 0.0);
-  EXPECT_NEAR(LastOf(history, "Time"), 2.5, 1e-9);
-  EXPECT_NEAR(LastOf(history, "Area") / whole.Area, 1.0, 5e-3);
-  EXPECT_NEAR(LastOf(history, "Volume") / whole.Volume, 1.0, 5e-3);
-  EXPECT_NEAR(LastOf(history, "Energy"), 0.0700 * LastOf(history, "Area"), 1e-9);
+  EXPECT_NEAR(GetLast(history, "Time"), 2.5, 1e-9);
+  EXPECT_NEAR(GetLast(history, "Area") / whole.Area, 1.0, 5e-3);
+  EXPECT_NEAR(GetLast(history, "Volume") / whole.Volume, 1.0, 5e-3);
+  EXPECT_NEAR(GetLast(history, "Energy"), 0.0700 * GetLast(history, "Area"), 1e-9);
 }
 
 TEST(MolecularFlowSurface, AtomsStayInside)
@@ -97,7 +97,7 @@ TEST(MolecularFlowSurface, AtomsStayInside)
   for (const int preset : { vtkMolecularFlowSurface::Fine, vtkMolecularFlowSurface::Coarse,
          vtkMolecularFlowSurface::Hull, vtkMolecularFlowSurface::Channel })
   {
-    const auto filter = FilterOf(AtomsOf(balls));
+    const auto filter = MakeFilter(MakeAtoms(balls));
     filter->SetPreset(preset);
     filter->Update();
     vtkImageData* image = filter->GetImage();
@@ -110,7 +110,7 @@ TEST(MolecularFlowSurface, AtomsStayInside)
       for (const Ball& ball : balls)
       {
         nearest = std::min(nearest,
-          std::sqrt(vtkMath::Distance2BetweenPoints(at, ball.Centre.data())) - ball.Radius);
+          std::sqrt(vtkMath::Distance2BetweenPoints(at, ball.Center.data())) - ball.Radius);
       }
       ASSERT_LT(distance->GetComponent(node, 0), nearest + 2e-3) << preset;
     }
@@ -120,55 +120,55 @@ TEST(MolecularFlowSurface, AtomsStayInside)
 
 TEST(MolecularFlowSurface, LevelIsAnOffset)
 {
-  const auto filter = FilterOf(AtomsOf({ { { 0.1, 0.2, 0.3 }, 4.0 } }));
+  const auto filter = MakeFilter(MakeAtoms({ { { 0.1, 0.2, 0.3 }, 4.0 } }));
   filter->SetSteady(true);
   for (const double level : { 0.2, 0.5, 0.8 })
   {
     filter->SetLevel(level);
     filter->Update();
     const double radius =
-      std::sqrt(MeasuresOf(filter->GetOutput()).Whole.Area / (4.0 * vtkMath::Pi()));
+      std::sqrt(MeasureFlowSurface(filter->GetOutput()).Whole.Area / (4.0 * vtkMath::Pi()));
     EXPECT_NEAR(radius, 4.0 + 0.6 * (1.0 - 2.0 * level), 0.02) << level;
   }
 }
 
 TEST(MolecularFlowSurface, BorderIsKeptFreeWithoutPadding)
 {
-  const auto filter = FilterOf(AtomsOf(RandomBalls(20, 8.0)));
+  const auto filter = MakeFilter(MakeAtoms(RandomBalls(20, 8.0)));
   filter->SetPadding(0.0);
   for (const double spacing : { 0.3, 0.7, 1.0 })
   {
     filter->SetSpacing(spacing);
     filter->Update();
-    EXPECT_TRUE(MeasuresOf(filter->GetOutput()).Whole.IsClosed());
+    EXPECT_TRUE(MeasureFlowSurface(filter->GetOutput()).Whole.IsClosed());
     EXPECT_GT(LowestOnBorder(filter->GetImage()), 1.5 * spacing);
   }
 }
 
 TEST(MolecularFlowSurface, DelaunayQualityIsTheSameSurface)
 {
-  const auto filter = FilterOf(AtomsOf(Catenoid().Balls()));
+  const auto filter = MakeFilter(MakeAtoms(Catenoid().Balls()));
   filter->SetSteady(true);
   filter->SetSpacing(0.25);
   filter->Update();
-  const SurfaceMeasure plain = MeasuresOf(filter->GetOutput()).Whole;
+  const SurfaceMeasure plain = MeasureFlowSurface(filter->GetOutput()).Whole;
   filter->SetDelaunayQuality(true);
   filter->Update();
-  const SurfaceMeasure fair = MeasuresOf(filter->GetOutput()).Whole;
+  const SurfaceMeasure fair = MeasureFlowSurface(filter->GetOutput()).Whole;
   EXPECT_TRUE(fair.IsClosed());
   EXPECT_EQ(fair.Genus, 0);
   EXPECT_NEAR(fair.Area / plain.Area, 1.0, 0.02);
   EXPECT_GT(fair.Volume, 0.0);
 }
 
-TEST(MolecularFlowSurface, ProgressRisesAndStopIsHonoured)
+TEST(MolecularFlowSurface, ReportsProgressAndStops)
 {
   struct State
   {
-    std::vector<double> Told;
+    std::vector<double> Reported;
     double StopAt = 2.0;
   } state;
-  const auto filter = FilterOf(AtomsOf(RandomBalls(1000, 22.0)));
+  const auto filter = MakeFilter(MakeAtoms(RandomBalls(1000, 22.0)));
   filter->SetSteady(true);
   vtkNew<vtkCallbackCommand> watch;
   watch->SetClientData(&state);
@@ -177,13 +177,13 @@ TEST(MolecularFlowSurface, ProgressRisesAndStopIsHonoured)
     {
       auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
       auto* seen = static_cast<State*>(data);
-      seen->Told.push_back(algorithm->GetProgress());
+      seen->Reported.push_back(algorithm->GetProgress());
       algorithm->SetAbortExecute(algorithm->GetProgress() >= seen->StopAt ? 1 : 0);
     });
   filter->AddObserver(vtkCommand::ProgressEvent, watch);
   filter->Update();
-  EXPECT_TRUE(std::is_sorted(state.Told.begin(), state.Told.end()));
-  EXPECT_GT(state.Told.size(), 50u);
+  EXPECT_TRUE(std::is_sorted(state.Reported.begin(), state.Reported.end()));
+  EXPECT_GT(state.Reported.size(), 50u);
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   for (const double at : { 0.0, 0.3, 0.8 })
   {

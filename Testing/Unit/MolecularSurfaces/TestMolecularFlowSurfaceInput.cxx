@@ -31,17 +31,17 @@ struct Errors
   explicit Errors(vtkMolecularFlowSurface* filter)
     : Filter(filter)
   {
-    filter->AddObserver(vtkCommand::ErrorEvent, this->Said);
-    filter->AddObserver(vtkCommand::WarningEvent, this->Said);
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    filter->AddObserver(vtkCommand::WarningEvent, this->Observer);
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Pipeline);
   }
   std::string Of(vtkDataObject* atoms)
   {
-    this->Said->Clear();
+    this->Observer->Clear();
     this->Filter->SetInputDataObject(atoms);
     this->Filter->Modified();
     this->Filter->Update();
-    return this->Said->GetErrorMessage() + this->Said->GetWarningMessage();
+    return this->Observer->GetErrorMessage() + this->Observer->GetWarningMessage();
   }
   bool IsEmpty() const
   {
@@ -51,7 +51,7 @@ struct Errors
   }
 
   vtkMolecularFlowSurface* Filter;
-  vtkNew<vtkTest::ErrorObserver> Said;
+  vtkNew<vtkTest::ErrorObserver> Observer;
   vtkNew<vtkTest::ErrorObserver> Pipeline;
 };
 
@@ -87,7 +87,7 @@ vtkSmartPointer<vtkPolyData> GlycineInWater(bool hydrogen)
     residues->InsertNextValue(atom.Residue);
     elements->InsertNextValue(static_cast<unsigned short>(atom.Element));
   }
-  const auto points = AtomsOf(balls);
+  const auto points = MakeAtoms(balls);
   points->GetPointData()->AddArray(names);
   points->GetPointData()->AddArray(residues);
   points->GetPointData()->AddArray(elements);
@@ -96,20 +96,20 @@ vtkSmartPointer<vtkPolyData> GlycineInWater(bool hydrogen)
 
 }
 
-TEST(MolecularFlowSurface, RadiiGoByElementWhereThereAreNone)
+TEST(MolecularFlowSurface, MissingRadiiAreAssignedByElement)
 {
   vtkNew<vtkMolecule> molecule;
   molecule->AppendAtom(6, 0.0, 0.0, 0.0);
   molecule->AppendAtom(8, 1.2, 0.0, 0.0);
-  const auto filter = FilterOf(molecule);
+  const auto filter = MakeFilter(molecule);
   filter->SetSteady(true);
   filter->Update();
-  const double byMolecule = MeasuresOf(filter->GetOutput()).Whole.Area;
+  const double byMolecule = MeasureFlowSurface(filter->GetOutput()).Whole.Area;
   EXPECT_GT(byMolecule, 4.0 * vtkMath::Pi() * 1.7 * 1.7);
-  const auto points = AtomsOf({ { { 0.0, 0.0, 0.0 }, 1.70 }, { { 1.2, 0.0, 0.0 }, 1.52 } });
+  const auto points = MakeAtoms({ { { 0.0, 0.0, 0.0 }, 1.70 }, { { 1.2, 0.0, 0.0 }, 1.52 } });
   filter->SetInputDataObject(points);
   filter->Update();
-  EXPECT_NEAR(MeasuresOf(filter->GetOutput()).Whole.Area, byMolecule, 1e-4);
+  EXPECT_NEAR(MeasureFlowSurface(filter->GetOutput()).Whole.Area, byMolecule, 1e-4);
   points->GetPointData()->RemoveArray("Radius");
   vtkNew<vtkUnsignedShortArray> elements;
   elements->SetName("Element");
@@ -118,7 +118,7 @@ TEST(MolecularFlowSurface, RadiiGoByElementWhereThereAreNone)
   points->GetPointData()->AddArray(elements);
   filter->Modified();
   filter->Update();
-  EXPECT_NEAR(MeasuresOf(filter->GetOutput()).Whole.Area, byMolecule, 1e-4);
+  EXPECT_NEAR(MeasureFlowSurface(filter->GetOutput()).Whole.Area, byMolecule, 1e-4);
 }
 
 /// Values for elements beyond the atoms were written beyond the radii.
@@ -147,23 +147,23 @@ TEST(MolecularFlowSurface, ElementsBeyondTheAtomsAreNotRead)
 
 TEST(MolecularFlowSurface, InputStaysAsItWasAndFloatsWork)
 {
-  const auto doubles = AtomsOf(Catenoid().Balls());
-  const auto floats = AtomsOf(Catenoid().Balls(), VTK_FLOAT);
+  const auto doubles = MakeAtoms(Catenoid().Balls());
+  const auto floats = MakeAtoms(Catenoid().Balls(), VTK_FLOAT);
   const auto before = doubles->GetMTime();
-  const auto filter = FilterOf(doubles);
+  const auto filter = MakeFilter(doubles);
   filter->Update();
   EXPECT_EQ(doubles->GetMTime(), before);
-  const double area = MeasuresOf(filter->GetOutput()).Whole.Area;
+  const double area = MeasureFlowSurface(filter->GetOutput()).Whole.Area;
   filter->SetInputDataObject(floats);
   filter->Update();
-  EXPECT_NEAR(MeasuresOf(filter->GetOutput()).Whole.Area / area, 1.0, 1e-4);
+  EXPECT_NEAR(MeasureFlowSurface(filter->GetOutput()).Whole.Area / area, 1.0, 1e-4);
 }
 
-TEST(MolecularFlowSurface, WaterIsLeftOutAndToldUnlessKept)
+TEST(MolecularFlowSurface, WaterIsDroppedWithAMessageUnlessIncluded)
 {
-  const auto filter = FilterOf(GlycineInWater(true));
+  const auto filter = MakeFilter(GlycineInWater(true));
   filter->Update();
-  EXPECT_EQ(MeasuresOf(filter->GetOutput()).Components.size(), 1u);
+  EXPECT_EQ(MeasureFlowSurface(filter->GetOutput()).Components.size(), 1u);
   for (vtkDataObject* output : { static_cast<vtkDataObject*>(filter->GetOutput()),
          static_cast<vtkDataObject*>(filter->GetImage()) })
   {
@@ -174,10 +174,10 @@ TEST(MolecularFlowSurface, WaterIsLeftOutAndToldUnlessKept)
   }
   filter->IncludeWatersOn();
   filter->Update();
-  EXPECT_EQ(MeasuresOf(filter->GetOutput()).Components.size(), 2u);
+  EXPECT_EQ(MeasureFlowSurface(filter->GetOutput()).Components.size(), 2u);
   Errors errors(filter);
   filter->IncludeWatersOff();
-  const auto wet = AtomsOf({ { { 0.0, 0.0, 0.0 }, 1.5 } });
+  const auto wet = MakeAtoms({ { { 0.0, 0.0, 0.0 }, 1.5 } });
   vtkNew<vtkStringArray> residues;
   residues->SetName("ResidueName");
   residues->InsertNextValue("HOH");
@@ -191,7 +191,8 @@ TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
   const auto radii = [](vtkDataObject* atoms, bool unitedAtoms = true)
   {
     std::vector<double> found;
-    for (const Ball& ball : ReadAtoms(atoms, WholeMolecule("Radius", false, unitedAtoms)).Balls)
+    for (const Ball& ball :
+      ReadAtoms(atoms, SelectWholeMolecule("Radius", false, unitedAtoms)).Balls)
     {
       found.push_back(ball.Radius);
     }
@@ -202,8 +203,8 @@ TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
   const auto bare = GlycineInWater(false);
   EXPECT_EQ(radii(bare), united);
   EXPECT_EQ(radii(bare, false), plain);
-  EXPECT_EQ(ReadAtoms(bare, WholeMolecule("Radius")).Notes.size(), 2u);
-  EXPECT_EQ(ReadAtoms(bare, WholeMolecule("None")).Balls[1].Radius, 1.85); // by element
+  EXPECT_EQ(ReadAtoms(bare, SelectWholeMolecule("Radius")).Notes.size(), 2u);
+  EXPECT_EQ(ReadAtoms(bare, SelectWholeMolecule("None")).Balls[1].Radius, 1.85); // by element
   // Hydrogens, radii of a force field, and what is no chain stay as they are.
   EXPECT_EQ(radii(GlycineInWater(true))[1], 1.70);
   const auto charged = GlycineInWater(false);
@@ -219,16 +220,16 @@ TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
   EXPECT_EQ(radii(ligand), plain);
 }
 
-TEST(MolecularFlowSurface, TimeOfThePipelineIsThatOfTheFlow)
+TEST(MolecularFlowSurface, PipelineTimeIsFlowTime)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const auto filter = FilterOf(AtomsOf(RandomBalls(60, 12.0)));
+  const auto filter = MakeFilter(MakeAtoms(RandomBalls(60, 12.0)));
   filter->SetEvolutionTime(1.0);
   filter->Update();
-  const double early = MeasuresOf(filter->GetOutput()).Whole.Area;
+  const double early = MeasureFlowSurface(filter->GetOutput()).Whole.Area;
   filter->SetEvolutionTime(2.0);
   filter->Update();
-  const double whole = MeasuresOf(filter->GetOutput()).Whole.Area;
+  const double whole = MeasureFlowSurface(filter->GetOutput()).Whole.Area;
   filter->SetTimeSteps(4);
   filter->UpdateInformation();
   vtkInformation* told = filter->GetOutputInformation(0);
@@ -236,30 +237,30 @@ TEST(MolecularFlowSurface, TimeOfThePipelineIsThatOfTheFlow)
   EXPECT_EQ(told->Get(Pipeline::TIME_STEPS(), 4), 2.0);
   EXPECT_EQ(filter->GetOutputInformation(1)->Length(Pipeline::TIME_STEPS()), 5);
   filter->UpdateTimeStep(0.9); // the nearest is taken
-  EXPECT_NEAR(MeasuresOf(filter->GetOutput()).Whole.Area, early, 1e-9);
+  EXPECT_NEAR(MeasureFlowSurface(filter->GetOutput()).Whole.Area, early, 1e-9);
   EXPECT_EQ(filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 1.0);
   filter->UpdateTimeStep(7.0);
-  EXPECT_NEAR(MeasuresOf(filter->GetOutput()).Whole.Area, whole, 1e-9);
+  EXPECT_NEAR(MeasureFlowSurface(filter->GetOutput()).Whole.Area, whole, 1e-9);
   filter->SteadyOn();
   filter->UpdateInformation();
   EXPECT_FALSE(told->Has(Pipeline::TIME_STEPS()));
 }
 
-TEST(MolecularFlowSurface, BadAtomsAreToldInASentence)
+TEST(MolecularFlowSurface, ReportsBadAtoms)
 {
-  const auto filter = FilterOf(vtkNew<vtkPolyData>());
+  const auto filter = MakeFilter(vtkNew<vtkPolyData>());
   Errors errors(filter);
   const std::vector<Ball> sound{ { { 0.0, 0.0, 0.0 }, 1.5 }, { { 2.0, 0.0, 0.0 }, 1.5 } };
   EXPECT_EQ(errors.Of(vtkNew<vtkPolyData>()), "");
   EXPECT_TRUE(errors.IsEmpty());
-  EXPECT_EQ(errors.Of(AtomsOf(sound)), "");
+  EXPECT_EQ(errors.Of(MakeAtoms(sound)), "");
   EXPECT_FALSE(errors.IsEmpty());
   const auto refused = [&](std::vector<Ball> balls, const char* sentence)
   {
-    const std::string said = errors.Of(AtomsOf(balls));
+    const std::string said = errors.Of(MakeAtoms(balls));
     EXPECT_NE(said.find(sentence), std::string::npos) << said;
     EXPECT_TRUE(errors.IsEmpty()) << sentence;
-    EXPECT_EQ(errors.Of(AtomsOf(sound)), "");
+    EXPECT_EQ(errors.Of(MakeAtoms(sound)), "");
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refused({ { { 0.0, nan, 0.0 }, 1.5 } }, "Atom 0 has a coordinate");
@@ -275,26 +276,26 @@ TEST(MolecularFlowSurface, BadAtomsAreToldInASentence)
   far.push_back({ { 1e6, 1e6, 0.0 }, 1.5 });
   refused(far, "of memory, but only");
   refused(far, "Atom 50 lies");
-  EXPECT_NE(errors.Of(AtomsOf({ sound[0], { { 2.0, 0.0, 0.0 }, nan } })).find("1 of 2 atoms"),
+  EXPECT_NE(errors.Of(MakeAtoms({ sound[0], { { 2.0, 0.0, 0.0 }, nan } })).find("1 of 2 atoms"),
     std::string::npos);
   EXPECT_FALSE(errors.IsEmpty());
   // Atoms of radius 0 leave no trace, and atoms in the same place none but a warning.
-  errors.Of(AtomsOf(sound));
-  const double area = MeasuresOf(filter->GetOutput()).Whole.Area;
-  EXPECT_NE(errors.Of(AtomsOf({ sound[0], sound[1], sound[1], { { 1.0, 0.0, 0.0 }, 0.0 } }))
+  errors.Of(MakeAtoms(sound));
+  const double area = MeasureFlowSurface(filter->GetOutput()).Whole.Area;
+  EXPECT_NE(errors.Of(MakeAtoms({ sound[0], sound[1], sound[1], { { 1.0, 0.0, 0.0 }, 0.0 } }))
               .find("1 of 4 atoms lie exactly where another one lies"),
     std::string::npos);
-  EXPECT_EQ(MeasuresOf(filter->GetOutput()).Whole.Area, area);
-  const auto bare = AtomsOf(sound);
+  EXPECT_EQ(MeasureFlowSurface(filter->GetOutput()).Whole.Area, area);
+  const auto bare = MakeAtoms(sound);
   bare->GetPointData()->RemoveArray("Radius");
   EXPECT_NE(errors.Of(bare).find("no point array Radius of radii"), std::string::npos);
   EXPECT_TRUE(errors.IsEmpty());
 }
 
-TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
+TEST(MolecularFlowSurface, ReportsNumbersOutOfRange)
 {
-  const auto atoms = AtomsOf({ { { 0.0, 0.0, 0.0 }, 1.5 } });
-  const auto filter = FilterOf(atoms);
+  const auto atoms = MakeAtoms({ { { 0.0, 0.0, 0.0 }, 1.5 } });
+  const auto filter = MakeFilter(atoms);
   Errors errors(filter);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   using Set = void (vtkMolecularFlowSurface::*)(double);
@@ -329,7 +330,7 @@ TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
     (filter->*property.Setter)(property.Sound);
     EXPECT_EQ(errors.Of(atoms), "") << property.Name;
   }
-  const auto small = AtomsOf({ { { 0.0, 0.0, 0.0 }, 0.4 } });
+  const auto small = MakeAtoms({ { { 0.0, 0.0, 0.0 }, 0.4 } });
   filter->SetLevel(0.99);
   EXPECT_NE(errors.Of(small).find("vanishes at a Level"), std::string::npos);
   EXPECT_TRUE(errors.IsEmpty());

@@ -32,9 +32,9 @@ std::vector<float> BallDistances(const DensityGrid& grid, const Ball& ball)
       for (std::int64_t i = 0; i < grid.Dimensions[0]; ++i)
       {
         distances.push_back(static_cast<float>(
-          std::hypot(grid.Origin[0] + grid.Spacing * static_cast<double>(i) - ball.Centre[0],
-            grid.Origin[1] + grid.Spacing * static_cast<double>(j) - ball.Centre[1],
-            grid.Origin[2] + grid.Spacing * static_cast<double>(k) - ball.Centre[2]) -
+          std::hypot(grid.Origin[0] + grid.Spacing * static_cast<double>(i) - ball.Center[0],
+            grid.Origin[1] + grid.Spacing * static_cast<double>(j) - ball.Center[1],
+            grid.Origin[2] + grid.Spacing * static_cast<double>(k) - ball.Center[2]) -
           ball.Radius));
       }
     }
@@ -61,7 +61,7 @@ TEST(NonpolarEnergy, OneAtomInABall)
   std::vector<double> errors;
   for (const double h : { 0.5, 0.25 })
   {
-    const Ball ball{ atom.Centre, 4.5 };
+    const Ball ball{ atom.Center, 4.5 };
     const DensityGrid grid = GridAroundBalls({ ball }, h, { 1.5, 1.5, 1.5 });
     const std::vector<float> distance = BallDistances(grid, ball);
     const NonpolarEnergies found =
@@ -92,7 +92,7 @@ TEST(NonpolarEnergy, WellIsContinuousAndIntegrates)
   EXPECT_NEAR(sum / pair.Integral(), 1.0, 1e-3);
 }
 
-TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatAddUp)
+TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatSumUp)
 {
   const Ball ball{ { 0.0, 0.0, 0.0 }, 3.0 };
   // No node is as near to one atom as to the other.
@@ -105,7 +105,7 @@ TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatAddUp)
   std::vector<DispersionAtom> atoms;
   for (const Ball& b : balls)
   {
-    atoms.push_back({ b.Centre, 1.9, 0.11 });
+    atoms.push_back({ b.Center, 1.9, 0.11 });
   }
   const NonpolarEnergies found = NonpolarEnergy(balls, atoms, grid, distance.data(), solvent);
   const DispersionPair pair(atoms[2], solvent);
@@ -118,7 +118,7 @@ TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatAddUp)
   EXPECT_THROW(NonpolarEnergy(balls, {}, grid, distance.data(), solvent), std::invalid_argument);
 }
 
-TEST(NonpolarEnergy, DispersionChangesByWhatTheSurfaceGains)
+TEST(NonpolarEnergy, DispersionChangesWithTheSurface)
 {
   const Ball before{ { 0.0, 0.0, 0.0 }, 3.0 };
   const Ball now{ { 0.3, 0.0, 0.0 }, 3.4 };
@@ -155,8 +155,8 @@ TEST(NonpolarEnergy, NearestBallIsTheNearest)
     for (std::size_t b = 0; b < balls.size(); ++b)
     {
       const double d =
-        std::hypot(place.Centre[0] - balls[b].Centre[0], place.Centre[1] - balls[b].Centre[1],
-          place.Centre[2] - balls[b].Centre[2]) -
+        std::hypot(place.Center[0] - balls[b].Center[0], place.Center[1] - balls[b].Center[1],
+          place.Center[2] - balls[b].Center[2]) -
         balls[b].Radius;
       if (d < least)
       {
@@ -164,12 +164,12 @@ TEST(NonpolarEnergy, NearestBallIsTheNearest)
         best = b;
       }
     }
-    EXPECT_EQ(nearest.At(place.Centre), best);
+    EXPECT_EQ(nearest.At(place.Center), best);
   }
 }
 
 // (pressure - density U) / tension at each node, U by the pairs within 10 angstrom (Dispersion.h).
-TEST(NonpolarEnergy, PullIsThatOfTheEquation)
+TEST(NonpolarEnergy, PullMatchesTheEquation)
 {
   const std::vector<DispersionAtom> atoms{ { { 0.3, -0.2, 0.1 }, 1.9, 0.1 },
     { { 3.1, 0.4, -1.0 }, 1.5, 0.2 } };
@@ -189,7 +189,7 @@ TEST(NonpolarEnergy, PullIsThatOfTheEquation)
       for (std::size_t k = 0; k < 3; ++k)
       {
         const double x = grid.Inner().Origin[k] + 0.8 * static_cast<double>(at[k]);
-        r2 += (x - atom.Centre[k]) * (x - atom.Centre[k]);
+        r2 += (x - atom.Center[k]) * (x - atom.Center[k]);
       }
       const double m = atom.Radius + solvent.SolventRadius;
       const double depth = std::sqrt(atom.WellDepth * solvent.SolventWellDepth);
@@ -207,7 +207,7 @@ TEST(NonpolarEnergy, SolventPullsTheSurfaceToTheAtoms)
   std::vector<DispersionAtom> atoms;
   for (const Ball& ball : balls)
   {
-    atoms.push_back({ ball.Centre, ball.Radius, 0.1 });
+    atoms.push_back({ ball.Center, ball.Radius, 0.1 });
   }
   SurfaceFlowParameters parameters;
   parameters.Steady = true;

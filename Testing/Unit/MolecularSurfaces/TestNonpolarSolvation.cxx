@@ -23,7 +23,7 @@ namespace
 
 vtkSmartPointer<vtkPolyData> WithDepths(const std::vector<Ball>& balls, double depth)
 {
-  auto atoms = AtomsOf(balls);
+  auto atoms = MakeAtoms(balls);
   vtkNew<vtkDoubleArray> depths;
   depths->SetName("WellDepth");
   for (std::size_t i = 0; i < balls.size(); ++i)
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> WithDepths(const std::vector<Ball>& balls, double d
 
 }
 
-TEST(NonpolarSolvation, ArraysAndTableAddUp)
+TEST(NonpolarSolvation, ArraysSumToTheTable)
 {
   const std::vector<Ball> balls = RandomBalls(40, 9.0);
   const auto atoms = WithDepths(balls, 0.1);
@@ -62,14 +62,14 @@ TEST(NonpolarSolvation, ArraysAndTableAddUp)
     EXPECT_NEAR(sum, whole, 1e-9 * std::abs(whole)) << name;
   }
   EXPECT_NEAR(
-    table->GetValueByName(0, "Area").ToDouble() / MeasuresOf(flow->GetOutput()).Whole.Area, 1.0,
-    5e-3);
+    table->GetValueByName(0, "Area").ToDouble() / MeasureFlowSurface(flow->GetOutput()).Whole.Area,
+    1.0, 5e-3);
   EXPECT_LT(table->GetValueByName(0, "DispersionEnergy").ToDouble(), 0.0);
   EXPECT_EQ(atoms->GetPointData()->GetArray("Area"), nullptr); // the input stays as it was
 }
 
 // A volume in nanometres or moved lies where the atoms are, but it is not theirs.
-TEST(NonpolarSolvation, VolumesThatLeaveAtomsOutsideAreRefusedOrWarnedAbout)
+TEST(NonpolarSolvation, AtomsOutsideTheVolumeAreErrorsOrWarnings)
 {
   const std::vector<Ball> balls = RandomBalls(40, 9.0);
   const auto atoms = WithDepths(balls, 0.1);
@@ -104,11 +104,11 @@ TEST(NonpolarSolvation, VolumesThatLeaveAtomsOutsideAreRefusedOrWarnedAbout)
   EXPECT_EQ(energy->GetOutput()->GetNumberOfPoints(), 40);
 }
 
-TEST(NonpolarSolvation, BadInputIsToldInASentence)
+TEST(NonpolarSolvation, ReportsBadInput)
 {
   const std::vector<Ball> balls{ { { 0.0, 0.0, 0.0 }, 1.7 } };
   vtkNew<vtkMolecularFlowSurface> flow;
-  flow->SetInputData(AtomsOf(balls));
+  flow->SetInputData(MakeAtoms(balls));
   flow->Update();
   vtkNew<vtkImageData> image;
   image->DeepCopy(flow->GetImage());
@@ -129,7 +129,7 @@ TEST(NonpolarSolvation, BadInputIsToldInASentence)
   const auto empty = [&] { return energy->GetOutput()->GetNumberOfPoints() == 0; };
   EXPECT_EQ(of(WithDepths(balls, 0.1), image), "");
   EXPECT_FALSE(empty());
-  EXPECT_NE(of(AtomsOf(balls), image).find("WellDepth (kcal/mol"), std::string::npos);
+  EXPECT_NE(of(MakeAtoms(balls), image).find("WellDepth (kcal/mol"), std::string::npos);
   EXPECT_TRUE(empty());
   EXPECT_NE(of(WithDepths(balls, -0.1), image).find("has a WellDepth of -0.1"), std::string::npos);
   EXPECT_NE(of(WithDepths(balls, std::nan("")), image).find("WellDepth"), std::string::npos);

@@ -26,15 +26,15 @@ FlowRecord Last(const SurfaceFlowResult& result)
   return result.History.back();
 }
 
-std::vector<Ball> Moved(std::vector<Ball> balls, const std::array<std::array<double, 3>, 3>& turn,
-  const std::array<double, 3>& by)
+std::vector<Ball> Translate(std::vector<Ball> balls,
+  const std::array<std::array<double, 3>, 3>& turn, const std::array<double, 3>& by)
 {
   for (Ball& ball : balls)
   {
-    const auto from = ball.Centre;
+    const auto from = ball.Center;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      ball.Centre[i] = by[i] + turn[i][0] * from[0] + turn[i][1] * from[1] + turn[i][2] * from[2];
+      ball.Center[i] = by[i] + turn[i][0] * from[0] + turn[i][1] * from[1] + turn[i][2] * from[2];
     }
   }
   return balls;
@@ -105,27 +105,27 @@ TEST(SurfaceFlow, DoesNotDependOnPlaceTurnAndOrder)
   // The grid goes along with the atoms, so a part of a spacing is given by the padding.
   parameters.Padding = 1.7 + 0.37 * parameters.Spacing;
   const SurfaceFlowResult shifted =
-    SurfaceFlow(Moved(balls, Straight, { 0.19, -5.3, 100.1 }), parameters);
+    SurfaceFlow(Translate(balls, Straight, { 0.19, -5.3, 100.1 }), parameters);
   EXPECT_NEAR(Last(shifted).Area / Last(plain).Area, 1.0, 5e-3);
   EXPECT_NEAR(Last(shifted).Volume / Last(plain).Volume, 1.0, 5e-3);
   const double c = std::cos(0.6);
   const double s = std::sin(0.6);
   parameters.Padding = 1.7;
   const SurfaceFlowResult turned = SurfaceFlow(
-    Moved(balls, { { { c, -s * c, s * s }, { s, c * c, -s * c }, { 0, s, c } } }, { 0, 0, 0 }),
+    Translate(balls, { { { c, -s * c, s * s }, { s, c * c, -s * c }, { 0, s, c } } }, { 0, 0, 0 }),
     parameters);
   EXPECT_NEAR(Last(turned).Area / Last(plain).Area, 1.0, 5e-3);
   EXPECT_NEAR(Last(turned).Volume / Last(plain).Volume, 1.0, 5e-3);
   // Axes exchanged: the same numbers but for rounding in another order.
   const SurfaceFlowResult exchanged = SurfaceFlow(
-    Moved(balls, { { { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 } } }, { 0, 0, 0 }), parameters);
+    Translate(balls, { { { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 } } }, { 0, 0, 0 }), parameters);
   EXPECT_NEAR(Last(exchanged).Area / Last(plain).Area, 1.0, 1e-4);
   std::vector<Ball> shuffled = balls;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
   EXPECT_EQ(SurfaceFlow(shuffled, parameters).Distance, plain.Distance);
 }
 
-TEST(SurfaceFlow, ThreadsLeaveNoTrace)
+TEST(SurfaceFlow, DoesNotDependOnThreads)
 {
   const std::vector<Ball> balls = RandomBalls(300, 20.0);
   for (const double probe : { 0.0, 1.4 })
@@ -170,7 +170,7 @@ TEST(SurfaceFlow, CoarseToFineEndsWhereTheFineFlowDoes)
   EXPECT_NEAR(Last(coarse).Area / Last(fine).Area, 1.0, 1e-3);
 }
 
-TEST(SurfaceFlow, AtRestOneBallIsItself)
+TEST(SurfaceFlow, ASingleBallIsStationary)
 {
   SurfaceFlowParameters parameters;
   parameters.Steady = true;
@@ -218,7 +218,7 @@ TEST(SolventExcludedSurface, TwoBallsAndTheProbesSaddle)
   const double r = 2.0;
   const double a = 2.2;
   const double p = 1.4;
-  const double ring = std::sqrt((r + p) * (r + p) - a * a); // where the probe's centre goes
+  const double ring = std::sqrt((r + p) * (r + p) - a * a); // where the probe's center goes
   const double angle = std::asin(a / (r + p));
   const double cap = 2.0 * Pi * r * r * (1.0 + a / (r + p));
   const double saddle = 4.0 * Pi * p * (ring * angle - p * std::sin(angle));
@@ -240,20 +240,20 @@ TEST(SolventExcludedSurface, TwoBallsAndTheProbesSaddle)
 
 TEST(SolventExcludedSurface, ProbeBetweenThreeBallsMeetsItsDistance)
 {
-  // Random balls: beside the definition, by brute force over fine samples of the centre's places.
+  // Random balls: beside the definition, by brute force over fine samples of the center's places.
   const std::vector<Ball> balls = RandomBalls(12, 5.0);
   SurfaceFlowParameters parameters;
   parameters.Spacing = 0.5;
   parameters.ProbeRadius = 1.4;
   const SurfaceFlowResult found = SolventExcludedSurface(balls, parameters);
-  std::vector<std::array<double, 3>> centres;
+  std::vector<std::array<double, 3>> centers;
   const double step = 0.1;
   const auto clear = [&](const std::array<double, 3>& at)
   {
     return std::all_of(balls.begin(), balls.end(),
       [&](const Ball& ball)
       {
-        return std::hypot(at[0] - ball.Centre[0], at[1] - ball.Centre[1], at[2] - ball.Centre[2]) >
+        return std::hypot(at[0] - ball.Center[0], at[1] - ball.Center[1], at[2] - ball.Center[2]) >
           ball.Radius + 1.4;
       });
   };
@@ -265,7 +265,7 @@ TEST(SolventExcludedSurface, ProbeBetweenThreeBallsMeetsItsDistance)
       {
         if (clear({ x, y, z }))
         {
-          centres.push_back({ x, y, z });
+          centers.push_back({ x, y, z });
         }
       }
     }
@@ -284,12 +284,12 @@ TEST(SolventExcludedSurface, ProbeBetweenThreeBallsMeetsItsDistance)
       found.Grid.Origin[1] + 0.5 * static_cast<double>(i / n[0] % n[1]),
       found.Grid.Origin[2] + 0.5 * static_cast<double>(i / n[0] / n[1]) };
     double nearest = 1e9;
-    for (const auto& centre : centres)
+    for (const auto& center : centers)
     {
       nearest =
-        std::min(nearest, std::hypot(at[0] - centre[0], at[1] - centre[1], at[2] - centre[2]));
+        std::min(nearest, std::hypot(at[0] - center[0], at[1] - center[1], at[2] - center[2]));
     }
-    // A sample of the centre's places lies within a cell of the nearest one.
+    // A sample of the center's places lies within a cell of the nearest one.
     ASSERT_LT(1.4 - nearest, value + 1e-3) << node;
     ASSERT_GT(1.4 - nearest, value - 0.2) << node;
     ++compared;
@@ -297,7 +297,7 @@ TEST(SolventExcludedSurface, ProbeBetweenThreeBallsMeetsItsDistance)
   EXPECT_GT(compared, 30u);
 }
 
-TEST(ThesisFlow, ComesToRestOutsideOfTheMinimalSurface)
+TEST(ThesisFlow, ConvergesOutsideTheMinimalSurface)
 {
   // Why it is not the default: at rest, area and volume are this much too large (order 1/2).
   const Catenoid exact;

@@ -33,9 +33,9 @@ LevelArea UnionByPoints(const std::vector<Ball>& balls, int perBall)
     std::vector<Ball> near;
     for (const Ball& other : balls)
     {
-      const double x = other.Centre[0] - ball.Centre[0];
-      const double y = other.Centre[1] - ball.Centre[1];
-      const double z = other.Centre[2] - ball.Centre[2];
+      const double x = other.Center[0] - ball.Center[0];
+      const double y = other.Center[1] - ball.Center[1];
+      const double z = other.Center[2] - ball.Center[2];
       const double reach = ball.Radius + other.Radius;
       if (&other != &ball && x * x + y * y + z * z < reach * reach)
       {
@@ -54,7 +54,7 @@ LevelArea UnionByPoints(const std::vector<Ball>& balls, int perBall)
           double squared = 0.0;
           for (std::size_t a = 0; a < 3; ++a)
           {
-            squared += std::pow(ball.Radius * out[a] - other.Centre[a], 2);
+            squared += std::pow(ball.Radius * out[a] - other.Center[a], 2);
           }
           return squared < other.Radius * other.Radius;
         });
@@ -63,7 +63,7 @@ LevelArea UnionByPoints(const std::vector<Ball>& balls, int perBall)
         double along = ball.Radius;
         for (std::size_t a = 0; a < 3; ++a)
         {
-          along += ball.Centre[a] * out[a];
+          along += ball.Center[a] * out[a];
         }
         sum.Area += share;
         sum.Volume += share * along / 3.0;
@@ -81,7 +81,7 @@ std::vector<Ball> Lysozyme()
 vtkSmartPointer<vtkPolyData> SurfaceAt(
   const std::vector<Ball>& balls, double enlargement, double time, double spacing)
 {
-  const auto filter = FilterOf(AtomsOf(balls));
+  const auto filter = MakeFilter(MakeAtoms(balls));
   filter->SetEnlargement(enlargement);
   filter->SetEvolutionTime(time);
   filter->SetSpacing(spacing);
@@ -91,7 +91,7 @@ vtkSmartPointer<vtkPolyData> SurfaceAt(
 
 /// Balls in a row: the flow around them is one of curves r(x, t) that stay outside of the balls,
 ///   r_t = r_xx / (1 + r_x^2) - 1 / r,
-/// between the centres of the outer balls, whose other halves do not move. Solved by explicit
+/// between the centers of the outer balls, whose other halves do not move. Solved by explicit
 /// steps, with a step of x that is a hundredth of what grids of nodes have here.
 struct Row
 {
@@ -159,11 +159,11 @@ TEST(SurfaceFlowAccuracy, CatenoidBetweenTwoBallsIsSecondOrder)
   const std::array<double, 3> spacings{ 0.5, 0.25, 0.125 };
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const auto filter = FilterOf(AtomsOf(exact.Balls()));
+    const auto filter = MakeFilter(MakeAtoms(exact.Balls()));
     filter->SetSteady(true);
     filter->SetSpacing(spacings[i]);
     filter->Update();
-    const SurfaceMeasure found = MeasuresOf(filter->GetOutput()).Whole;
+    const SurfaceMeasure found = MeasureFlowSurface(filter->GetOutput()).Whole;
     EXPECT_TRUE(found.IsClosed());
     EXPECT_EQ(found.Genus, 0);
     area[i] = found.Area / exact.Area() - 1.0;
@@ -181,17 +181,17 @@ TEST(SurfaceFlowAccuracy, NeckBreaksWhereNoCatenoidIs)
   {
     for (const double distance : { 1.195, 1.215 })
     {
-      const auto filter = FilterOf(AtomsOf(Catenoid{ 2.0, distance }.Balls()));
+      const auto filter = MakeFilter(MakeAtoms(Catenoid{ 2.0, distance }.Balls()));
       filter->SetSteady(true);
       filter->SetSpacing(spacing);
       filter->Update();
-      EXPECT_EQ(MeasuresOf(filter->GetOutput()).Components.size(), distance < 1.2 ? 1u : 2u)
+      EXPECT_EQ(MeasureFlowSurface(filter->GetOutput()).Components.size(), distance < 1.2 ? 1u : 2u)
         << spacing << " " << distance;
     }
   }
 }
 
-TEST(SurfaceFlowAccuracy, EarlyTimesAreThoseOfTheCurveAroundARow)
+TEST(SurfaceFlowAccuracy, EarlyTimesMatchTheCurveAroundARow)
 {
   const Row row;
   for (const double time : { 0.0, 0.1, 0.5, 1.0 })
@@ -201,12 +201,12 @@ TEST(SurfaceFlowAccuracy, EarlyTimesAreThoseOfTheCurveAroundARow)
     const std::array<double, 3> spacings{ 0.5, 0.25, 0.125 };
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const auto filter = FilterOf(AtomsOf(row.Balls()));
+      const auto filter = MakeFilter(MakeAtoms(row.Balls()));
       filter->SetEnlargement(1.0);
       filter->SetEvolutionTime(time);
       filter->SetSpacing(spacings[i]);
       filter->Update();
-      const SurfaceMeasure found = MeasuresOf(filter->GetOutput()).Whole;
+      const SurfaceMeasure found = MeasureFlowSurface(filter->GetOutput()).Whole;
       area[i] = found.Area / exact.Area - 1.0;
       std::cout << "row, T " << time << ", h " << spacings[i] << ": area " << area[i] << ", volume "
                 << found.Volume / exact.Volume - 1.0 << "\n";
@@ -237,7 +237,8 @@ TEST(SurfaceFlowAccuracy, LysozymeStartsAsTheUnionOfItsBalls)
     std::array<double, 2> error{};
     for (const double spacing : { 0.5, 0.25 })
     {
-      const SurfaceMeasure found = MeasuresOf(SurfaceAt(balls, c.Enlargement, 0.0, spacing)).Whole;
+      const SurfaceMeasure found =
+        MeasureFlowSurface(SurfaceAt(balls, c.Enlargement, 0.0, spacing)).Whole;
       error[spacing < 0.5 ? 1 : 0] = found.Area / exact.Area - 1.0;
       std::cout << "eta " << c.Enlargement << ", h " << spacing << ": " << found.Area << ", exact "
                 << exact.Area << ", table " << c.Table << "\n";
@@ -255,7 +256,7 @@ TEST(SurfaceFlowAccuracy, EarlyLysozymeIsNearerToItsLimitThanTheTable)
   std::vector<double> areas;
   for (const double spacing : { 0.5, 0.35, 0.25 })
   {
-    areas.push_back(MeasuresOf(SurfaceAt(balls, 1.0, 0.5, spacing)).Whole.Area);
+    areas.push_back(MeasureFlowSurface(SurfaceAt(balls, 1.0, 0.5, spacing)).Whole.Area);
     std::cout << "T 0.5, h " << spacing << ": " << areas.back() << "\n";
   }
   // Of second order: a halving takes three quarters of the error away.
@@ -271,7 +272,7 @@ TEST(SurfaceFlowAccuracy, EarlyLysozymeIsNearerToItsLimitThanTheTable)
 TEST(SurfaceFlowAccuracy, LysozymeByTime)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew.pqr");
-  const auto filter = FilterOf(AtomsOf(Lysozyme()));
+  const auto filter = MakeFilter(MakeAtoms(Lysozyme()));
   struct Case
   {
     double Enlargement, Time, Area, Volume;
@@ -288,7 +289,7 @@ TEST(SurfaceFlowAccuracy, LysozymeByTime)
     filter->SetEnlargement(c.Enlargement);
     filter->SetEvolutionTime(c.Time);
     filter->Update();
-    const SurfaceMeasures found = MeasuresOf(filter->GetOutput());
+    const SurfaceMeasures found = MeasureFlowSurface(filter->GetOutput());
     std::cout << c.Enlargement << " " << c.Time << ": " << found.Whole.Area << " "
               << found.Whole.Volume << " " << found.Components.size() << " " << found.Whole.Genus
               << "\n";
@@ -305,10 +306,10 @@ TEST(SurfaceFlowAccuracy, LysozymeByTime)
   }
 }
 
-TEST(SurfaceFlowAccuracy, SteadyLysozymeDoesNotKnowWhereItBegan)
+TEST(SurfaceFlowAccuracy, SteadyLysozymeDoesNotDependOnTheStart)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew.pqr");
-  const auto filter = FilterOf(AtomsOf(Lysozyme()));
+  const auto filter = MakeFilter(MakeAtoms(Lysozyme()));
   filter->SetSteady(true);
   std::vector<double> areas;
   std::vector<double> volumes;
@@ -316,7 +317,7 @@ TEST(SurfaceFlowAccuracy, SteadyLysozymeDoesNotKnowWhereItBegan)
   {
     filter->SetEnlargement(enlargement);
     filter->Update();
-    const SurfaceMeasures found = MeasuresOf(filter->GetOutput());
+    const SurfaceMeasures found = MeasureFlowSurface(filter->GetOutput());
     EXPECT_EQ(found.Components.size(), 1u);
     EXPECT_EQ(found.Whole.Genus, 0);
     areas.push_back(found.Whole.Area);

@@ -20,7 +20,7 @@ namespace isthmus::testing
 inline void ExpectEqualToGudhi(const VolumeView& volume, const std::string& what, bool superlevel)
 {
 #if ISTHMUS_HAS_GUDHI_CUBICAL
-  const Bars ours = BarsOf(volume, superlevel);
+  const Bars ours = CollectBars(volume, superlevel);
   EXPECT_TRUE(ours == BarsOfGudhi(volume, superlevel)) << what << ", superlevel " << superlevel;
   EXPECT_GE(ours.size(), 1u) << what;
 #else

@@ -35,7 +35,7 @@ using Bar = std::array<double, 3>;
 using Bars = std::vector<Bar>;
 
 /// Our pairs as a sorted multiset of values.
-inline Bars BarsOf(const VolumeView& volume, bool superlevel = false)
+inline Bars CollectBars(const VolumeView& volume, bool superlevel = false)
 {
   CubicalParameters parameters;
   parameters.Superlevel = superlevel;

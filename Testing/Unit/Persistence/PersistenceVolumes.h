@@ -115,7 +115,7 @@ inline Volume<float> AtomDistance(const Size& n, int count, unsigned seed)
 }
 
 /// A map as our reader reads it; empty where it refuses.
-inline Volume<float> MapOf(const std::filesystem::path& path)
+inline Volume<float> ReadMap(const std::filesystem::path& path)
 {
   vtkNew<vtkMRCMapReader> reader;
   reader->GlobalWarningDisplayOff();

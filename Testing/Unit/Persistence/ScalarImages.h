@@ -60,7 +60,7 @@ inline double FromCircle(double x, double y, double z)
   return std::hypot(std::hypot(x, y) - 4.0, z);
 }
 
-inline VolumeView ViewOf(vtkImageData* image)
+inline VolumeView MakeView(vtkImageData* image)
 {
   auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
   const int* n = image->GetDimensions();

@@ -27,7 +27,7 @@ CellFiltration OfRandomPoints(std::size_t count)
 }
 
 /// Sides of each triangle, by its corners.
-std::map<std::array<SimplexId, 3>, std::set<TetrahedronId>> SidesOf(const CellFiltration& f)
+std::map<std::array<SimplexId, 3>, std::set<TetrahedronId>> GetSides(const CellFiltration& f)
 {
   std::map<std::array<SimplexId, 3>, std::set<TetrahedronId>> sides;
   for (const TetrahedronId cell : f.Tetrahedra.Keys())
@@ -43,14 +43,14 @@ std::map<std::array<SimplexId, 3>, std::set<TetrahedronId>> SidesOf(const CellFi
   return sides;
 }
 
-class CellFiltrationOf : public ::testing::TestWithParam<std::size_t>
+class DelaunayCells : public ::testing::TestWithParam<std::size_t>
 {
 };
 
-TEST_P(CellFiltrationOf, PointsHasEachFaceOnceWithItsSides)
+TEST_P(DelaunayCells, HaveEachFaceOnceWithItsSides)
 {
   const CellFiltration f = OfRandomPoints(GetParam());
-  const auto sides = SidesOf(f);
+  const auto sides = GetSides(f);
   ASSERT_EQ(f.TriangleCount(), sides.size());
   for (const TriangleId t : f.Triangles())
   {
@@ -65,14 +65,14 @@ TEST_P(CellFiltrationOf, PointsHasEachFaceOnceWithItsSides)
 }
 
 // A cell finds its triangles, whichever block of cells their ids are in.
-TEST_P(CellFiltrationOf, PointsFindsTheTriangleOppositeToACorner)
+TEST_P(DelaunayCells, FindTheTriangleOppositeToACorner)
 {
   const CellFiltration f = OfRandomPoints(GetParam());
   for (const TetrahedronId cell : f.Tetrahedra.Keys())
   {
     for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      const TriangleId found = f.TriangleOf(cell, corner);
+      const TriangleId found = f.GetTriangle(cell, corner);
       ASSERT_LT(found.Index(), f.TriangleCount());
       const auto sides = f.TriangleSides(found);
       EXPECT_TRUE(sides[0] == cell || sides[1] == cell) << cell.Value;
@@ -95,12 +95,12 @@ void ExpectEdgesOfTriangles(const CellFiltration& f)
   }
 }
 
-TEST_P(CellFiltrationOf, PointsFindsTheEdgesOppositeToCorners)
+TEST_P(DelaunayCells, FindTheEdgesOppositeToCorners)
 {
   ExpectEdgesOfTriangles(OfRandomPoints(GetParam()));
 }
 
-TEST_P(CellFiltrationOf, PointsComparesTrianglesAsTheyAreRanked)
+TEST_P(DelaunayCells, CompareTrianglesByRank)
 {
   CellFiltration f = OfRandomPoints(GetParam());
   for (const bool some : { false, true })
@@ -122,9 +122,9 @@ TEST_P(CellFiltrationOf, PointsComparesTrianglesAsTheyAreRanked)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Few, CellFiltrationOf, ::testing::Values(4, 5, 7, 30, 2000));
+INSTANTIATE_TEST_SUITE_P(Few, DelaunayCells, ::testing::Values(4, 5, 7, 30, 2000));
 
-// The centre of a sphere has more edges than places of one byte can number.
+// The center of a sphere has more edges than places of one byte can number.
 TEST(CellFiltration, EdgesOfAPointWithManyNeighboursAreFound)
 {
   std::mt19937 random(4);

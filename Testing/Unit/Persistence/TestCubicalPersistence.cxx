@@ -61,7 +61,7 @@ TEST(CubicalPersistence, EqualsGudhiForEveryType)
   ExpectEqualToGudhi(Noise<std::uint64_t>(n, 0, 1.8e19).View(), "uint64");
 }
 
-TEST(CubicalPersistence, DrawnByHand)
+TEST(CubicalPersistence, SmallImageByHand)
 {
   // A wall of ones round a pit of zero in a world of twos:
   //   2 2 2 2 2
@@ -72,40 +72,40 @@ TEST(CubicalPersistence, DrawnByHand)
   const std::vector<int> ring{ 2, 2, 2, 2, 2, 2, 1, 1, 1, 2, 2, 1, 9, 1, 2, 2, 1, 1, 1, 2, 2, 2, 2,
     2, 2 };
   EXPECT_EQ(
-    BarsOf(VolumeView(ring.data(), { 5, 5, 1 })), (Bars{ { 0, 1, Infinity }, { 1, 1, 9 } }));
+    CollectBars(VolumeView(ring.data(), { 5, 5, 1 })), (Bars{ { 0, 1, Infinity }, { 1, 1, 9 } }));
   // Two pits and a ridge between them: the shallower one ends at the ridge.
   const std::vector<float> pits{ 0.0F, 3.0F, 1.0F };
   EXPECT_EQ(
-    BarsOf(VolumeView(pits.data(), { 3, 1, 1 })), (Bars{ { 0, 0, Infinity }, { 0, 1, 3 } }));
-  EXPECT_EQ(BarsOf(VolumeView(pits.data(), { 3, 1, 1 }), true), (Bars{ { 0, 3, -Infinity } }));
+    CollectBars(VolumeView(pits.data(), { 3, 1, 1 })), (Bars{ { 0, 0, Infinity }, { 0, 1, 3 } }));
+  EXPECT_EQ(CollectBars(VolumeView(pits.data(), { 3, 1, 1 }), true), (Bars{ { 0, 3, -Infinity } }));
   // A shell: a void from 1 on, filled at 5. Its hollow lies in a cube of 3^3.
   std::vector<double> shell(27, 1.0);
   shell[13] = 5.0;
   EXPECT_EQ(
-    BarsOf(VolumeView(shell.data(), { 3, 3, 3 })), (Bars{ { 0, 1, Infinity }, { 2, 1, 5 } }));
+    CollectBars(VolumeView(shell.data(), { 3, 3, 3 })), (Bars{ { 0, 1, Infinity }, { 2, 1, 5 } }));
   // Nodes that meet at a corner only do not touch (6), the two nodes between them do (26).
   const std::vector<int> corner{ 0, 1, 1, 0 };
   EXPECT_EQ(
-    BarsOf(VolumeView(corner.data(), { 2, 2, 1 })), (Bars{ { 0, 0, 1 }, { 0, 0, Infinity } }));
+    CollectBars(VolumeView(corner.data(), { 2, 2, 1 })), (Bars{ { 0, 0, 1 }, { 0, 0, Infinity } }));
 }
 
 TEST(CubicalPersistence, ConstantAndTinyImages)
 {
   const std::vector<float> zeros(60, 0.0F);
-  EXPECT_EQ(BarsOf(VolumeView(zeros.data(), { 3, 4, 5 })), (Bars{ { 0, 0, Infinity } }));
+  EXPECT_EQ(CollectBars(VolumeView(zeros.data(), { 3, 4, 5 })), (Bars{ { 0, 0, Infinity } }));
   std::vector<float> signs(zeros);
   for (std::size_t i = 0; i < signs.size(); i += 2)
   {
     signs[i] = -0.0F;
   }
-  EXPECT_EQ(BarsOf(VolumeView(signs.data(), { 3, 4, 5 })), (Bars{ { 0, 0, Infinity } }));
+  EXPECT_EQ(CollectBars(VolumeView(signs.data(), { 3, 4, 5 })), (Bars{ { 0, 0, Infinity } }));
   const std::int16_t one = -7;
-  EXPECT_EQ(BarsOf(VolumeView(&one, { 1, 1, 1 })), (Bars{ { 0, -7, Infinity } }));
+  EXPECT_EQ(CollectBars(VolumeView(&one, { 1, 1, 1 })), (Bars{ { 0, -7, Infinity } }));
   EXPECT_TRUE(CubicalPersistence(VolumeView(&one, { 0, 1, 1 })).Pairs.empty());
   // Infinities are values.
   const std::vector<float> ends{ -std::numeric_limits<float>::infinity(), 3.0F, 1.0F,
     std::numeric_limits<float>::infinity(), 2.0F };
-  EXPECT_EQ(BarsOf(VolumeView(ends.data(), { 5, 1, 1 })),
+  EXPECT_EQ(CollectBars(VolumeView(ends.data(), { 5, 1, 1 })),
     (Bars{ { 0, -Infinity, Infinity }, { 0, 1, 3 }, { 0, 2, Infinity } }));
 }
 
@@ -130,7 +130,7 @@ TEST(CubicalPersistence, EulerNumbersAgreeWithBetti)
       parameters.Levels.push_back(0.1 * i);
     }
     const auto numbers = CubicalPersistence(volume.View(), parameters).EulerNumbers;
-    Bars bars = BarsOf(volume.View(), superlevel);
+    Bars bars = CollectBars(volume.View(), superlevel);
     ASSERT_EQ(numbers.size(), parameters.Levels.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
@@ -147,10 +147,10 @@ TEST(CubicalPersistence, EulerNumbersAgreeWithBetti)
   }
 }
 
-TEST(CubicalPersistence, AxesSignsAndThreadsLeaveNoTrace)
+TEST(CubicalPersistence, DoesNotDependOnAxesSignsOrThreads)
 {
   const Volume<float> volume = Noise<float>({ 15, 18, 21 }, -20, 20);
-  const Bars bars = BarsOf(volume.View());
+  const Bars bars = CollectBars(volume.View());
   const auto& n = volume.Dimensions;
   Volume<float> turned{ { n[2], n[0], n[1] }, std::vector<float>(volume.Values.size()) };
   Volume<double> negative{ n, {} };
@@ -163,8 +163,8 @@ TEST(CubicalPersistence, AxesSignsAndThreadsLeaveNoTrace)
     turned.Values[static_cast<std::size_t>(z + n[2] * (x + n[0] * y))] = value;
     negative.Values.push_back(-static_cast<double>(value));
   }
-  EXPECT_EQ(BarsOf(turned.View()), bars);
-  Bars mirrored = BarsOf(negative.View(), true);
+  EXPECT_EQ(CollectBars(turned.View()), bars);
+  Bars mirrored = CollectBars(negative.View(), true);
   for (Bar& bar : mirrored)
   {
     bar[1] = -bar[1];
@@ -204,7 +204,7 @@ TEST(CubicalPersistence, NaNIsRefusedWithItsPlace)
   }
 }
 
-TEST(CubicalPersistence, StopsWhenAsked)
+TEST(CubicalPersistence, StopsOnRequest)
 {
   const Volume<float> volume = Fill<float>({ 40, 40, 40 }, ShortWave);
   std::vector<double> told;

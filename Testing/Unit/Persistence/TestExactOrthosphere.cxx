@@ -5,28 +5,28 @@ using namespace isthmus;
 namespace
 {
 
-/// Four balls to which the sphere around `centre` that passes through the origin is orthogonal. The
+/// Four balls to which the sphere around `center` that passes through the origin is orthogonal. The
 /// last one lies `height` above the plane of the others.
-Orthosphere Found(const Point3& centre, double height)
+Orthosphere Found(const Point3& center, double height)
 {
-  const std::array<Point3, 4> centres{ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
+  const std::array<Point3, 4> centers{ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
     { 1.0, 1.0, height } } };
   std::array<double, 4> squaredRadii{};
   for (std::size_t k = 0; k < 4; ++k)
   {
-    squaredRadii[k] = Dot(centres[k], centres[k]) - 2.0 * Dot(centres[k], centre);
+    squaredRadii[k] = Dot(centers[k], centers[k]) - 2.0 * Dot(centers[k], center);
   }
-  return ExactOrthosphere(centres, squaredRadii);
+  return ExactOrthosphere(centers, squaredRadii);
 }
 
-void ExpectSphere(const Point3& centre, double height)
+void ExpectSphere(const Point3& center, double height)
 {
-  const Orthosphere found = Found(centre, height);
+  const Orthosphere found = Found(center, height);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    EXPECT_EQ(found.Centre[axis], centre[axis]) << height;
+    EXPECT_EQ(found.Center[axis], center[axis]) << height;
   }
-  EXPECT_EQ(found.Power, Dot(centre, centre)) << height;
+  EXPECT_EQ(found.Power, Dot(center, center)) << height;
 }
 
 }
@@ -51,6 +51,6 @@ TEST(ExactOrthosphere, IsCircumscribedWithoutRadii)
   const std::array<Point3, 4> corners{ { { 0.0, 0.0, 0.0 }, { 1.0, 47.0, 0.0 }, { 1.0, 0.0, 47.0 },
     { 32.0, 264.0, 0.0 } } };
   const Orthosphere found = ExactOrthosphere(corners, {});
-  EXPECT_EQ(found.Centre, (Point3{ 1105.0, 0.0, 0.0 }));
+  EXPECT_EQ(found.Center, (Point3{ 1105.0, 0.0, 0.0 }));
   EXPECT_EQ(found.Power, 1105.0 * 1105.0);
 }

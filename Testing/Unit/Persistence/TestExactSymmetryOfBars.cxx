@@ -27,9 +27,9 @@ using isthmus::Bounds3;
 using isthmus::DistanceBar;
 using isthmus::Point3;
 using isthmus::testing::Bar;
-using isthmus::testing::BarsOf;
+using isthmus::testing::CollectBars;
 using isthmus::testing::Image;
-using isthmus::testing::ViewOf;
+using isthmus::testing::MakeView;
 
 namespace
 {
@@ -120,7 +120,7 @@ void ExpectSame(
 }
 
 /// Bars to the grid of Same: equal ones sort alike whatever their last digits.
-Numbers Sorted(Numbers bars, double scale)
+Numbers SortBars(Numbers bars, double scale)
 {
   const auto rounded = [scale](double x) { return std::round(x / (20.0 * Same * scale)); };
   std::sort(bars.begin(), bars.end(),
@@ -156,7 +156,7 @@ TEST(ExactSymmetryOfBars, OfAtoms)
           bars.push_back({ static_cast<double>(bar.Dimension), bar.Birth, bar.Death });
         }
       }
-      return Sorted(bars, size);
+      return SortBars(bars, size);
     };
     const Numbers exact = barsOf(atoms);
     std::cout << name << ": " << exact.size() << " bars\n";
@@ -207,14 +207,14 @@ TEST(ExactSymmetryOfBars, OfImages)
       const auto barsOf = [&](vtkImageData* of)
       {
         Numbers bars;
-        for (const Bar& bar : BarsOf(ViewOf(of), superlevel))
+        for (const Bar& bar : CollectBars(MakeView(of), superlevel))
         {
           if (std::abs(bar[2] - bar[1]) > 3.0 * Same * scale || std::isinf(bar[2]))
           {
             bars.push_back({ bar[0], bar[1], std::isinf(bar[2]) ? HUGE_VAL : bar[2] });
           }
         }
-        return Sorted(bars, scale);
+        return SortBars(bars, scale);
       };
       const Numbers exact = barsOf(image);
       std::cout << name << ": " << exact.size() << " bars\n";

@@ -39,7 +39,7 @@ void Toggle(std::set<T>& set, const T& element)
 }
 
 /// The edges of a chain's boundary, by rank.
-std::set<std::int64_t> BoundaryOf(const CellFiltration& f, const TriangleChain& triangles)
+std::set<std::int64_t> GetBoundary(const CellFiltration& f, const TriangleChain& triangles)
 {
   std::set<std::int64_t> ranks;
   for (const TriangleId t : triangles)
@@ -80,7 +80,7 @@ TEST(FiltrationPairs, AFillingIsBoundedByALoopThatItsEdgeCloses)
       {
         EXPECT_LE(f.RankOfTriangle[other].Value, f.RankOfTriangle[t].Value);
       }
-      const std::set<std::int64_t> ranks = BoundaryOf(f, filling);
+      const std::set<std::int64_t> ranks = GetBoundary(f, filling);
       ASSERT_FALSE(ranks.empty());
       const auto low = static_cast<std::int64_t>(f.RankOfEdge[closed].Value);
       EXPECT_EQ(*ranks.rbegin(), low);

@@ -186,7 +186,7 @@ TEST(FullereneStability, FewAtomsLinesAndCopies)
   EXPECT_EQ(again[0].Death, once[0].Death);
 }
 
-TEST(FullereneStability, CopiesAnywhereAndTheUnitChangeNothing)
+TEST(FullereneStability, DoesNotDependOnCopiesOrUnit)
 {
   std::vector<Point3> cube;
   for (int i = 0; i < 8; ++i)
@@ -340,7 +340,7 @@ TEST(FullereneStability, TableOfSeveralMolecules)
   EXPECT_GT(At(table, "Integral", 1), 0.4);
 }
 
-TEST(FullereneStability, BadInputIsToldInASentence)
+TEST(FullereneStability, ReportsBadInput)
 {
   vtkNew<vtkFullereneStability> filter;
   vtkNew<vtkTest::ErrorObserver> observer;

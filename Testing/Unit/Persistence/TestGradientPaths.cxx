@@ -13,7 +13,7 @@ namespace
 {
 
 /// Walks from every place and its opposite and compares with what is known of the forest.
-void ExpectEndsOf(const std::vector<std::int64_t>& next)
+void ExpectPathEnds(const std::vector<std::int64_t>& next)
 {
   const auto places = static_cast<std::int64_t>(next.size());
   const auto after = [&](std::int64_t place) { return next[static_cast<std::size_t>(place)]; };
@@ -54,9 +54,9 @@ TEST(PathEnds, OfOneLongChainAndOfPlacesThatStay)
   {
     still[i] = static_cast<std::int64_t>(i);
   }
-  ExpectEndsOf(chain);
-  ExpectEndsOf(still);
-  ExpectEndsOf({ 0 });
+  ExpectPathEnds(chain);
+  ExpectPathEnds(still);
+  ExpectPathEnds({ 0 });
 }
 
 TEST(PathEnds, OfRandomForests)
@@ -70,6 +70,6 @@ TEST(PathEnds, OfRandomForests)
       const auto at = static_cast<std::int64_t>(i);
       next[i] = at - std::uniform_int_distribution<std::int64_t>(0, std::min(at, reach))(random);
     }
-    ExpectEndsOf(next);
+    ExpectPathEnds(next);
   }
 }

@@ -28,7 +28,7 @@ namespace
 const std::string EMD5043 = "maps/emd_5043.map";
 
 /// The same nodes with axis a of the result running along axis `from[a]`, mirrored where asked.
-Volume<float> Turned(
+Volume<float> Rotate(
   const Volume<float>& map, const std::array<std::size_t, 3>& from, const std::array<bool, 3>& back)
 {
   const Size& n = map.Dimensions;
@@ -106,7 +106,7 @@ TEST_P(SharedMaps, EqualGudhi)
   int seen = 0;
   for (std::size_t i = static_cast<std::size_t>(GetParam()); i < files.size(); i += 8)
   {
-    const Volume<float> map = MapOf(files[i]);
+    const Volume<float> map = ReadMap(files[i]);
     if (IsSmall(map))
     {
       ++seen;
@@ -124,12 +124,12 @@ TEST_P(SharedMaps, EqualGudhi)
 
 INSTANTIATE_TEST_SUITE_P(Eighths, SharedMaps, ::testing::Range(0, 8));
 
-TEST(PersistenceOfMaps, TurnsMirrorsAndShiftsOfEMD5043ChangeNothing)
+TEST(PersistenceOfMaps, EMD5043DoesNotDependOnRotationsMirrorsOrShifts)
 {
   ISTHMUS_NEEDS_SHARED_DATA(EMD5043);
-  const Volume<float> map = MapOf(SharedDataFolder() / EMD5043);
+  const Volume<float> map = ReadMap(SharedDataFolder() / EMD5043);
   ASSERT_EQ(map.Values.size(), 1000000u);
-  const Bars bars = BarsOf(map.View(), true);
+  const Bars bars = CollectBars(map.View(), true);
   // Tunnels at the level of the authors' surface.
   EXPECT_EQ(std::count_if(bars.begin(), bars.end(),
               [](const Bar& bar) { return bar[0] == 1.0 && bar[1] >= 1.5 && bar[2] < 1.5; }),
@@ -137,19 +137,19 @@ TEST(PersistenceOfMaps, TurnsMirrorsAndShiftsOfEMD5043ChangeNothing)
   std::array<std::size_t, 3> from{ 0, 1, 2 };
   for (int order = 0; std::next_permutation(from.begin(), from.end()); ++order)
   {
-    const Volume<float> turned = Turned(map, from, { order % 2 == 0, order % 3 == 0, order > 2 });
-    EXPECT_TRUE(BarsOf(turned.View(), true) == bars) << from[0] << from[1] << from[2];
+    const Volume<float> turned = Rotate(map, from, { order % 2 == 0, order % 3 == 0, order > 2 });
+    EXPECT_TRUE(CollectBars(turned.View(), true) == bars) << from[0] << from[1] << from[2];
   }
-  const Bars inBox = BarsOf(Moved(map, { 4, 4, 4 }).View(), true);
+  const Bars inBox = CollectBars(Moved(map, { 4, 4, 4 }).View(), true);
   EXPECT_GT(inBox.size(), 1000u);
-  EXPECT_TRUE(BarsOf(Moved(map, { 1, 7, 3 }).View(), true) == inBox);
+  EXPECT_TRUE(CollectBars(Moved(map, { 1, 7, 3 }).View(), true) == inBox);
   // Whole numbers added to the values: exact in double, so that births and deaths move by as much.
   Volume<double> raised{ map.Dimensions, { map.Values.begin(), map.Values.end() } };
   for (double& value : raised.Values)
   {
     value += 8.0;
   }
-  Bars lowered = BarsOf(raised.View(), true);
+  Bars lowered = CollectBars(raised.View(), true);
   for (Bar& bar : lowered)
   {
     bar[1] -= 8.0;
@@ -158,7 +158,7 @@ TEST(PersistenceOfMaps, TurnsMirrorsAndShiftsOfEMD5043ChangeNothing)
   EXPECT_TRUE(lowered == bars);
 }
 
-TEST(HeldBytes, CountEveryWayToTheHeap)
+TEST(HeldBytes, CountEveryAllocationFunction)
 {
 #if !ISTHMUS_COUNTS_BYTES
   GTEST_SKIP() << "bytes are not counted here: HeldBytes.h";
@@ -197,7 +197,7 @@ TEST(PersistenceOfMaps, MemoryStaysWithinBounds)
   const auto draw = [&](double, double, double) { return value(random); };
   EXPECT_LT(BytesPerNode(Fill<float>({ 96, 96, 96 }, draw).View(), false), 120.0);
   ISTHMUS_NEEDS_SHARED_DATA(EMD5043);
-  const Volume<float> map = MapOf(SharedDataFolder() / EMD5043);
+  const Volume<float> map = ReadMap(SharedDataFolder() / EMD5043);
   for (const bool superlevel : { true, false })
   {
     EXPECT_LT(BytesPerNode(map.View(), superlevel), 20.0);

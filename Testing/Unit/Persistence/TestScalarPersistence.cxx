@@ -17,7 +17,7 @@
 using namespace isthmus;
 using namespace isthmus::testing;
 
-TEST(ScalarPersistence, DiagramIsThatOfTheAlgorithm)
+TEST(ScalarPersistence, DiagramMatchesTheAlgorithm)
 {
   const auto image = Image<vtkFloatArray>(28, Ripple);
   for (const bool superlevel : { false, true })
@@ -26,7 +26,7 @@ TEST(ScalarPersistence, DiagramIsThatOfTheAlgorithm)
     filter->SetInputData(image);
     filter->SetSuperlevel(superlevel);
     filter->Update();
-    const Bars expected = BarsOf(ViewOf(image), superlevel);
+    const Bars expected = CollectBars(MakeView(image), superlevel);
     EXPECT_EQ(BarsOfTable(filter->GetDiagram()), expected);
     EXPECT_EQ(filter->GetDiagram(), filter->GetOutputDataObject(1));
     // The longest first, and the row is the FeatureId.
@@ -68,7 +68,7 @@ TEST(ScalarPersistence, CurvesCountTheBarsAndIntegrateThem)
     filter->SetNumberOfLevels(101);
     filter->Update();
     vtkTable* curves = filter->GetBettiCurves();
-    const Bars bars = BarsOf(ViewOf(image), superlevel);
+    const Bars bars = CollectBars(MakeView(image), superlevel);
     ASSERT_EQ(curves->GetNumberOfRows(), 101);
     double range[2];
     image->GetPointData()->GetScalars()->GetRange(range);
@@ -136,8 +136,8 @@ TEST(ScalarPersistence, SimplifiedHasTheExtremaThatWereKept)
         bars.begin(), bars.end(), [&](const Bar& bar) { return bar[0] == dimension; });
     };
     const Bars before = BarsOfTable(filter->GetDiagram());
-    const Bars all = BarsOf(ViewOf(image), superlevel);
-    const Bars after = BarsOf(ViewOf(simplified), superlevel);
+    const Bars all = CollectBars(MakeView(image), superlevel);
+    const Bars after = CollectBars(MakeView(simplified), superlevel);
     EXPECT_EQ(count(after, 0.0), count(before, 0.0));
     EXPECT_EQ(count(after, 2.0), count(before, 2.0));
     EXPECT_GT(count(all, 0.0), 2 * count(before, 0.0));
@@ -226,7 +226,7 @@ TEST(ScalarPersistence, KeepsItsInputAndWorksWithoutNames)
   }
 }
 
-TEST(ScalarPersistence, BadInputIsToldInASentence)
+TEST(ScalarPersistence, ReportsBadInput)
 {
   vtkNew<vtkScalarPersistence> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -275,7 +275,7 @@ TEST(ScalarPersistence, BadInputIsToldInASentence)
   EXPECT_NE(said().find("no array 'None'"), std::string::npos);
 }
 
-TEST(ScalarPersistence, AbortLeavesNothing)
+TEST(ScalarPersistence, AbortLeavesAnEmptyOutput)
 {
   vtkNew<vtkScalarPersistence> filter;
   filter->SetInputData(Image<vtkFloatArray>(60, Ripple));

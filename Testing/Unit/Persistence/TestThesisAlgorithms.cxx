@@ -62,7 +62,7 @@ public:
       this->Pairing({ vertex }, vertex);
       for (const std::size_t corners : { std::size_t(2), std::size_t(4) })
       {
-        for (const Cell& cell : this->Completed(vertex, corners))
+        for (const Cell& cell : this->FindCompletedCells(vertex, corners))
         {
           this->Pairing(cell, vertex);
         }
@@ -97,7 +97,7 @@ private:
   static std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
   /// Cells of so many corners whose last vertex is this one, by their corners.
-  std::vector<Cell> Completed(int vertex, std::size_t corners) const
+  std::vector<Cell> FindCompletedCells(int vertex, std::size_t corners) const
   {
     const int nx = this->Dimensions[0], ny = this->Dimensions[1];
     const Size place{ vertex % nx, vertex / nx % ny, vertex / nx / ny };
@@ -189,7 +189,7 @@ private:
   std::vector<Bar> Paired;
 };
 
-vtkSmartPointer<vtkImageData> ImageOf(const Size& size, const std::vector<double>& values)
+vtkSmartPointer<vtkImageData> MakeImage(const Size& size, const std::vector<double>& values)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size[0], size[1], size[2]);
@@ -206,7 +206,7 @@ double Value(vtkTable* table, vtkIdType row, const char* column)
   return table->GetValueByName(row, column).ToDouble();
 }
 
-std::vector<Bar> BarsOf(vtkTable* diagram)
+std::vector<Bar> CollectBars(vtkTable* diagram)
 {
   std::vector<Bar> bars;
   for (vtkIdType row = 0; row < diagram->GetNumberOfRows(); ++row)
@@ -253,10 +253,10 @@ TEST(ThesisAlgorithms, GiveOurBarsCurvesAndIntegral)
       const std::vector<Bar> bars = ThesisBars(size, values).Bars();
 
       vtkNew<vtkScalarPersistence> filter;
-      filter->SetInputData(ImageOf(size, values));
+      filter->SetInputData(MakeImage(size, values));
       filter->SetNumberOfLevels(17);
       filter->Update();
-      EXPECT_EQ(BarsOf(filter->GetDiagram()), bars);
+      EXPECT_EQ(CollectBars(filter->GetDiagram()), bars);
 
       // Algorithm 6: bars of delta or more, counted from birth to before death, and their area.
       const double delta = 0.2 * levels;

@@ -72,7 +72,7 @@ TEST(VolumeView, OfEveryLayout)
   {
     values->InsertNextTypedTuple(&value);
   }
-  const VolumeView view = VolumeOf(values, image);
+  const VolumeView view = MakeVolumeView(values, image);
   EXPECT_EQ(view.Value(0), 7.0);
   EXPECT_EQ(view.Value(4), 8.0);
 }
@@ -88,7 +88,7 @@ TEST(VolumeView, NothingOverflowsOrCancels)
   EXPECT_NEAR(narrow.StandardDeviation, std::sqrt(2.0 / 3.0), 1e-12);
 }
 
-TEST(VolumeView, ConstantsInfinitiesAndWhatIsNoNumber)
+TEST(VolumeView, ConstantsInfinitiesAndNaN)
 {
   const VolumeStatistics constant = Of<float>({ 2.5F, 2.5F, 2.5F });
   EXPECT_EQ(constant.Mean, 2.5);

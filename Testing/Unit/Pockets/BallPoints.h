@@ -20,7 +20,7 @@ namespace isthmus::testing
 {
 
 /// A point for each ball with its `Radius`, both of `type`.
-inline vtkSmartPointer<vtkPolyData> AtomsOf(const std::vector<Ball>& balls, int type = VTK_DOUBLE)
+inline vtkSmartPointer<vtkPolyData> MakeAtoms(const std::vector<Ball>& balls, int type = VTK_DOUBLE)
 {
   auto atoms = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -29,7 +29,7 @@ inline vtkSmartPointer<vtkPolyData> AtomsOf(const std::vector<Ball>& balls, int 
   radii->SetName("Radius");
   for (const Ball& ball : balls)
   {
-    points->InsertNextPoint(ball.Centre.data());
+    points->InsertNextPoint(ball.Center.data());
     radii->InsertNextTuple(&ball.Radius);
   }
   atoms->SetPoints(points);

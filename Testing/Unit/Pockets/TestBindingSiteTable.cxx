@@ -82,7 +82,7 @@ vtkSmartPointer<vtkPolyData> Molecule(const std::vector<Atom>& atoms, bool named
   return molecule;
 }
 
-vtkSmartPointer<vtkTable> TableOf(vtkPolyData* atoms)
+vtkSmartPointer<vtkTable> MakeTable(vtkPolyData* atoms)
 {
   vtkNew<vtkBindingSites> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -109,7 +109,7 @@ std::string Residues(vtkTable* table, vtkIdType row)
 
 TEST(BindingSiteTable, ResiduesWithinFourAngstromMostAtomsFirst)
 {
-  const auto table = TableOf(Molecule({ { 13.9, "A", "ALA", 7 }, { 14.1, "A", "GLY", 8 },
+  const auto table = MakeTable(Molecule({ { 13.9, "A", "ALA", 7 }, { 14.1, "A", "GLY", 8 },
     { 12.0, "B", "HIS", 57 }, { 11.0, "B", "HIS", 57 }, { -13.9, "A", "ALA", 7 } }));
   ASSERT_EQ(table->GetNumberOfRows(), 2);
   EXPECT_EQ(Residues(table, 0), "B HIS 57 (2), A ALA 7 (1)");
@@ -119,20 +119,20 @@ TEST(BindingSiteTable, ResiduesWithinFourAngstromMostAtomsFirst)
 TEST(BindingSiteTable, AtomsWithoutNamesAreCounted)
 {
   const auto table =
-    TableOf(Molecule({ { 13.9, "", "", 0 }, { 12.0, "", "", 0 }, { -13.0, "", "", 0 } }, false));
+    MakeTable(Molecule({ { 13.9, "", "", 0 }, { 12.0, "", "", 0 }, { -13.0, "", "", 0 } }, false));
   ASSERT_EQ(table->GetNumberOfRows(), 2);
   EXPECT_EQ(Residues(table, 0), "2 atoms");
   EXPECT_EQ(Residues(table, 1), "1 atom");
 }
 
-TEST(BindingSiteTable, BeginsWithWhatIsAskedFirst)
+TEST(BindingSiteTable, BeginsWithTheMostImportantColumns)
 {
-  const auto with = TableOf(Molecule({ { 13.0, "A", "ALA", 7 } }));
+  const auto with = MakeTable(Molecule({ { 13.0, "A", "ALA", 7 } }));
   const char* const first[] = { "Rank", "Score", "SiteClass", "Class", "Residues" };
   for (int i = 0; i < 5; ++i)
   {
     EXPECT_STREQ(with->GetColumnName(i), first[i]);
   }
   EXPECT_EQ(with->GetColumnByName("Volume"), nullptr); // of pockets only
-  EXPECT_EQ(TableOf(nullptr)->GetColumnByName("Residues"), nullptr);
+  EXPECT_EQ(MakeTable(nullptr)->GetColumnByName("Residues"), nullptr);
 }

@@ -286,7 +286,7 @@ TEST(BindingSites, TheBottomOfACleftIsDeep)
   EXPECT_NEAR(isthmus::HullDepth(triangles.View(), {})(middle), 4.0, 0.07 * 6.0);
 }
 
-TEST(BindingSites, SameBitsOnAnyNumberOfThreads)
+TEST(BindingSites, IdenticalOnAnyNumberOfThreads)
 {
   const auto sphere = Caps();
   const auto run = [&](int threads)
@@ -303,7 +303,7 @@ TEST(BindingSites, SameBitsOnAnyNumberOfThreads)
   EXPECT_EQ(run(1), run(4));
 }
 
-TEST(BindingSites, WhatIsMissingOrWrongIsASentence)
+TEST(BindingSites, ReportsMissingAndWrongInput)
 {
   const auto expect =
     [](vtkPolyData* surface, const std::function<void(vtkBindingSites*)>& change, const char* words)
@@ -363,7 +363,7 @@ TEST(BindingSites, NothingToFindIsAWarningNotAnError)
   EXPECT_EQ(nothing.Error() + nothing.Warning(), "");
 }
 
-TEST(BindingSites, AStopLeavesNothing)
+TEST(BindingSites, AnAbortLeavesAnEmptyOutput)
 {
   Trial trial(Caps());
   vtkNew<vtkCallbackCommand> stop;

@@ -45,10 +45,10 @@ Estimate AreaByPoints(const std::vector<Ball>& balls, double probe, int perBall,
     int hits = 0;
     for (int i = 0; i < perBall; ++i)
     {
-      const Point3 p = ball.Centre + r * OnSphere(random);
+      const Point3 p = ball.Center + r * OnSphere(random);
       const bool free = std::none_of(balls.begin(), balls.end(),
         [&](const Ball& other)
-        { return &other != &ball && Distance(p, other.Centre) < other.Radius + probe; });
+        { return &other != &ball && Distance(p, other.Center) < other.Radius + probe; });
       hits += free && counts(p) ? 1 : 0;
     }
     const double share = static_cast<double>(hits) / perBall;
@@ -75,10 +75,10 @@ Estimate VolumeByPoints(double half, int number, Counts counts)
   return { cube * share, cube * cube * share * (1.0 - share) / number };
 }
 
-bool Covered(const std::vector<Ball>& balls, double probe, const Point3& p)
+bool IsCovered(const std::vector<Ball>& balls, double probe, const Point3& p)
 {
   return std::any_of(balls.begin(), balls.end(),
-    [&](const Ball& ball) { return Distance(p, ball.Centre) < ball.Radius + probe; });
+    [&](const Ball& ball) { return Distance(p, ball.Center) < ball.Radius + probe; });
 }
 
 /// Atoms of four sizes, spread over a sphere.
@@ -137,7 +137,7 @@ TEST(BallOverlap, HalvesOfThreeAgainstRandomPoints)
       bool all = true;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        all = all && (k == skip || Distance(p, b[k].Centre) < b[k].Radius);
+        all = all && (k == skip || Distance(p, b[k].Center) < b[k].Radius);
       }
       return all;
     };
@@ -150,7 +150,7 @@ TEST(BallOverlap, HalvesOfThreeAgainstRandomPoints)
       constexpr int number = 200000;
       for (int i = 0; i < number; ++i)
       {
-        hits += in(b[k].Centre + b[k].Radius * OnSphere(random), k) ? 1 : 0;
+        hits += in(b[k].Center + b[k].Radius * OnSphere(random), k) ? 1 : 0;
       }
       const double share = static_cast<double>(hits) / number;
       const double sphere = 4.0 * Pi * b[k].Radius * b[k].Radius;
@@ -168,7 +168,7 @@ TEST(EmptySpace, UnionOfRandomBallsAttachedOnesAmongThem)
   options.ProbeRadius = 0.0;
   const PocketResult result = FindPockets(balls, options);
   const Estimate volume =
-    VolumeByPoints(9.0, 2000000, [&](const Point3& p) { return Covered(balls, 0.0, p); });
+    VolumeByPoints(9.0, 2000000, [&](const Point3& p) { return IsCovered(balls, 0.0, p); });
   EXPECT_NEAR(result.UnionVolume, volume.Value, 3.0 * volume.Error());
   const Estimate area = AreaByPoints(balls, 0.0, 4000, [](const Point3&) { return true; });
   EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
@@ -184,7 +184,7 @@ TEST(EmptySpace, UnionOfFourBallsThreeOfWhichMeetOutside)
   options.ProbeRadius = 0.0;
   const PocketResult result = FindPockets(balls, options);
   const Estimate volume =
-    VolumeByPoints(1.9, 1000000, [&](const Point3& p) { return Covered(balls, 0.0, p); });
+    VolumeByPoints(1.9, 1000000, [&](const Point3& p) { return IsCovered(balls, 0.0, p); });
   EXPECT_NEAR(result.UnionVolume, volume.Value, 3.0 * volume.Error());
   const Estimate area = AreaByPoints(balls, 0.0, 40000, [](const Point3&) { return true; });
   EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
@@ -205,7 +205,7 @@ TEST(EmptySpace, SeparateAndNestedBalls)
 namespace
 {
 
-UnionMeasure UnionOf(const std::vector<Ball>& balls, double probe)
+UnionMeasure MeasureBallUnion(const std::vector<Ball>& balls, double probe)
 {
   PocketOptions options;
   options.ProbeRadius = probe;
@@ -218,10 +218,10 @@ UnionMeasure UnionOf(const std::vector<Ball>& balls, double probe)
 
 TEST(EmptySpace, UnionOfFewBallsOrOfBallsInALine)
 {
-  const UnionMeasure none = UnionOf({}, 1.4);
+  const UnionMeasure none = MeasureBallUnion({}, 1.4);
   EXPECT_EQ(none.Area, 0.0);
   EXPECT_EQ(none.Volume, 0.0);
-  const UnionMeasure one = UnionOf({ { { 7, -3, 2 }, 1.5 } }, 1.4);
+  const UnionMeasure one = MeasureBallUnion({ { { 7, -3, 2 }, 1.5 } }, 1.4);
   EXPECT_NEAR(one.Area, 4.0 * Pi * 2.9 * 2.9, 1e-9);
   EXPECT_NEAR(one.Volume, 4.0 / 3.0 * Pi * 2.9 * 2.9 * 2.9, 1e-9);
   // Balls of radius r at a distance d have a lens of two caps of height r - d / 2.
@@ -234,13 +234,13 @@ TEST(EmptySpace, UnionOfFewBallsOrOfBallsInALine)
     }
     const double height = 2.0 - 1.5;
     const double lens = 2.0 * Pi * height * height * (2.0 - height / 3.0);
-    const UnionMeasure line = UnionOf(row, 0.0);
+    const UnionMeasure line = MeasureBallUnion(row, 0.0);
     EXPECT_NEAR(line.Volume, count * 32.0 * Pi / 3.0 - (count - 1) * lens, 1e-9) << count;
     EXPECT_NEAR(line.Area, count * 16.0 * Pi - (count - 1) * 2.0 * 2.0 * Pi * 2.0 * height, 1e-9)
       << count;
   }
   // One inside of another, two that do not meet, and one far away.
-  const UnionMeasure apart = UnionOf(
+  const UnionMeasure apart = MeasureBallUnion(
     { { { 0, 0, 0 }, 2.0 }, { { 0.5, 0, 0 }, 1.0 }, { { 9, 0, 0 }, 1.0 }, { { 1e6, 0, 0 }, 1.0 } },
     0.0);
   EXPECT_NEAR(apart.Area, 4.0 * Pi * (4.0 + 1.0 + 1.0), 1e-9);
@@ -269,9 +269,9 @@ TEST(EmptySpace, UnionOfBallsInOnePlane)
     std::vector<Ball> solid = balls;
     for (const double side : { -0.1, 0.1 })
     {
-      solid.push_back({ balls[0].Centre + side * Point3{ 0.0, 0.8, -0.6 }, 0.1 });
+      solid.push_back({ balls[0].Center + side * Point3{ 0.0, 0.8, -0.6 }, 0.1 });
     }
-    const UnionMeasure plane = UnionOf(balls, 0.0);
+    const UnionMeasure plane = MeasureBallUnion(balls, 0.0);
     PocketOptions options;
     options.ProbeRadius = 0.0;
     const PocketResult expected = FindPockets(solid, options);
@@ -282,8 +282,8 @@ TEST(EmptySpace, UnionOfBallsInOnePlane)
     EXPECT_NEAR(plane.Area, area.Value, 3.0 * area.Error());
   }
   // One atom hardly out of the plane.
-  const UnionMeasure ring = UnionOf(flat[1], 0.0);
-  flat[1][0].Centre = flat[1][0].Centre + Point3{ 0.0, 8e-7, -6e-7 };
+  const UnionMeasure ring = MeasureBallUnion(flat[1], 0.0);
+  flat[1][0].Center = flat[1][0].Center + Point3{ 0.0, 8e-7, -6e-7 };
   PocketOptions options;
   options.ProbeRadius = 0.0;
   const PocketResult moved = FindPockets(flat[1], options);
@@ -303,19 +303,19 @@ TEST(EmptySpace, ClosedShellIsOneVoid)
   EXPECT_TRUE(pocket.Mouths.empty());
   const auto inside = [](const Point3& p) { return Dot(p, p) < 81.0; };
   const Estimate volume = VolumeByPoints(9.0, 2000000,
-    [&](const Point3& p) { return inside(p) && !Covered(balls, options.ProbeRadius, p); });
+    [&](const Point3& p) { return inside(p) && !IsCovered(balls, options.ProbeRadius, p); });
   EXPECT_NEAR(pocket.Volume, volume.Value, 3.0 * volume.Error());
   const Estimate area = AreaByPoints(balls, options.ProbeRadius, 4000, inside);
   EXPECT_NEAR(pocket.Area, area.Value, 3.0 * area.Error());
-  EXPECT_LT(Dot(pocket.Centre, pocket.Centre), 0.01);
+  EXPECT_LT(Dot(pocket.Center, pocket.Center), 0.01);
 }
 
-TEST(EmptySpace, PocketsAndTheRestAddUp)
+TEST(EmptySpace, PocketsAndTheRestSumToTheWhole)
 {
   // Wherever mouths cut, what pockets and the rest leave empty is what the balls do not fill.
   auto balls = Shell(400, 9.0);
   balls.erase(std::remove_if(
-                balls.begin(), balls.end(), [](const Ball& ball) { return ball.Centre[2] > 8.0; }),
+                balls.begin(), balls.end(), [](const Ball& ball) { return ball.Center[2] > 8.0; }),
     balls.end());
   PocketOptions options;
   options.OuterRadius = 6.0;
@@ -327,7 +327,7 @@ TEST(EmptySpace, PocketsAndTheRestAddUp)
     AreaByPoints(balls, options.ProbeRadius, 4000, [](const Point3&) { return true; });
   EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
   const Estimate volume = VolumeByPoints(
-    14.0, 2000000, [&](const Point3& p) { return Covered(balls, options.ProbeRadius, p); });
+    14.0, 2000000, [&](const Point3& p) { return IsCovered(balls, options.ProbeRadius, p); });
   EXPECT_NEAR(result.UnionVolume, volume.Value, 3.0 * volume.Error());
 }
 
@@ -353,8 +353,8 @@ std::vector<Ball> TwoRooms(double neck)
   {
     for (const Ball& ball : Shell(300, 8.0))
     {
-      const Ball moved{ { ball.Centre[0], ball.Centre[1], side * (ball.Centre[2] + 7.0) }, 1.7 };
-      if (side * moved.Centre[2] > 0.8)
+      const Ball moved{ { ball.Center[0], ball.Center[1], side * (ball.Center[2] + 7.0) }, 1.7 };
+      if (side * moved.Center[2] > 0.8)
       {
         balls.push_back(moved);
       }
@@ -374,12 +374,12 @@ std::vector<Ball> TwoRooms(double neck)
 
 }
 
-TEST(EmptySpace, WhereverMouthsCutTheRoomIsTheSame)
+TEST(EmptySpace, VolumeDoesNotDependOnMouths)
 {
   // Pockets, the rest and the atoms fill a cube, whatever radii part them; by random points, too.
   const auto balls = CloudInACube();
   const Estimate empty =
-    VolumeByPoints(20.0, 300000, [&](const Point3& p) { return !Covered(balls, 1.4, p); });
+    VolumeByPoints(20.0, 300000, [&](const Point3& p) { return !IsCovered(balls, 1.4, p); });
   std::vector<double> pocketVolumes;
   for (const auto& [inner, outer] : std::vector<std::pair<double, double>>{
          { 1.5, 2.2 }, { 1.7, 3.1 }, { 2.0, 4.5 }, { 1.4, 9.0 } })
@@ -398,7 +398,7 @@ TEST(EmptySpace, WhereverMouthsCutTheRoomIsTheSame)
   EXPECT_GT(pocketVolumes.back(), pocketVolumes.front());
 }
 
-TEST(EmptySpace, AMouthPartsTwoRoomsIntoEqualHalves)
+TEST(EmptySpace, AMouthDividesTheVolumeIntoEqualHalves)
 {
   for (const double neck : { 3.4, 3.8, 4.2 }) // its ball has the radius 1.7, 2.1, 2.5
   {
@@ -413,7 +413,7 @@ TEST(EmptySpace, AMouthPartsTwoRoomsIntoEqualHalves)
       [&](const Point3& p)
       {
         const double z = std::fabs(p[2]) - 7.0;
-        return p[0] * p[0] + p[1] * p[1] + z * z < 64.0 && !Covered(balls, 1.4, p);
+        return p[0] * p[0] + p[1] * p[1] + z * z < 64.0 && !IsCovered(balls, 1.4, p);
       });
     EXPECT_NEAR(whole, empty.Value, 3.0 * empty.Error()) << neck;
     EXPECT_NEAR(result.Pockets[0].Volume, 0.5 * whole, 1e-6 * whole) << neck;
@@ -441,7 +441,7 @@ TEST(EmptySpace, APocketsVolumeIsNearThatOfItsTetrahedra)
       [&](const PocketCell& cell)
       {
         const auto at = [&](std::size_t k)
-        { return balls[static_cast<std::size_t>(cell.Atoms[k])].Centre; };
+        { return balls[static_cast<std::size_t>(cell.Atoms[k])].Center; };
         int signs = 0;
         for (std::size_t k = 0; k < 4; ++k)
         {
@@ -453,7 +453,7 @@ TEST(EmptySpace, APocketsVolumeIsNearThatOfItsTetrahedra)
       });
   };
   const Estimate exact = VolumeByPoints(
-    14.0, 200000, [&](const Point3& p) { return inside(p) && !Covered(balls, 1.4, p); });
+    14.0, 200000, [&](const Point3& p) { return inside(p) && !IsCovered(balls, 1.4, p); });
   std::cout << "volume " << pocket.Volume << ", cut by triangles " << exact.Value << " +- "
             << exact.Error() << "\n";
   EXPECT_NEAR(pocket.Volume, exact.Value, 0.03 * exact.Value + 3.0 * exact.Error());
@@ -500,7 +500,7 @@ TEST(EmptySpace, OpenAreaOfATriangleIsExactWhereDiscsReachAcross)
       const double height = 2.0 * whole / Distance(corners[(k + 1) % 3], corners[(k + 2) % 3]);
       across += radii[k] > height ? 1 : 0;
     }
-    EXPECT_NEAR(OpenAreaOf(corners, radii), whole * open / all, 0.005 * whole) << trial;
+    EXPECT_NEAR(MeasureOpenArea(corners, radii), whole * open / all, 0.005 * whole) << trial;
   }
   EXPECT_GT(across, 10);
 }

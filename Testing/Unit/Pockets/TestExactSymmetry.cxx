@@ -64,24 +64,24 @@ std::vector<Ball> Lattice(
   return atoms;
 }
 
-double SizeOf(const std::vector<Ball>& atoms)
+double MeasureSize(const std::vector<Ball>& atoms)
 {
-  Bounds3 box{ atoms.front().Centre, atoms.front().Centre };
+  Bounds3 box{ atoms.front().Center, atoms.front().Center };
   for (const Ball& atom : atoms)
   {
-    box.Add(atom.Centre);
+    box.Add(atom.Center);
   }
   return box.Diagonal();
 }
 
-std::vector<Ball> Jittered(std::vector<Ball> atoms, unsigned int seed)
+std::vector<Ball> AddJitter(std::vector<Ball> atoms, unsigned int seed)
 {
   std::mt19937 random(seed);
-  const double most = 1e-6 * SizeOf(atoms);
+  const double most = 1e-6 * MeasureSize(atoms);
   std::uniform_real_distribution<double> part(-most, most);
   for (Ball& atom : atoms)
   {
-    atom.Centre = atom.Centre + Point3{ part(random), part(random), part(random) };
+    atom.Center = atom.Center + Point3{ part(random), part(random), part(random) };
   }
   return atoms;
 }
@@ -92,7 +92,7 @@ struct Numbers
 };
 
 /// The narrowest radius and the span of each pore, the narrowest first.
-std::vector<Numbers> PoresOf(const std::vector<Ball>& atoms, const PoreOptions& options)
+std::vector<Numbers> MeasurePores(const std::vector<Ball>& atoms, const PoreOptions& options)
 {
   std::vector<Numbers> found;
   for (const Pore& pore : FindPores(atoms, options))
@@ -119,12 +119,12 @@ struct Input
 void ExpectSamePores(const Input& input, std::size_t count, double least)
 {
   const PoreOptions options;
-  const double size = SizeOf(input.Atoms);
-  const auto exact = PoresOf(input.Atoms, options);
+  const double size = MeasureSize(input.Atoms);
+  const auto exact = MeasurePores(input.Atoms, options);
   ASSERT_EQ(exact.size(), count) << input.Name;
   for (unsigned int seed = 1; seed <= 3; ++seed)
   {
-    const auto jittered = PoresOf(Jittered(input.Atoms, seed), options);
+    const auto jittered = MeasurePores(AddJitter(input.Atoms, seed), options);
     ASSERT_EQ(jittered.size(), count) << input.Name << ", jitter " << seed;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -172,9 +172,9 @@ TEST(ExactSymmetry, WideTubesEndAtTheHull)
     const double step = 4.0 * options.Spacing; // of a wide channel
     for (unsigned int seed = 0; seed <= 4; ++seed)
     {
-      const auto pores = PoresOf(seed == 0 ? exact : Jittered(exact, seed), options);
+      const auto pores = MeasurePores(seed == 0 ? exact : AddJitter(exact, seed), options);
       ASSERT_EQ(pores.size(), 1u) << t.Radius << ", " << seed;
-      EXPECT_NEAR(pores[0].Least, t.Radius - AtomRadius, Same * SizeOf(exact)) << seed;
+      EXPECT_NEAR(pores[0].Least, t.Radius - AtomRadius, Same * MeasureSize(exact)) << seed;
       EXPECT_NEAR(pores[0].Span, t.Step * (t.Rings - 1), 2.1 * step) << t.Radius << ", " << seed;
     }
   }
@@ -227,7 +227,7 @@ TEST(ExactSymmetry, LatticeBlocksHaveTheirPockets)
     Lattice({ 8, 8, 8 }, [&](const Point3& p) { return std::hypot(p[0], p[1]) > 3.0; }) });
   for (const Input& input : inputs)
   {
-    const double size = SizeOf(input.Atoms);
+    const double size = MeasureSize(input.Atoms);
     const auto volumesOf = [&](const std::vector<Ball>& atoms)
     {
       PocketOptions options;
@@ -249,7 +249,7 @@ TEST(ExactSymmetry, LatticeBlocksHaveTheirPockets)
     ASSERT_FALSE(exact.empty()) << input.Name;
     for (unsigned int seed = 1; seed <= 3; ++seed)
     {
-      const auto jittered = volumesOf(Jittered(input.Atoms, seed));
+      const auto jittered = volumesOf(AddJitter(input.Atoms, seed));
       ASSERT_EQ(exact.size(), jittered.size()) << input.Name << ", jitter " << seed;
       for (std::size_t i = 0; i < exact.size(); ++i)
       {

@@ -26,7 +26,7 @@
 
 using namespace isthmus;
 
-TEST(FeatureTracks, CrossingOnesAreToldApartByRadiusAndResidues)
+TEST(FeatureTracks, CrossingFeaturesAreSeparatedByRadiusAndResidues)
 {
   std::vector<TrackFrame> frames;
   for (int t = 0; t <= 20; ++t)
@@ -108,9 +108,9 @@ TEST(FeatureTracks, EmptyFramesAndBadOptions)
   EXPECT_THROW(TrackFeatures({}, { 4.0, -1 }), std::invalid_argument);
 }
 
-TEST(FeatureTracks, APocketThatGainsARoomForATimeStepIsItself)
+TEST(FeatureTracks, APocketThatGrowsForATimeStepKeepsItsTrack)
 {
-  // Its centre moves by more than MaximumDistance and back; the new room stays alone for a while.
+  // Its center moves by more than MaximumDistance and back; the new room stays alone for a while.
   const TrackedFeature a{ { 0, 0, 0 }, 3.0, { "A|1", "A|2", "A|3", "A|4" } };
   const TrackedFeature room{ { 9, 0, 0 }, 3.0, { "A|6", "A|7", "A|8", "A|9" } };
   const TrackedFeature both{ { 4.5, 0, 0 }, 3.0,
@@ -129,7 +129,7 @@ TEST(FeatureTracks, APocketThatGainsARoomForATimeStepIsItself)
   EXPECT_EQ(tracks.Events[1].Track, 1);
 }
 
-TEST(FeatureTracks, AWholeRowDoesNotMoveUpWhenOneEndsAndAnotherBegins)
+TEST(FeatureTracks, TracksDoNotShiftWhenOneEndsAndAnotherBegins)
 {
   // Bottlenecks 3 apart, each with residues of its own: the first one goes, a new last one comes.
   const auto at = [](int i)
@@ -184,7 +184,7 @@ namespace
 {
 
 /// The table of tracks of data without time.
-vtkNew<vtkTable> TracksOf(vtkDataObject* data)
+vtkNew<vtkTable> FindTracks(vtkDataObject* data)
 {
   vtkNew<vtkFeatureTracks> filter;
   filter->SetInputDataObject(0, data);
@@ -236,7 +236,7 @@ TEST(FeatureTracks, TetrahedraOfOnePocketAreOneFeature)
   Add<vtkDoubleArray>(grid->GetCellData(), "Clearance", { 2.0, 3.0, 2.5 });
   Add<vtkDoubleArray>(grid->GetCellData(), "EmptyVolume", { 6.0, 2.0, 5.0 });
   Add<vtkIdTypeArray>(grid->GetCellData(), "Burial", { 100, 100, 200 });
-  const auto table = TracksOf(grid);
+  const auto table = FindTracks(grid);
   ASSERT_EQ(table->GetNumberOfRows(), 2);
   EXPECT_EQ(Value(table, 0, "FeatureId"), 1.0);
   EXPECT_EQ(Value(table, 1, "FeatureId"), 2.0);
@@ -247,7 +247,7 @@ TEST(FeatureTracks, TetrahedraOfOnePocketAreOneFeature)
   EXPECT_DOUBLE_EQ(Value(table, 1, "Radius"), 3.0);
 }
 
-TEST(FeatureTracks, WhatHasNoWeightNoNumberOrNoPointsLeavesNoHoleInTheTable)
+TEST(FeatureTracks, FeaturesWithoutDataLeaveNoGapInTheTable)
 {
   vtkNew<vtkPolyData> cells;
   vtkNew<vtkPoints> points;
@@ -265,7 +265,7 @@ TEST(FeatureTracks, WhatHasNoWeightNoNumberOrNoPointsLeavesNoHoleInTheTable)
   Add<vtkDoubleArray>(cells->GetCellData(), "PocketId", { 1, 1, std::nan(""), 2 });
   Add<vtkDoubleArray>(cells->GetCellData(), "EmptyVolume", { -1.0, 0.0, 5.0, 5.0 });
   Add<vtkIdTypeArray>(cells->GetCellData(), "Burial", { 10, 0, 100, 100 });
-  const auto table = TracksOf(cells);
+  const auto table = FindTracks(cells);
   ASSERT_EQ(table->GetNumberOfRows(), 1);
   EXPECT_EQ(Value(table, 0, "FeatureId"), 1.0);
   EXPECT_DOUBLE_EQ(Value(table, 0, "X"), 1.5); // of both lines alike
@@ -285,14 +285,14 @@ TEST(FeatureTracks, LinesByPoreLoopsByFeatureAndPointsByThemselves)
   lines->InsertNextCell(VTK_POLY_LINE, 3, ids);
   lines->InsertNextCell(VTK_POLY_LINE, 2, ids + 3);
   Add<vtkDoubleArray>(lines->GetPointData(), "Radius", { 3, 1, 2, 5, 4 });
-  EXPECT_EQ(TracksOf(lines)->GetNumberOfRows(), 5); // choke points
+  EXPECT_EQ(FindTracks(lines)->GetNumberOfRows(), 5); // choke points
   Add<vtkIdTypeArray>(lines->GetCellData(), "FeatureId", { 7, 3 });
-  const auto loops = TracksOf(lines);
+  const auto loops = FindTracks(lines);
   ASSERT_EQ(loops->GetNumberOfRows(), 2);
   EXPECT_EQ(Value(loops, 0, "FeatureId"), 3.0);
   EXPECT_DOUBLE_EQ(Value(loops, 0, "X"), 3.5);
   Add<vtkIntArray>(lines->GetPointData(), "PoreId", { 1, 1, 1, 2, 2 });
-  const auto pores = TracksOf(lines);
+  const auto pores = FindTracks(lines);
   ASSERT_EQ(pores->GetNumberOfRows(), 2);
   EXPECT_DOUBLE_EQ(Value(pores, 0, "X"), 1.0); // where it is narrowest
   EXPECT_DOUBLE_EQ(Value(pores, 0, "Radius"), 1.0);
@@ -313,7 +313,7 @@ TEST(FeatureTracks, LinesByPoreLoopsByFeatureAndPointsByThemselves)
     EXPECT_EQ(array->GetTuple1(1), second) << name;
   }
   Add<vtkIntArray>(lines->GetPointData(), "Rank", { 1, 2, 3, 1, 2 });
-  EXPECT_EQ(TracksOf(lines)->GetNumberOfRows(), 5); // bottlenecks
+  EXPECT_EQ(FindTracks(lines)->GetNumberOfRows(), 5); // bottlenecks
 }
 
 TEST(FeatureTracks, TheTableHasTheKindsOfLoops)
@@ -324,10 +324,10 @@ TEST(FeatureTracks, TheTableHasTheKindsOfLoops)
   points->InsertNextPoint(9.0, 0.0, 0.0);
   chokes->SetPoints(points);
   Add<vtkIdTypeArray>(chokes->GetPointData(), "FeatureId", { 1, 2 });
-  EXPECT_EQ(TracksOf(chokes)->GetColumnByName("Kind"), nullptr);
+  EXPECT_EQ(FindTracks(chokes)->GetColumnByName("Kind"), nullptr);
   Add<vtkIntArray>(chokes->GetPointData(), "Kind", { 2, 1 });
   Add<vtkIntArray>(chokes->GetPointData(), "Side", { 0, 1 });
-  const auto table = TracksOf(chokes);
+  const auto table = FindTracks(chokes);
   ASSERT_EQ(table->GetNumberOfRows(), 2);
   for (const char* const name : { "Kind", "Side" })
   {

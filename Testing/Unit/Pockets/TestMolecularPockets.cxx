@@ -36,7 +36,7 @@ namespace
 {
 
 /// The chain's heavy atoms of a file.
-std::vector<Ball> AtomsOf(const std::string& path)
+std::vector<Ball> MakeAtoms(const std::string& path)
 {
   vtkNew<vtkMacromoleculeReader> reader;
   reader->SetFileName(path.c_str());
@@ -50,7 +50,7 @@ std::vector<Ball> AtomsOf(const std::string& path)
     if (data->GetArray("Element")->GetComponent(i, 0) > 1)
     {
       Ball ball{ {}, data->GetArray("Radius")->GetComponent(i, 0) };
-      reader->GetOutput()->GetPoint(i, ball.Centre.data());
+      reader->GetOutput()->GetPoint(i, ball.Center.data());
       atoms.push_back(ball);
     }
   }
@@ -66,7 +66,7 @@ double AreaByPoints(const std::vector<Ball>& atoms, double probe, int perAtom)
     std::vector<const Ball*> near;
     for (const Ball& other : atoms)
     {
-      const Point3 d = other.Centre - atom.Centre;
+      const Point3 d = other.Center - atom.Center;
       const double reach = atom.Radius + other.Radius + 2.0 * probe;
       if (&other != &atom && Dot(d, d) < reach * reach)
       {
@@ -80,11 +80,11 @@ double AreaByPoints(const std::vector<Ball>& atoms, double probe, int perAtom)
       const double z = 1.0 - (2.0 * i + 1.0) / perAtom;
       const double angle = Pi * (1.0 + std::sqrt(5.0)) * i;
       const double rho = std::sqrt(1.0 - z * z);
-      const Point3 p = atom.Centre + r * Point3{ rho * std::cos(angle), rho * std::sin(angle), z };
+      const Point3 p = atom.Center + r * Point3{ rho * std::cos(angle), rho * std::sin(angle), z };
       free += std::none_of(near.begin(), near.end(),
         [&](const Ball* other)
         {
-          const Point3 d = p - other->Centre;
+          const Point3 d = p - other->Center;
           return Dot(d, d) < (other->Radius + probe) * (other->Radius + probe);
         });
     }
@@ -103,7 +103,7 @@ Point3 Turn(const Point3& p)
 
 /// Runs the filter and returns its errors and warnings.
 template <typename Change>
-std::string ErrorsOf(vtkPolyData* input, Change change, vtkIdType& pockets)
+std::string RecordErrors(vtkPolyData* input, Change change, vtkIdType& pockets)
 {
   vtkNew<vtkMolecularPockets> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -138,7 +138,7 @@ TEST(MolecularPockets, AreaOfLysozymeByASecondMethod)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
   const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
-  const auto atoms = AtomsOf(path);
+  const auto atoms = MakeAtoms(path);
   const PocketResult result = FindPockets(atoms, {});
   const double area = AreaByPoints(atoms, 1.4, 2000);
   EXPECT_GT(result.UnionArea, 0.0);
@@ -179,23 +179,23 @@ TEST(MolecularPockets, MouthsAreAsOpenAsTheyLook)
         ball[k] = atoms[static_cast<std::size_t>(corners[k])];
         ball[k].Radius += options.ProbeRadius;
       }
-      const Point3 u = ball[1].Centre - ball[0].Centre, v = ball[2].Centre - ball[0].Centre;
+      const Point3 u = ball[1].Center - ball[0].Center, v = ball[2].Center - ball[0].Center;
       constexpr int n = 200;
       int open = 0;
-      for (int i = 0; i < n * n; ++i) // centres of as many small triangles, of two kinds
+      for (int i = 0; i < n * n; ++i) // centers of as many small triangles, of two kinds
       {
         const bool up = i / n + i % n < n;
         const double x = up ? i / n + 1.0 / 3.0 : n - i / n - 1.0 / 3.0;
         const double y = up ? i % n + 1.0 / 3.0 : n - i % n - 1.0 / 3.0;
-        const Point3 p = ball[0].Centre + (x / n) * u + (y / n) * v;
+        const Point3 p = ball[0].Center + (x / n) * u + (y / n) * v;
         open += std::none_of(
-          ball.begin(), ball.end(), [&](const Ball& b) { return Length(p - b.Centre) < b.Radius; });
+          ball.begin(), ball.end(), [&](const Ball& b) { return Length(p - b.Center) < b.Radius; });
       }
       area += 0.5 * Length(Cross(u, v)) * open / (n * n);
       for (std::size_t k = 0; k < 3; ++k)
       {
         const Ball& next = ball[(k + 1) % 3];
-        covered += Length(ball[k].Centre - next.Centre) < ball[k].Radius + next.Radius;
+        covered += Length(ball[k].Center - next.Center) < ball[k].Radius + next.Radius;
       }
     }
     // Not exact: a disc that reaches across the opposite edge is taken for one that does not.
@@ -203,7 +203,7 @@ TEST(MolecularPockets, MouthsAreAsOpenAsTheyLook)
     sum += area;
   }
   vtkNew<vtkMolecularPockets> filter;
-  filter->SetInputData(isthmus::testing::AtomsOf(atoms));
+  filter->SetInputData(isthmus::testing::MakeAtoms(atoms));
   filter->SetMinimumVolume(0.0);
   filter->Update();
   vtkTable* const table = filter->GetPocketTable();
@@ -221,18 +221,18 @@ TEST(MolecularPockets, MouthsAreAsOpenAsTheyLook)
   EXPECT_GT(covered, 2); // discs that overlap on an edge count once
 }
 
-TEST(MolecularPockets, TurnedMovedAndShuffledTheyAreTheSame)
+TEST(MolecularPockets, DoNotDependOnRotationTranslationOrOrder)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
   const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
-  auto atoms = AtomsOf(path);
+  auto atoms = MakeAtoms(path);
   const PocketResult before = FindPockets(atoms, {});
   auto shuffled = atoms;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(1));
   const PocketResult other = FindPockets(shuffled, {});
   for (Ball& atom : atoms)
   {
-    atom.Centre = Turn(atom.Centre);
+    atom.Center = Turn(atom.Center);
   }
   const PocketResult turned = FindPockets(atoms, {});
   ASSERT_GE(before.Pockets.size(), 2u);
@@ -243,21 +243,21 @@ TEST(MolecularPockets, TurnedMovedAndShuffledTheyAreTheSame)
     const Pocket& a = before.Pockets[i];
     EXPECT_EQ(a.Score, other.Pockets[i].Score); // bit by bit
     EXPECT_EQ(a.Volume, other.Pockets[i].Volume);
-    EXPECT_EQ(a.Centre, other.Pockets[i].Centre);
+    EXPECT_EQ(a.Center, other.Pockets[i].Center);
     EXPECT_NEAR(a.Score, turned.Pockets[i].Score, 1e-6 * a.Score);
     EXPECT_NEAR(a.Volume, turned.Pockets[i].Volume, 1e-6 * a.Volume);
     EXPECT_NEAR(a.Area, turned.Pockets[i].Area, 1e-6 * a.Area);
-    const Point3 d = Turn(a.Centre) - turned.Pockets[i].Centre;
+    const Point3 d = Turn(a.Center) - turned.Pockets[i].Center;
     EXPECT_LT(std::sqrt(Dot(d, d)), 1e-6);
     EXPECT_EQ(a.Mouths.size(), turned.Pockets[i].Mouths.size());
   }
 }
 
-TEST(MolecularPockets, SameBitsOnAnyNumberOfThreads)
+TEST(MolecularPockets, IdenticalOnAnyNumberOfThreads)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
   const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
-  const auto data = isthmus::testing::AtomsOf(AtomsOf(path));
+  const auto data = isthmus::testing::MakeAtoms(MakeAtoms(path));
   const auto scores = [&](int threads)
   {
     std::vector<double> values;
@@ -287,7 +287,7 @@ TEST(MolecularPockets, TheVolumeIsAThresholdOfKeptPockets)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
   const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
-  const auto data = isthmus::testing::AtomsOf(AtomsOf(path));
+  const auto data = isthmus::testing::MakeAtoms(MakeAtoms(path));
   vtkNew<vtkMolecularPockets> kept;
   kept->SetInputData(data);
   const auto scores = [](vtkMolecularPockets* filter, double least, bool sites)
@@ -337,19 +337,19 @@ TEST(MolecularPockets, NoAtomsFewOrFlatOnesHaveNoPockets)
   for (const std::vector<Ball>* atoms : { &std::as_const(flat), &one, &coinciding, &none })
   {
     vtkIdType pockets = -1;
-    const std::string said = ErrorsOf(
-      isthmus::testing::AtomsOf(*atoms), [](vtkMolecularPockets*) {}, pockets);
+    const std::string said = RecordErrors(
+      isthmus::testing::MakeAtoms(*atoms), [](vtkMolecularPockets*) {}, pockets);
     EXPECT_EQ(said.empty(), atoms != &coinciding) << said;
     EXPECT_EQ(pockets, 0);
   }
   vtkNew<vtkPolyData> empty;
   vtkIdType pockets = -1;
-  EXPECT_EQ(ErrorsOf(
+  EXPECT_EQ(RecordErrors(
               empty, [](vtkMolecularPockets*) {}, pockets),
     "");
 }
 
-TEST(MolecularPockets, CoincidingAtomsAndRadiiOfZeroChangeNothing)
+TEST(MolecularPockets, CoincidentAndZeroRadiusAtomsHaveNoEffect)
 {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> place(-9.0, 9.0);
@@ -364,7 +364,7 @@ TEST(MolecularPockets, CoincidingAtomsAndRadiiOfZeroChangeNothing)
   more.insert(more.end(), atoms.begin(), atoms.begin() + 50);
   for (int i = 0; i < 50; ++i)
   {
-    more.push_back({ atoms[static_cast<std::size_t>(i)].Centre, 0.0 });
+    more.push_back({ atoms[static_cast<std::size_t>(i)].Center, 0.0 });
   }
   const PocketResult after = FindPockets(more, {});
   ASSERT_EQ(before.Pockets.size(), after.Pockets.size());
@@ -372,14 +372,14 @@ TEST(MolecularPockets, CoincidingAtomsAndRadiiOfZeroChangeNothing)
   EXPECT_NEAR(before.PocketVolume, after.PocketVolume, 1e-6);
 }
 
-TEST(MolecularPockets, WhatIsOutOfRangeIsToldInASentence)
+TEST(MolecularPockets, ReportsValuesOutOfRange)
 {
   std::vector<Ball> atoms{ { { 0, 0, 0 }, 1.7 }, { { 5, 0, 0 }, 1.7 }, { { 0, 5, 0 }, 1.7 },
     { { 0, 0, 5 }, 1.7 }, { { 5, 5, 5 }, 1.7 } };
   const auto expect = [&](const char* word, auto change)
   {
     vtkIdType pockets = -1;
-    const std::string said = ErrorsOf(isthmus::testing::AtomsOf(atoms), change, pockets);
+    const std::string said = RecordErrors(isthmus::testing::MakeAtoms(atoms), change, pockets);
     EXPECT_NE(said.find(word), std::string::npos) << word << " not in: " << said;
     EXPECT_EQ(pockets, 0);
   };
@@ -400,12 +400,12 @@ TEST(MolecularPockets, WhatIsOutOfRangeIsToldInASentence)
   atoms[2].Radius = 1.7;
   for (const double bad : { std::nan(""), HUGE_VAL, 1e300 })
   {
-    atoms[1].Centre[2] = bad;
+    atoms[1].Center[2] = bad;
     expect("coordinate", [](vtkMolecularPockets*) {});
   }
 }
 
-TEST(PolymerAtoms, ChainsStayWhateverTheFileCallsThem)
+TEST(PolymerAtoms, ChainsAreRecognisedUnderAnyName)
 {
   // Ala, a modified residue linked to it, a cap, a free amino acid, heme, water, an ion.
   const std::vector<NamedAtom> atoms{ Make("N", "ALA", 1, false, { 0, 0, 0 }),

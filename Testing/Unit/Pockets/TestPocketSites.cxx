@@ -33,14 +33,14 @@ using namespace isthmus;
 namespace
 {
 
-/// Of the table: centre and probability of each rank.
+/// Of the table: center and probability of each rank.
 struct Row
 {
-  Point3 Centre;
+  Point3 Center;
   double Probability;
 };
 
-std::vector<Row> RowsOf(vtkPolyData* atoms)
+std::vector<Row> DescribeRows(vtkPolyData* atoms)
 {
   vtkNew<vtkMolecularPockets> filter;
   filter->SetInputData(atoms);
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkPolyData> AtomsOfFile(const std::string& name)
 
 /// The atoms in another order, each place changed by `move`.
 template <typename Move>
-vtkSmartPointer<vtkPolyData> Rearranged(
+vtkSmartPointer<vtkPolyData> Rearrange(
   vtkPolyData* atoms, const std::vector<vtkIdType>& order, Move&& move)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -113,8 +113,8 @@ TEST(PocketSites, TwoCloudsAreTwoSitesAtTheirMiddles)
   const std::vector<PocketSite> sites = FindSites(places, probabilities);
   ASSERT_EQ(sites.size(), 2u);
   // The likelier one is first; a mode of 2000 places of spread 1 is known to about 0.05.
-  EXPECT_LT(Distance(sites[0].Centre, middles[1]), 0.1);
-  EXPECT_LT(Distance(sites[1].Centre, middles[0]), 0.1);
+  EXPECT_LT(Distance(sites[0].Center, middles[1]), 0.1);
+  EXPECT_LT(Distance(sites[1].Center, middles[0]), 0.1);
   EXPECT_NEAR(sites[0].Density / sites[1].Density, 3.0, 0.1);
   EXPECT_EQ(sites[0].Places.size(), 2000u);
   EXPECT_EQ(sites[1].Places.size(), 2000u);
@@ -189,7 +189,7 @@ TEST(PocketSites, CopiesHaveOneDensityAndFollowEachOtherByTheirChains)
 
 TEST(SiteModel, ProbabilitiesAreLogisticAndRiseWithTheShare)
 {
-  const double* c = FrozenSiteModel().Calibration;
+  const double* c = GetSiteModel().Calibration;
   const double odds = c[0] + c[1] * std::log(7.0) + c[2] * std::log(0.25);
   EXPECT_NEAR(SiteProbability(7.0, 0.25), std::exp(odds) / (1.0 + std::exp(odds)), 1e-14);
   EXPECT_GT(SiteProbability(7.0, 0.35), SiteProbability(7.0, 0.25));
@@ -198,9 +198,9 @@ TEST(SiteModel, ProbabilitiesAreLogisticAndRiseWithTheShare)
   EXPECT_GE(SiteProbability(0.0, 0.0), 0.0);
 }
 
-TEST(SiteModel, EveryTreeLeadsToALeafOfItsOwn)
+TEST(SiteModel, EveryTreeLeadsToALeaf)
 {
-  const SiteModelTable& model = FrozenSiteModel();
+  const SiteModelTable& model = GetSiteModel();
   ASSERT_GT(model.Trees, 50u);
   const std::size_t width = SiteDescriptorNames().size();
   for (std::size_t tree = 0; tree < model.Trees; ++tree)
@@ -230,7 +230,7 @@ TEST(SiteModel, EveryTreeLeadsToALeafOfItsOwn)
 TEST(SiteDescriptors, AtomsByName)
 {
   const auto kind = [](int element, const char* residue, const char* name) {
-    return SiteAtomOf({ 0, 0, 0 }, element, residue, name);
+    return MakeSiteAtom({ 0, 0, 0 }, element, residue, name);
   };
   EXPECT_EQ(kind(6, "PHE", "CZ").Kind, SiteAtomKind::Aromatic);
   EXPECT_EQ(kind(7, "HIE", "NE2").Kind, SiteAtomKind::Imidazole);
@@ -246,13 +246,13 @@ TEST(SiteDescriptors, AtomsByName)
   EXPECT_EQ(SiteResidueNames().size(), 40u);
 }
 
-TEST(PocketSites, TurnedMovedAndShuffledTheyAreTheSame)
+TEST(PocketSites, DoNotDependOnRotationTranslationOrOrder)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/pdb1ake.pdb");
   for (const char* file : { "molecules/1hew.pdb", "molecules/pdb1ake.pdb" })
   {
     const auto atoms = AtomsOfFile(file);
-    const std::vector<Row> rows = RowsOf(atoms);
+    const std::vector<Row> rows = DescribeRows(atoms);
     ASSERT_GE(rows.size(), 3u);
     for (std::size_t i = 1; i < rows.size(); ++i)
     {
@@ -260,16 +260,16 @@ TEST(PocketSites, TurnedMovedAndShuffledTheyAreTheSame)
     }
     std::vector<vtkIdType> order(static_cast<std::size_t>(atoms->GetNumberOfPoints()));
     std::iota(order.begin(), order.end(), vtkIdType{ 0 });
-    const auto turned = RowsOf(Rearranged(atoms, order, Turn));
+    const auto turned = DescribeRows(Rearrange(atoms, order, Turn));
     std::shuffle(order.begin(), order.end(), std::mt19937(5));
-    const auto shuffled = RowsOf(Rearranged(atoms, order, [](const Point3& p) { return p; }));
+    const auto shuffled = DescribeRows(Rearrange(atoms, order, [](const Point3& p) { return p; }));
     ASSERT_EQ(turned.size(), rows.size());
     ASSERT_EQ(shuffled.size(), rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
-      EXPECT_EQ(shuffled[i].Centre, rows[i].Centre); // bit by bit
+      EXPECT_EQ(shuffled[i].Center, rows[i].Center); // bit by bit
       EXPECT_EQ(shuffled[i].Probability, rows[i].Probability);
-      EXPECT_LT(Distance(turned[i].Centre, Turn(rows[i].Centre)), 0.05);
+      EXPECT_LT(Distance(turned[i].Center, Turn(rows[i].Center)), 0.05);
     }
   }
 }

@@ -60,7 +60,7 @@ vtkSmartPointer<vtkPolyData> Atoms(const std::vector<Ball>& balls)
   radii->SetName("Radius");
   for (const Ball& ball : balls)
   {
-    points->InsertNextPoint(ball.Centre.data());
+    points->InsertNextPoint(ball.Center.data());
     radii->InsertNextValue(ball.Radius);
   }
   data->SetPoints(points);
@@ -124,7 +124,7 @@ std::vector<Row> Pockets(vtkPolyData* surface, bool use = true)
 
 /// What a filter says with an error or a warning.
 template <typename Filter>
-std::string SaidBy(Filter* filter)
+std::string MessagesBy(Filter* filter)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   for (vtkObject* object : std::initializer_list<vtkObject*>{ filter, filter->GetExecutive() })
@@ -171,14 +171,14 @@ TEST(PocketSurface, PlacesWithoutAValueDoNotCount)
   EXPECT_EQ(nowhere[0].Score, plain[0].Score); // nothing to tell them apart
 }
 
-TEST(PocketSurface, ASurfaceWithoutPolarizedCurvatureIsToldInASentence)
+TEST(PocketSurface, ASurfaceWithoutPolarizedCurvatureIsReported)
 {
   auto surface = Surface({ 1.0, 1.0 }, { 1.0, 1.0 });
   surface->GetPointData()->RemoveArray("PolarizedCurvature");
   vtkNew<vtkMolecularPockets> filter;
   filter->SetInputData(Atoms(TwoShells()));
   filter->SetSurfaceData(surface);
-  const std::string said = SaidBy(filter.Get());
+  const std::string said = MessagesBy(filter.Get());
   EXPECT_NE(said.find("PolarizedCurvature"), std::string::npos) << said;
   EXPECT_EQ(filter->GetPocketTable()->GetNumberOfRows(), 0);
   // A potential is not needed: its mean is then not known.
@@ -187,7 +187,7 @@ TEST(PocketSurface, ASurfaceWithoutPolarizedCurvatureIsToldInASentence)
   EXPECT_TRUE(std::isnan(Pockets(surface).at(0).MeanPotential));
 }
 
-TEST(PocketSurface, BindingSitesSayWhatTheyAre)
+TEST(PocketSurface, BindingSitesReportTheirKind)
 {
   auto surface = Surface({ 1.0, 3.0 }, { -1.0, 1.0 });
   vtkNew<vtkUnsignedCharArray> classes;
@@ -206,7 +206,7 @@ TEST(PocketSurface, BindingSitesSayWhatTheyAre)
   vtkNew<vtkBindingSites> sites;
   sites->SetInputData(surface);
   sites->SetThreshold(2.0);
-  EXPECT_EQ(SaidBy(sites.Get()), "");
+  EXPECT_EQ(MessagesBy(sites.Get()), "");
   EXPECT_EQ(notes(sites), "Sites are patches of the surface.");
   // A flat molecule has no pocket: that is said, with what to do.
   std::vector<Ball> flat;
@@ -215,7 +215,7 @@ TEST(PocketSurface, BindingSitesSayWhatTheyAre)
     flat.push_back({ { 2.0 * (i % 5), 2.0 * (i / 5), 0.0 }, 1.7 });
   }
   sites->SetAtomsData(Atoms(flat));
-  const std::string said = SaidBy(sites.Get());
+  const std::string said = MessagesBy(sites.Get());
   EXPECT_NE(said.find("no pocket"), std::string::npos) << said;
   EXPECT_NE(said.find("Use Pockets off"), std::string::npos) << said;
   EXPECT_EQ(sites->GetSiteTable()->GetNumberOfRows(), 0);

@@ -63,7 +63,7 @@ TEST(PolarizedCurvature, ThePotentialMayBeAnArrayOfTheSurfaceAndOfAnyType)
   EXPECT_EQ(sphere->GetPointData()->GetArray("PolarizedCurvature"), nullptr);
 }
 
-TEST(PolarizedCurvature, WhatIsMissingIsASentence)
+TEST(PolarizedCurvature, ReportsMissingInput)
 {
   const auto image = Image(8.0, 10, [](const double*) { return 1.0; });
   const auto sphere = Ellipsoid(5.0, 5.0, 5.0, 10);
@@ -110,7 +110,7 @@ TEST(PolarizedCurvature, WhatIsMissingIsASentence)
   EXPECT_EQ(run.Error(), "");
 }
 
-TEST(PolarizedCurvature, AStopLeavesNothing)
+TEST(PolarizedCurvature, AnAbortLeavesAnEmptyOutput)
 {
   Trial run(Ellipsoid(5.0, 5.0, 5.0, 40), DipoleImage());
   vtkNew<vtkCallbackCommand> stop;
@@ -121,7 +121,7 @@ TEST(PolarizedCurvature, AStopLeavesNothing)
   EXPECT_EQ(run.Error(), "");
 }
 
-TEST(PolarizedCurvature, SameBitsOnAnyNumberOfThreadsAndFromWholeNumbers)
+TEST(PolarizedCurvature, IdenticalOnAnyNumberOfThreadsAndForIntegers)
 {
   // A potential of whole numbers, and the same as double: the same products.
   const auto sphere = Ellipsoid(5.0, 4.0, 3.0, 60);

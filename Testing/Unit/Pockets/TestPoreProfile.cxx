@@ -40,7 +40,7 @@
 #include <vector>
 
 using namespace isthmus;
-using isthmus::testing::AtomsOf;
+using isthmus::testing::MakeAtoms;
 
 namespace
 {
@@ -49,7 +49,7 @@ constexpr double Throat = 2.2; // of the free room, angstrom
 constexpr double Radius = 1.5; // of the atoms
 constexpr double Slope = 0.45;
 
-/// Distance from the axis of the atoms' centres at height z.
+/// Distance from the axis of the atoms' centers at height z.
 double WallAt(double z)
 {
   return std::sqrt((Throat + Radius) * (Throat + Radius) + Slope * Slope * z * z);
@@ -111,10 +111,10 @@ TEST(PoreProfile, HyperboloidHasItsThroatInTheMiddle)
   EXPECT_NEAR(Least(pores[0]), Throat, 0.005); // planes are 0.25 apart
   for (const PoreSample& sample : pores[0].Samples)
   {
-    EXPECT_LT(std::hypot(sample.Centre[0], sample.Centre[1]), 0.5);
+    EXPECT_LT(std::hypot(sample.Center[0], sample.Center[1]), 0.5);
   }
   ASSERT_EQ(pores[0].Bottlenecks.empty(), false);
-  EXPECT_NEAR(pores[0].Samples[pores[0].Bottlenecks[0]].Centre[2], 0.0, 0.2);
+  EXPECT_NEAR(pores[0].Samples[pores[0].Bottlenecks[0]].Center[2], 0.0, 0.2);
 }
 
 TEST(PoreProfile, RadiusInPlanesIsTheHyperboloids)
@@ -132,7 +132,7 @@ TEST(PoreProfile, RadiusInPlanesIsTheHyperboloids)
     double expected = HUGE_VAL;
     for (const Ball& atom : atoms)
     {
-      const Point3 d = atom.Centre - Point3{ 0, 0, sample.Centre[2] };
+      const Point3 d = atom.Center - Point3{ 0, 0, sample.Center[2] };
       expected = std::min(expected, std::sqrt(Dot(d, d)) - atom.Radius);
     }
     EXPECT_GE(sample.Radius, expected - 1e-9);
@@ -149,7 +149,7 @@ TEST(PoreProfile, TwoPointsFollowTheSamePore)
   EXPECT_NEAR(pore.Span, 16.0, 0.6);
 }
 
-TEST(PoreProfile, TurnedAndMovedItIsTheSame)
+TEST(PoreProfile, DoesNotDependOnRotationOrTranslation)
 {
   auto atoms = Hyperboloid(23);
   PoreOptions options;
@@ -158,7 +158,7 @@ TEST(PoreProfile, TurnedAndMovedItIsTheSame)
   const auto before = FindPores(atoms, options);
   for (Ball& atom : atoms)
   {
-    atom.Centre = Turn(atom.Centre);
+    atom.Center = Turn(atom.Center);
   }
   const auto after = FindPores(atoms, options);
   ASSERT_EQ(before.size(), 1u);
@@ -218,12 +218,12 @@ TEST(PoreProfile, TimeOfTheTriangulationIsPredictedOnce)
   EXPECT_LT(predicted, 30.0);
 }
 
-TEST(PoreProfile, ALongTriangulationIsWarnedOf)
+TEST(PoreProfile, WarnsAboutALongTriangulation)
 {
   vtkNew<vtkPoreProfile> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
   filter->AddObserver(vtkCommand::WarningEvent, observer);
-  const auto warn = WarningOfLongTriangulation(filter);
+  const auto warn = WarnAboutLongTriangulation(filter);
   warn(4.9);
   EXPECT_FALSE(observer->GetWarning());
   warn(12.0);
@@ -232,7 +232,7 @@ TEST(PoreProfile, ALongTriangulationIsWarnedOf)
 
 TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
 {
-  const auto data = AtomsOf(Hyperboloid(24));
+  const auto data = MakeAtoms(Hyperboloid(24));
   const auto radii = [&](int threads)
   {
     std::vector<double> values;
@@ -267,7 +267,7 @@ TEST(PoreProfile, SamplesNameTheResidueOfTheirNearestAtom)
   std::vector<Ball> balls = Hyperboloid(24);
   std::rotate(balls.begin(), balls.begin() + 12 * 24, balls.end());
   balls[0].Radius += 0.05;
-  const auto data = AtomsOf(balls);
+  const auto data = MakeAtoms(balls);
   vtkNew<vtkStringArray> names;
   vtkNew<vtkIntArray> numbers;
   names->SetName("ResidueName");
@@ -300,9 +300,9 @@ TEST(PoreProfile, SamplesNameTheResidueOfTheirNearestAtom)
   EXPECT_GE(first, 1);
 }
 
-TEST(PoreProfile, WhatIsOutOfRangeIsToldInASentence)
+TEST(PoreProfile, ReportsValuesOutOfRange)
 {
-  const auto data = AtomsOf(Hyperboloid(24));
+  const auto data = MakeAtoms(Hyperboloid(24));
   const auto refuses = [&](auto&& change, const char* word)
   {
     vtkNew<vtkPoreProfile> profile;
@@ -466,14 +466,14 @@ std::vector<Ball> AtomsInACube(int count)
 }
 
 /// As Molecular Pockets and Pore Profile enlarge them.
-RegularFiltration FiltrationOf(const std::vector<Ball>& atoms)
+RegularFiltration BuildFiltration(const std::vector<Ball>& atoms)
 {
-  std::vector<Point3> centres;
+  std::vector<Point3> centers;
   for (const Ball& atom : atoms)
   {
-    centres.push_back(atom.Centre);
+    centers.push_back(atom.Center);
   }
-  return MakeRegularFiltration(centres, std::vector<double>(atoms.size(), 1.7 + 1.4));
+  return MakeRegularFiltration(centers, std::vector<double>(atoms.size(), 1.7 + 1.4));
 }
 
 using Analysis = std::function<void(const ProgressCallback&)>;
@@ -495,7 +495,7 @@ std::int64_t ReportsBetween(double low, double high, const Analysis& run)
 }
 
 /// Reports of a loop over so many cells: at every 4096th.
-std::int64_t ReportsOf(std::size_t cells)
+std::int64_t ComputeReports(std::size_t cells)
 {
   return static_cast<std::int64_t>((cells + 4095) / 4096);
 }
@@ -538,7 +538,7 @@ TEST(PoreProfile, AnAbortIsNoticedInEachLoopOverCells)
   std::vector<SiteAtom> siteAtoms(atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i)
   {
-    siteAtoms[i].Place = atoms[i].Centre;
+    siteAtoms[i].Place = atoms[i].Center;
   }
   options.SiteAtoms = &siteAtoms;
   // Their crevices; atoms around, cells around, probabilities.
@@ -556,10 +556,10 @@ TEST(PoreProfile, AnAbortIsNoticedInEachLoopOverCells)
 TEST(PoreProfile, LoopsOverCellsReportAtEvery4096th)
 {
   const auto atoms = AtomsInACube(2500);
-  RegularFiltration f = FiltrationOf(atoms);
+  RegularFiltration f = BuildFiltration(atoms);
   const CellFiltration& c = f.Complex;
-  const std::int64_t cells = ReportsOf(c.Tetrahedra.size());
-  const std::int64_t triangles = ReportsOf(c.TriangleCount());
+  const std::int64_t cells = ComputeReports(c.Tetrahedra.size());
+  const std::int64_t triangles = ComputeReports(c.TriangleCount());
   ASSERT_GE(cells, 3);
 
   PocketOptions options;
@@ -576,9 +576,9 @@ TEST(PoreProfile, LoopsOverCellsReportAtEvery4096th)
     }
   };
   // With the ends of steps. In parallel loops, as those before and between, the clock decides.
-  const std::int64_t measures = 2 * cells + ReportsOf(c.Edges.size()) + triangles;
+  const std::int64_t measures = 2 * cells + ComputeReports(c.Edges.size()) + triangles;
   const std::int64_t before = ReportsBetween(0.8, 0.85, pockets);
-  EXPECT_EQ(before, 1 + ReportsOf(inPockets) + cells + measures + 1);
+  EXPECT_EQ(before, 1 + ComputeReports(inPockets) + cells + measures + 1);
   EXPECT_EQ(ReportsBetween(0.92, 1.0, pockets), 1 + cells + triangles + 2);
 
   const auto faces = FacesOfCells(c);
@@ -603,16 +603,16 @@ TEST(PoreProfile, LoopsOverCellsReportAtEvery4096th)
 }
 
 // At whichever event the abort comes, it is the last.
-TEST(PoreProfile, AnAbortLeavesNothing)
+TEST(PoreProfile, AnAbortLeavesAnEmptyOutput)
 {
-  const auto atoms = AtomsOf(AtomsInACube(24));
+  const auto atoms = MakeAtoms(AtomsInACube(24));
   bool isAborted = true;
   for (int stop = 1; isAborted; ++stop)
   {
     SCOPED_TRACE(stop);
     vtkNew<vtkPoreProfile> filter;
     filter->SetInputData(atoms);
-    struct Watched
+    struct WatchState
     {
       int Stop, Events;
     } watched{ stop, 0 };
@@ -622,7 +622,7 @@ TEST(PoreProfile, AnAbortLeavesNothing)
       [](vtkObject* caller, unsigned long, void* client, void*)
       {
         auto* const running = static_cast<vtkAlgorithm*>(caller);
-        auto* const seen = static_cast<Watched*>(client);
+        auto* const seen = static_cast<WatchState*>(client);
         if (running->GetProgress() > 0.0 && running->GetProgress() < 1.0 &&
           ++seen->Events >= seen->Stop)
         {

@@ -90,14 +90,14 @@ TriangleMesh Shaken(TriangleMesh mesh, double by, unsigned int seed, unsigned in
   return mesh;
 }
 
-TEST(SelfIntersections, NoneOnCleanOnes)
+TEST(SelfIntersections, NoneOnCleanSurfaces)
 {
   EXPECT_EQ(ExpectSame(FlatBox(12)), 0U);
   EXPECT_EQ(ExpectSame(Torus(1.0, 0.3, 60, 24)), 0U);
   EXPECT_TRUE(SelfIntersections({}).empty());
 }
 
-TEST(SelfIntersections, ThoseOfShakenOnes)
+TEST(SelfIntersections, AgreeWithBruteForceOnPerturbedSurfaces)
 {
   std::size_t found = 0;
   for (unsigned int seed = 0; seed < 12; ++seed)

@@ -29,7 +29,7 @@ double Area(const TriangleMesh& mesh)
   return sum;
 }
 
-std::string WhyRefused(const TriangleMesh& mesh)
+std::string CatchMessage(const TriangleMesh& mesh)
 {
   try
   {
@@ -52,38 +52,38 @@ void ExpectMentions(const std::string& sentence, const std::string& words)
 TEST(SurfaceDefects, ACubeIsCleanAndHasVolumeOne)
 {
   const TriangleMesh cube = Cube({ 5, -3, 1 }, 1.0);
-  EXPECT_EQ(FindDefects(cube).Sentence(), "");
+  EXPECT_EQ(FindDefects(cube).Message(), "");
   EXPECT_DOUBLE_EQ(SignedVolume(cube), 1.0);
   EXPECT_EQ(EulerCharacteristic(cube), 2);
-  EXPECT_EQ(WhyRefused(cube), "");
+  EXPECT_EQ(CatchMessage(cube), "");
 }
 
 TEST(SurfaceDefects, EachDefectIsNamedWithItsPlace)
 {
   TriangleMesh hole = Cube({ 0, 0, 0 }, 1.0);
   hole.Triangles.pop_back();
-  ExpectMentions(WhyRefused(hole), "triangles at a hole (");
+  ExpectMentions(CatchMessage(hole), "triangles at a hole (");
 
   TriangleMesh flipped = Cube({ 0, 0, 0 }, 1.0);
   std::swap(flipped.Triangles[4][0], flipped.Triangles[4][1]);
-  ExpectMentions(WhyRefused(flipped), "opposite orientation");
+  ExpectMentions(CatchMessage(flipped), "opposite orientation");
 
   TriangleMesh twice = Cube({ 0, 0, 0 }, 1.0);
   twice.Triangles.push_back(twice.Triangles[7]);
-  ExpectMentions(WhyRefused(twice), "duplicate triangles (12)");
-  ExpectMentions(WhyRefused(twice), "edge of more than two");
+  ExpectMentions(CatchMessage(twice), "duplicate triangles (12)");
+  ExpectMentions(CatchMessage(twice), "edge of more than two");
 
   TriangleMesh lost = Cube({ 0, 0, 0 }, 1.0);
   lost.Points[3][1] = std::numeric_limits<double>::quiet_NaN();
-  ExpectMentions(WhyRefused(lost), "points that are not finite (3)");
+  ExpectMentions(CatchMessage(lost), "points that are not finite (3)");
 
   TriangleMesh wrong = Cube({ 0, 0, 0 }, 1.0);
   wrong.Triangles[2] = { 4, 5, 99 };
-  ExpectMentions(WhyRefused(wrong), "repeated or missing point (2)");
+  ExpectMentions(CatchMessage(wrong), "repeated or missing point (2)");
 
   TriangleMesh flat = Cube({ 0, 0, 0 }, 1.0);
   flat.Points[7] = flat.Points[6];
-  ExpectMentions(WhyRefused(flat), "triangles without area (");
+  ExpectMentions(CatchMessage(flat), "triangles without area (");
 }
 
 TEST(SurfaceDefects, CubesThatShareAPointOrCrossAreRefused)
@@ -94,15 +94,15 @@ TEST(SurfaceDefects, CubesThatShareAPointOrCrossAreRefused)
   {
     std::replace(t.begin(), t.end(), std::int64_t{ 8 }, std::int64_t{ 7 });
   }
-  ExpectMentions(WhyRefused(touching), "points where sheets touch (7)");
+  ExpectMentions(CatchMessage(touching), "points where sheets touch (7)");
 
   TriangleMesh crossing = Cube({ 0, 0, 0 }, 1.0);
   isthmus::testing::Append(crossing, Cube({ 0.5, 0.4, 0.3 }, 1.0));
-  ExpectMentions(WhyRefused(crossing), "intersects itself in");
-  ExpectMentions(WhyRefused(crossing), "cross at (");
+  ExpectMentions(CatchMessage(crossing), "intersects itself in");
+  ExpectMentions(CatchMessage(crossing), "cross at (");
 }
 
-TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
+TEST(SurfaceRepair, RepairsACubeWithAHoleAndAFlippedTriangle)
 {
   TriangleMesh broken = Cube({ 0, 0, 0 }, 1.0);
   std::swap(broken.Triangles[4][0], broken.Triangles[4][1]);
@@ -110,7 +110,7 @@ TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
   broken.Points.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
   broken.Triangles.push_back({ 0, 1, 8 });
   const RepairedSurface repaired = RepairSurface(broken);
-  EXPECT_EQ(WhyRefused(repaired.Mesh), "");
+  EXPECT_EQ(CatchMessage(repaired.Mesh), "");
   EXPECT_NEAR(std::abs(SignedVolume(repaired.Mesh)), 1.0, 1e-12);
   ExpectMentions(repaired.Changes, "filled 1 hole");
   for (std::size_t i = 0; i < repaired.Mesh.Points.size(); ++i)
@@ -121,7 +121,7 @@ TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
   }
 }
 
-TEST(SurfaceDefects, EverySharedSurfaceIsWhatItIsKnownToBe)
+TEST(SurfaceDefects, EverySharedSurfaceHasItsKnownDefects)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");
   for (const isthmus::testing::KnownSurface& known : isthmus::testing::KnownSurfaces)
@@ -129,10 +129,10 @@ TEST(SurfaceDefects, EverySharedSurfaceIsWhatItIsKnownToBe)
     SCOPED_TRACE(known.File);
     const auto path = isthmus::testing::SharedDataFolder() / "surfaces" / known.File;
     const auto surface = isthmus::testing::ReadSurface(path);
-    const TriangleMesh mesh = MeshOf(surface);
+    const TriangleMesh mesh = ToTriangleMesh(surface);
     const bool polygons = surface->GetPolys()->IsHomogeneous() != 3;
     const SurfaceDefects defects = FindDefects(mesh);
-    EXPECT_EQ(defects.None(), known.Closed) << defects.Sentence();
+    EXPECT_EQ(defects.None(), known.Closed) << defects.Message();
     // Diagonals of bent quads may be drawn either way.
     const double tolerance = polygons ? 2e-3 : 2e-6;
     EXPECT_NEAR(Area(mesh) / known.Area, 1.0, tolerance);

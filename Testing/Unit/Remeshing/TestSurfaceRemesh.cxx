@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> Sphere()
 
 TEST(SurfaceRemesh, EvensOutASphere)
 {
-  const TriangleMesh sphere = MeshOf(Sphere());
+  const TriangleMesh sphere = ToTriangleMesh(Sphere());
   SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.1;
   const RemeshedSurface result = RemeshSurface(sphere, parameters);
@@ -115,7 +115,7 @@ TEST(SurfaceRemesh, PointDataAreCarriedOver)
 
 TEST(SurfaceRemesh, SimplifiesToACount)
 {
-  const TriangleMesh sphere = MeshOf(Sphere());
+  const TriangleMesh sphere = ToTriangleMesh(Sphere());
   const RemeshedSurface result = SimplifySurface(sphere, 500);
   EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 500.0, 2.0);
   EXPECT_TRUE(FindDefects(result.Mesh).None());
@@ -151,9 +151,9 @@ TEST(SurfaceRemesh, SimplifyingFansReportsAndStopsOften)
   EXPECT_THROW(SimplifySurface(drum, 200, [](double done) { return done < 0.1; }), Cancelled);
 }
 
-TEST(SurfaceRemesh, AskedForOneTriangleItKeepsASmallClosedSurface)
+TEST(SurfaceRemesh, ATargetOfOneTriangleKeepsAClosedSurface)
 {
-  const RemeshedSurface result = SimplifySurface(MeshOf(Sphere()), 1);
+  const RemeshedSurface result = SimplifySurface(ToTriangleMesh(Sphere()), 1);
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_EQ(EulerCharacteristic(result.Mesh), 2);
   EXPECT_LT(result.Mesh.Triangles.size(), 50U);
@@ -198,7 +198,7 @@ TEST(SurfaceRemesh, BoundariesAreFine)
   EXPECT_EQ(FindDefects(result.Mesh).NonManifoldTriangles.size(), 0u);
 }
 
-TEST(SurfaceRemesh, BadInputEndsInASentenceAndStoppingInCancelled)
+TEST(SurfaceRemesh, BadInputThrowsAndStoppingCancels)
 {
   TriangleMesh twice = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
   twice.Triangles.push_back(twice.Triangles[3]);
@@ -219,7 +219,7 @@ TEST(SurfaceRemesh, BadInputEndsInASentenceAndStoppingInCancelled)
 TEST(SurfaceRemesh, FertilityKeepsItsGenus)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/fertility.off");
-  const TriangleMesh mesh = MeshOf(
+  const TriangleMesh mesh = ToTriangleMesh(
     isthmus::testing::ReadSurface(isthmus::testing::SharedDataFolder() / "surfaces/fertility.off"));
   SurfaceRemeshParameters parameters;
   parameters.EdgeLength = MeanEdgeLength(mesh);
@@ -253,7 +253,7 @@ TEST(SurfaceRemesh, SimplifiesAnOpenSurfaceToACount)
   EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 800.0, 60.0);
 }
 
-TEST(SurfaceRepair, ATriangleThatIsThereTwiceLeavesTheRestAsItIs)
+TEST(SurfaceRepair, ADuplicateTriangleLeavesTheRestUnchanged)
 {
   TriangleMesh cube = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
   cube.Triangles.push_back(cube.Triangles[3]);
@@ -295,7 +295,7 @@ std::array<double, 2> LeastAngleAndLargestCircle(const TriangleMesh& mesh, IsFea
 
 TEST(SurfaceRemesh, DelaunayKeepsItsBounds)
 {
-  TriangleMesh spheres = MeshOf(Sphere());
+  TriangleMesh spheres = ToTriangleMesh(Sphere());
   const TriangleMesh second = spheres; // beside the first, small
   const auto shift = static_cast<std::int64_t>(spheres.Points.size());
   for (const Point3& p : second.Points)
@@ -383,7 +383,7 @@ TriangleMesh Squares(std::int64_t count, IsThere&& isThere)
 }
 
 /// Turned about all axes and moved.
-TriangleMesh Turned(TriangleMesh mesh)
+TriangleMesh Rotate(TriangleMesh mesh)
 {
   const std::array<Point3, 3> axes{ { { 2.0 / 3, -1.0 / 3, 2.0 / 3 },
     { 2.0 / 3, 2.0 / 3, -1.0 / 3 }, { -1.0 / 3, 2.0 / 3, 2.0 / 3 } } };
@@ -405,7 +405,7 @@ TEST(SurfaceRemesh, DelaunayOfPartsInAPlane)
     Squares(5, [](auto x, auto y) { return x == 0 || y == 4; }) };
   for (const TriangleMesh& flat : sheets)
   {
-    for (const TriangleMesh& sheet : { flat, Turned(flat) })
+    for (const TriangleMesh& sheet : { flat, Rotate(flat) })
     {
       for (const double length : { 3.0, 0.4 })
       {
@@ -492,14 +492,15 @@ TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
   SurfaceRemeshParameters parameters;
   parameters.EdgeLength = 0.06;
   EXPECT_THROW(
-    DelaunayRemesh(MeshOf(sphere), parameters, [](double done) { return done < 0.3; }), Cancelled);
+    DelaunayRemesh(ToTriangleMesh(sphere), parameters, [](double done) { return done < 0.3; }),
+    Cancelled);
   parameters.MaximumPoints = 1000;
-  EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
+  EXPECT_THROW(DelaunayRemesh(ToTriangleMesh(sphere), parameters), std::invalid_argument);
   parameters.EdgeLength = 0.0;
-  EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
+  EXPECT_THROW(DelaunayRemesh(ToTriangleMesh(sphere), parameters), std::invalid_argument);
 }
 
-TEST(SurfaceRemesh, WhatIsOutOfRangeIsNamed)
+TEST(SurfaceRemesh, ReportsValuesOutOfRange)
 {
   const std::pair<const char*, std::function<void(vtkSurfaceRemesh*)>> cases[] = {
     { "Target is 3, but it must be from 0 to 2", [](auto* f) { f->SetTarget(3); } },
@@ -530,7 +531,7 @@ namespace
 {
 
 /// Remeshed to a target and method; `mesh` gets the array Height, the third coordinate.
-vtkSmartPointer<vtkPolyData> Remeshed(const TriangleMesh& mesh, int target, int method)
+vtkSmartPointer<vtkPolyData> Remesh(const TriangleMesh& mesh, int target, int method)
 {
   vtkNew<vtkPolyData> surface;
   SetMesh(mesh, surface);
@@ -556,13 +557,13 @@ vtkSmartPointer<vtkPolyData> Remeshed(const TriangleMesh& mesh, int target, int 
 // Before and behind the others, so that the points between them get new numbers.
 TEST(SurfaceRemesh, PointsThatNoTriangleUsesAreDropped)
 {
-  const TriangleMesh sphere = MeshOf(Sphere());
+  const TriangleMesh sphere = ToTriangleMesh(Sphere());
   for (const auto& [target, method] :
     { std::pair<int, int>{ vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::Isotropic },
       { vtkSurfaceRemesh::ByNumberOfTriangles, vtkSurfaceRemesh::Isotropic },
       { vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::Delaunay } })
   {
-    const auto expected = Remeshed(sphere, target, method);
+    const auto expected = Remesh(sphere, target, method);
     ASSERT_GT(expected->GetNumberOfPoints(), 100);
     for (const double place : { 1e5, std::nan("") })
     {
@@ -575,11 +576,12 @@ TEST(SurfaceRemesh, PointsThatNoTriangleUsesAreDropped)
       {
         t = { t[0] + 1, t[1] + 1, t[2] + 1 };
       }
-      const auto result = Remeshed(more, target, method);
+      const auto result = Remesh(more, target, method);
       EXPECT_EQ(result->GetNumberOfPoints(), expected->GetNumberOfPoints());
       EXPECT_LT(result->GetLength(), 4.0);
-      EXPECT_TRUE(FindDefects(MeshOf(result)).None());
-      EXPECT_NEAR(SignedVolume(MeshOf(result)), SignedVolume(MeshOf(expected)), 0.05);
+      EXPECT_TRUE(FindDefects(ToTriangleMesh(result)).None());
+      EXPECT_NEAR(
+        SignedVolume(ToTriangleMesh(result)), SignedVolume(ToTriangleMesh(expected)), 0.05);
       vtkDataArray* const height = result->GetPointData()->GetArray("Height");
       ASSERT_NE(height, nullptr);
       ASSERT_EQ(height->GetNumberOfTuples(), result->GetNumberOfPoints());

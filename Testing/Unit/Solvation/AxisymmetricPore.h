@@ -17,7 +17,7 @@
 namespace isthmus::testing
 {
 
-/// Rings of cells with centres (i + 1/2) h from the axis and k h - HalfLength along it.
+/// Rings of cells with centers (i + 1/2) h from the axis and k h - HalfLength along it.
 class AxisymmetricPore
 {
 public:

@@ -12,7 +12,7 @@
 namespace isthmus::testing
 {
 
-/// Rings of atoms around an axis through `centre` along `normal`, with charges on the atoms: the
+/// Rings of atoms around an axis through `center` along `normal`, with charges on the atoms: the
 /// same from both ends.
 struct Tube
 {

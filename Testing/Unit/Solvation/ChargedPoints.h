@@ -22,7 +22,7 @@ namespace isthmus::testing
 inline vtkSmartPointer<vtkPolyData> ChargedPoints(
   const std::vector<Ball>& balls, const std::vector<double>& charges, double depth)
 {
-  auto atoms = AtomsOf(balls);
+  auto atoms = MakeAtoms(balls);
   vtkNew<vtkDoubleArray> charge, wellDepth;
   charge->SetName("Charge");
   wellDepth->SetName("WellDepth");

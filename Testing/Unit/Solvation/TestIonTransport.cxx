@@ -42,7 +42,7 @@ double Cell(vtkTable* table, vtkIdType row, const char* column)
 }
 
 /// A filter on a tube of charged atoms in a thin membrane, `below` and `above` mol/l of KCl.
-vtkSmartPointer<vtkIonTransport> TubeInSalt(double charge, double below, double above)
+vtkSmartPointer<vtkIonTransport> TubeInElectrolyte(double charge, double below, double above)
 {
   constexpr double radius = 2.5;
   const IonTransportParameters p = TubeParameters(radius);
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkIonTransport> TubeInSalt(double charge, double below, double 
 
 }
 
-TEST(IonTransport, CurrentOfAPoreIsOhms)
+TEST(IonTransport, CurrentOfAPoreFollowsOhmsLaw)
 {
   // One atom without a charge, hidden in the membrane. Resistances of the pore, of the access to it
   // from both sides (J. E. Hall, J. Gen. Physiol. 66 (1975) 531, in a cylinder of finite width) and
@@ -128,11 +128,11 @@ TEST(IonTransport, ObliqueChannelsHaveAnImageAlongTheAxes)
 {
   constexpr double pore = 4.0, thickness = 16.0, padding = 8.0; // nodes on the walls
   const Point3 normal{ 2.0 / 7.0, -6.0 / 7.0, 3.0 / 7.0 };
-  const Point3 centre{ 30.3, -8.2, 4.9 };
+  const Point3 center{ 30.3, -8.2, 4.9 };
   const auto along = [&](double z)
   {
-    return Point3{ centre[0] + z * normal[0], centre[1] + z * normal[1],
-      centre[2] + z * normal[2] };
+    return Point3{ center[0] + z * normal[0], center[1] + z * normal[1],
+      center[2] + z * normal[2] };
   };
   double straight = 0.0;
   for (const bool turned : { false, true })
@@ -145,10 +145,10 @@ TEST(IonTransport, ObliqueChannelsHaveAnImageAlongTheAxes)
     Point3 atom{ 8.0, 0.0, 0.0 }; // uncharged, hidden in the membrane
     if (turned)
     {
-      filter->SetMembraneCenter(centre.data());
+      filter->SetMembraneCenter(center.data());
       filter->SetMembraneNormal(normal.data());
-      atom = { centre[0] + 6.0 * 8.0 / std::sqrt(40.0), centre[1] + 2.0 * 8.0 / std::sqrt(40.0),
-        centre[2] };
+      atom = { center[0] + 6.0 * 8.0 / std::sqrt(40.0), center[1] + 2.0 * 8.0 / std::sqrt(40.0),
+        center[2] };
     }
     filter->SetInputData(ChargedPoints({ { atom, 1.7 } }, { 0.0 }, 0.1));
     filter->Update();
@@ -193,7 +193,7 @@ TEST(IonTransport, ObliqueChannelsHaveAnImageAlongTheAxes)
 TEST(IonTransport, CurrentsVanishAtNernstsPotentials)
 {
   // Whatever the charges of the wall: c exp(z V) is equal in both baths there.
-  const auto filter = TubeInSalt(-0.05, 0.3, 0.1);
+  const auto filter = TubeInElectrolyte(-0.05, 0.3, 0.1);
   const double nernst = Thermal * std::log(0.3 / 0.1);
   filter->SetVoltage(-nernst);
   filter->Update();
@@ -209,13 +209,13 @@ TEST(IonTransport, CurrentsVanishAtNernstsPotentials)
   EXPECT_NEAR(FieldNumber(filter, "Current"), potassium, 1e-4 * potassium);
 }
 
-TEST(IonTransport, DiluteSaltRectifiesAsTheEquationsHaveIt)
+TEST(IonTransport, DiluteElectrolytesRectifyAsPredicted)
 {
   // With hardly any ions the potential is that of voltage and charges alone, so that the current
   // is proportional to c_below exp(z V) - c_above.
   const auto current = [](double below, double above, const char* name)
   {
-    const auto filter = TubeInSalt(-0.05, below, above);
+    const auto filter = TubeInElectrolyte(-0.05, below, above);
     filter->SetVoltage(50.0);
     filter->Update();
     return FieldNumber(filter, name);
@@ -233,7 +233,7 @@ TEST(IonTransport, DiluteSaltRectifiesAsTheEquationsHaveIt)
 
 TEST(IonTransport, AClosedMembraneIsRefusedWithItsPlace)
 {
-  const auto filter = TubeInSalt(-0.05, 0.1, 0.1);
+  const auto filter = TubeInElectrolyte(-0.05, 0.1, 0.1);
   vtkNew<vtkTest::ErrorObserver> said;
   filter->AddObserver(vtkCommand::ErrorEvent, said);
   filter->SetLumenRadius(0.0);
@@ -246,7 +246,7 @@ TEST(IonTransport, AClosedMembraneIsRefusedWithItsPlace)
 
 TEST(IonTransport, SurfacesThatCrossAreRefusedWithTheirPlace)
 {
-  const auto filter = TubeInSalt(-0.05, 0.1, 0.1);
+  const auto filter = TubeInElectrolyte(-0.05, 0.1, 0.1);
   TriangleMesh boxes;
   for (const double low : { -4.0, -1.0 }) // along the axis; they overlap from -1 to 3
   {
@@ -276,9 +276,9 @@ TEST(IonTransport, SurfacesThatCrossAreRefusedWithTheirPlace)
 
 // The surface of the same tube in nanometres lies within the tube, so the overlap is complete, but
 // the charges are in the water: this gave the current of the membrane's hole.
-TEST(IonTransport, SurfacesThatLeaveChargesOutsideAreRefusedOrWarnedAbout)
+TEST(IonTransport, ChargesOutsideTheSurfaceAreErrorsOrWarnings)
 {
-  const auto filter = TubeInSalt(-0.05, 0.1, 0.1);
+  const auto filter = TubeInElectrolyte(-0.05, 0.1, 0.1);
   const auto surface = [](double low, double high)
   {
     TriangleMesh box;
@@ -307,7 +307,7 @@ TEST(IonTransport, SurfacesThatLeaveChargesOutsideAreRefusedOrWarnedAbout)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 
   // Nor were atoms without charges looked at, as those of a pore of carbon.
-  const auto neutral = TubeInSalt(0.0, 0.1, 0.1);
+  const auto neutral = TubeInElectrolyte(0.0, 0.1, 0.1);
   vtkNew<vtkTest::ErrorObserver> saidOfNeutral;
   neutral->AddObserver(vtkCommand::ErrorEvent, saidOfNeutral);
   neutral->AddObserver(vtkCommand::WarningEvent, saidOfNeutral);

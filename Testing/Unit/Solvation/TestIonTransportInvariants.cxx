@@ -1,6 +1,6 @@
 // Invariants of ion transport in unusual channels: channels of atoms that are their own mirror
 // image, ions of every valence, narrow domains, high voltages, strong charges, membranes off the
-// centre: the sign of the current, one current in all sections, no negative concentrations.
+// center: the sign of the current, one current in all sections, no negative concentrations.
 
 #include "ChannelTube.h"
 #include "Electrostatics/ElectrostaticUnits.h"
@@ -28,7 +28,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-TransportGrid GridOf(const Tube& tube, const IonTransportParameters& p)
+TransportGrid MakeGrid(const Tube& tube, const IonTransportParameters& p)
 {
   const TransportDomain domain = DomainAround(tube.Balls, p);
   TransportGrid grid =
@@ -63,14 +63,14 @@ Tube TurnedTube(const Tube& straight, const Point3& normal, double angle)
   Tube tube = straight;
   for (std::size_t i = 0; i < tube.Balls.size(); ++i)
   {
-    const Point3& from = straight.Balls[i].Centre;
+    const Point3& from = straight.Balls[i].Center;
     const double x = std::cos(angle) * from[0] - std::sin(angle) * from[1];
     const double y = std::sin(angle) * from[0] + std::cos(angle) * from[1];
     for (std::size_t a = 0; a < 3; ++a)
     {
-      tube.Balls[i].Centre[a] = x * u[a] + y * v[a] + from[2] * n[a];
+      tube.Balls[i].Center[a] = x * u[a] + y * v[a] + from[2] * n[a];
     }
-    tube.Charges[i].Position = tube.Balls[i].Centre;
+    tube.Charges[i].Position = tube.Balls[i].Center;
   }
   return tube;
 }
@@ -81,7 +81,7 @@ TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
 {
   IonTransportParameters p = TubeParameters(2.5);
   p.Tolerance = 1e-6;
-  const TransportGrid grid = GridOf(MakeTube(p, 2.5, -0.05), p);
+  const TransportGrid grid = MakeGrid(MakeTube(p, 2.5, -0.05), p);
   PoissonNernstPlanck solution(grid, p);
   double least = 0.0;
   for (const double voltage : { 40.0, 120.0 })
@@ -99,7 +99,7 @@ TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
   EXPECT_NEAR(Sound(solution, "none").Mean(), 0.0, 1e-6 * least);
 }
 
-TEST(IonTransportInvariants, IonsOfEveryValencePassWhole)
+TEST(IonTransportInvariants, IonsOfEveryValenceAreConserved)
 {
   struct Case
   {
@@ -132,7 +132,7 @@ TEST(IonTransportInvariants, IonsOfEveryValencePassWhole)
     IonTransportParameters p = TubeParameters(2.5);
     p.Species = c.Species;
     p.Voltage = c.Voltage;
-    const TransportGrid grid = GridOf(MakeTube(p, 2.5, c.Charge), p);
+    const TransportGrid grid = MakeGrid(MakeTube(p, 2.5, c.Charge), p);
     PoissonNernstPlanck solution(grid, p);
     const CurrentProfile currents = Sound(solution, c.Name);
     std::cout << c.Name << ":";
@@ -169,7 +169,7 @@ TEST(IonTransportInvariants, MembranesLieAnywhere)
       p.MembraneCenter = { 300.0 * part(random), -50.0 * part(random), 7.7 };
       p.MembraneNormal = { 40.0 * part(random), 40.0 * part(random), -20.0 };
     }
-    const TransportGrid grid = GridOf(MakeTube(p, 3.0, -0.05), p);
+    const TransportGrid grid = MakeGrid(MakeTube(p, 3.0, -0.05), p);
     PoissonNernstPlanck solution(grid, p);
     const double current = Sound(solution, "anywhere").Mean();
     std::cout << "trial " << trial << ": " << current << " pA\n";
@@ -210,7 +210,7 @@ TEST(IonTransportInvariants, TurningMoleculeAndMembraneChangesTheCurrentByLessTh
         ? tube
         : TurnedTube(tube, p.MembraneNormal = { part(random), part(random), part(random) },
             2.0 * Pi * part(random));
-      const TransportGrid grid = GridOf(turned, p);
+      const TransportGrid grid = MakeGrid(turned, p);
       PoissonNernstPlanck solution(grid, p);
       const double current = Sound(solution, "turned").Mean();
       least = std::min(least, current);
@@ -234,7 +234,7 @@ TEST(IonTransportInvariants, OverflowIsReported)
     p.MaximumIterations = 10;
     Tube tube = MakeTube(p, 2.5, 0.0);
     tube.Charges.assign(1, { { 0.3, 0.2, 0.1 }, charge, 1.0 });
-    const TransportGrid grid = GridOf(tube, p);
+    const TransportGrid grid = MakeGrid(tube, p);
     PoissonNernstPlanck solution(grid, p);
     try
     {
@@ -262,7 +262,7 @@ TEST(IonTransportInvariants, MoreIonsThanFloatsCountAreRefused)
     p.MaximumIterations = 10;
     Tube tube = MakeTube(p, 2.5, 0.0);
     tube.Charges.assign(1, { { 0.3, 0.2, 0.1 }, charge, 1.0 });
-    const TransportGrid grid = GridOf(tube, p);
+    const TransportGrid grid = MakeGrid(tube, p);
     PoissonNernstPlanck solution(grid, p);
     solution.Solve();
     vtkNew<vtkImageData> image;
@@ -293,7 +293,7 @@ TEST(IonTransportInvariants, LostCurrentIsReported)
   {
     tube.Charges[i].Charge = -1.0;
   }
-  const TransportGrid grid = GridOf(tube, p);
+  const TransportGrid grid = MakeGrid(tube, p);
   PoissonNernstPlanck solution(grid, p);
   const IonTransportReport report = solution.Solve();
   std::cout << "a part of " << report.Imbalance << " is lost\n";

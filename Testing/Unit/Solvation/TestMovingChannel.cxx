@@ -123,7 +123,7 @@ double RadiusInTheMiddle(const TransportGrid& grid)
 
 }
 
-TEST(MovingChannel, BarePoreClosesAsItsTensionHasIt)
+TEST(MovingChannel, ABarePoreClosesUnderTension)
 {
   // dr/dT = -1/r + p/gamma, T in square angstrom: without pressure r^2 falls by 2 T.
   constexpr double radius = 3.2;
@@ -211,7 +211,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
   }
 }
 
-TEST(MovingChannel, ChargedPoreMovesAsTensionFieldAndIonsHaveIt)
+TEST(MovingChannel, AChargedPoreMovesAsPredicted)
 {
   // In one dimension dr/dT = push / gamma - 1/r, the push that of the start. The ends are too far
   // off to be felt in this time.
@@ -240,7 +240,7 @@ TEST(MovingChannel, ChargedPoreMovesAsTensionFieldAndIonsHaveIt)
   }
 }
 
-TEST(MovingChannel, WithoutForcesItIsTheSurfaceAtRest)
+TEST(MovingChannel, WithoutForcesItIsTheSteadySurface)
 {
   // Atoms, but neither charges, nor a jump of the dielectric constant, nor voltage: tension alone
   // on an obstacle that a probe has made; what it changes is the flow's, whatever the ions do.
@@ -276,7 +276,7 @@ TEST(MovingChannel, WithoutForcesItIsTheSurfaceAtRest)
   EXPECT_NEAR(empty.GetUpdates().back().LumenVolume, held.GetUpdates().back().LumenVolume, 1e-3);
 }
 
-TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
+TEST(MovingChannel, ConservesIonsOnAnyNumberOfThreads)
 {
   IonTransportParameters p = TubeParameters(3.0);
   p.Species[0].Above = p.Species[1].Above = 0.3;
@@ -285,7 +285,7 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
   std::vector<DispersionAtom> attracting;
   for (const Ball& ball : tube.Balls)
   {
-    attracting.push_back({ ball.Centre, ball.Radius, 0.1 });
+    attracting.push_back({ ball.Center, ball.Radius, 0.1 });
   }
   MovingChannelParameters walls = Walls(0.07, 0.0464, 20, 10);
   walls.UpdateTolerance = 3e-3;
@@ -317,7 +317,7 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
   }
 }
 
-TEST(MovingChannel, WhatDoesNotRestIsKeptAsItChangedLeast)
+TEST(MovingChannel, WithoutConvergenceTheSteadiestUpdateIsKept)
 {
   // Tension alone closes it, faster and faster: the first update after the start changed least.
   const IonTransportParameters p = BarePore(4.0, 1.0);
@@ -333,7 +333,7 @@ TEST(MovingChannel, WhatDoesNotRestIsKeptAsItChangedLeast)
     ComputeCurrents(channel.GetSolution()).Mean() / channel.GetUpdates()[1].Current(), 1.0, 1e-4);
 }
 
-TEST(MovingChannel, RefusesWhatHasNoAnswer)
+TEST(MovingChannel, RefusesUnsolvableProblems)
 {
   const IonTransportParameters p = BarePore(3.0, 1.0);
   const auto refused = [&](auto&& change)

@@ -16,7 +16,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-IonTransportParameters Salt(double below, double above)
+IonTransportParameters MakeSalt(double below, double above)
 {
   IonTransportParameters p;
   p.Species = { { "K", 1.0, below, above, 1.96, 1.0 }, { "Cl", -1.0, below, above, 2.03, 1.0 } };
@@ -40,7 +40,7 @@ TEST(PoissonNernstPlanck, ConstantFieldIsGoldmanHodgkinKatz)
   // At 1e-7 mol/l the ions leave the field as it is: D. E. Goldman, J. Gen. Physiol. 27 (1943) 37.
   constexpr double length = 50.0;
   const TransportGrid line = TransportLine(26, length);
-  IonTransportParameters p = Salt(1e-7, 5e-8);
+  IonTransportParameters p = MakeSalt(1e-7, 5e-8);
   p.MembraneThickness = length;
   p.Species.push_back({ "Ca", 2.0, 1e-8, 3e-8, 0.79, 1.0 });
   p.Species[1].Below += 2e-8;
@@ -78,7 +78,7 @@ TEST(PoissonNernstPlanck, DoubleLayerIsGouysAndChapmansToSecondOrder)
     line.Baths.back() = 0;
     line.Water.back() = 0.5F;
     line.Charge.back() = surface * h * h;
-    IonTransportParameters p = Salt(molar, molar);
+    IonTransportParameters p = MakeSalt(molar, molar);
     p.Voltage = 0.0;
     p.Tolerance = 1e-8;
     PoissonNernstPlanck solution(line, p);
@@ -110,7 +110,7 @@ TEST(PoissonNernstPlanck, LongLiquidJunctionIsHendersons)
   // (1907) 118), where the junction is many Debye lengths long.
   constexpr double length = 800.0;
   const TransportGrid line = TransportLine(401, length);
-  IonTransportParameters p = Salt(0.5, 0.05);
+  IonTransportParameters p = MakeSalt(0.5, 0.05);
   p.Species[0] = { "Na", 1.0, 0.5, 0.05, 1.33, 1.0 };
   p.MembraneThickness = length;
   p.Tolerance = 1e-7;
@@ -140,7 +140,7 @@ TEST(PoissonNernstPlanck, LongLiquidJunctionIsHendersons)
   EXPECT_NEAR(junction / henderson, 1.0, 0.01);
 }
 
-TEST(PoissonNernstPlanck, ConcentrationsAreNeverNegativeAndCurrentsPassWhole)
+TEST(PoissonNernstPlanck, ConcentrationsArePositiveAndCurrentsConserved)
 {
   // Fixed charges of both signs at random, up to 8 mol/l of them; voltages and salts at random.
   std::mt19937 random(17);
@@ -152,7 +152,7 @@ TEST(PoissonNernstPlanck, ConcentrationsAreNeverNegativeAndCurrentsPassWhole)
     {
       line.Charge[i] = 8.0 * part(random) * units::IonsPerCubicAngstrom;
     }
-    IonTransportParameters p = Salt(0.1 + 0.09 * part(random), 0.5 + 0.45 * part(random));
+    IonTransportParameters p = MakeSalt(0.1 + 0.09 * part(random), 0.5 + 0.45 * part(random));
     p.Voltage = 200.0 * part(random);
     PoissonNernstPlanck solution(line, p);
     EXPECT_TRUE(solution.Solve().Converged) << trial;
@@ -173,7 +173,7 @@ TEST(PoissonNernstPlanck, SymmetricChannelsHaveSymmetricCurrents)
   {
     line.Charge[i] = -0.5 * units::IonsPerCubicAngstrom;
   }
-  IonTransportParameters p = Salt(0.1, 0.1);
+  IonTransportParameters p = MakeSalt(0.1, 0.1);
   p.Tolerance = 1e-6;
   PoissonNernstPlanck solution(line, p);
   for (const double voltage : { 25.0, 100.0 })
@@ -191,11 +191,11 @@ TEST(PoissonNernstPlanck, SymmetricChannelsHaveSymmetricCurrents)
   EXPECT_NEAR(LineCurrent(line, solution), 0.0, 1e-9);
 }
 
-TEST(PoissonNernstPlanck, WhatDoesNotConvergeIsKeptAndMarked)
+TEST(PoissonNernstPlanck, LackOfConvergenceIsMarked)
 {
   TransportGrid line = TransportLine(61, 60.0);
   line.Charge[30] = -0.01;
-  IonTransportParameters p = Salt(0.1, 0.1);
+  IonTransportParameters p = MakeSalt(0.1, 0.1);
   p.MaximumIterations = 1;
   PoissonNernstPlanck solution(line, p);
   EXPECT_FALSE(solution.Solve().Converged);
@@ -204,12 +204,12 @@ TEST(PoissonNernstPlanck, WhatDoesNotConvergeIsKeptAndMarked)
   EXPECT_GT(ComputeCurrents(solution).Mean(), 0.0);
 }
 
-TEST(PoissonNernstPlanck, RefusesWhatHasNoAnswer)
+TEST(PoissonNernstPlanck, RefusesUnsolvableProblems)
 {
   const TransportGrid line = TransportLine(11, 10.0);
   const auto refused = [&](auto&& change)
   {
-    IonTransportParameters p = Salt(0.1, 0.1);
+    IonTransportParameters p = MakeSalt(0.1, 0.1);
     change(p);
     try
     {

@@ -117,7 +117,7 @@ TEST(ResistorNetwork, ALineDividesTheVoltageByItsResistances)
   EXPECT_EQ(u[3], 0.0);
 }
 
-TEST(ResistorNetwork, TheAnswerIsTheOneThatTheSourcesWereMadeOf)
+TEST(ResistorNetwork, RecoversAManufacturedSolution)
 {
   RandomNetwork random(1.0);
   double magnitudes = 0.0;
@@ -143,7 +143,7 @@ TEST(ResistorNetwork, TheAnswerIsTheOneThatTheSourcesWereMadeOf)
   }
 }
 
-TEST(ResistorNetwork, AnotherUnitOfConductanceChangesNoBit)
+TEST(ResistorNetwork, DoesNotDependOnTheUnitOfConductance)
 {
   const auto solved = [](double unit)
   {

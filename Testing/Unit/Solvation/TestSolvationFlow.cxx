@@ -169,7 +169,7 @@ TEST(SolvationFlow, IonPairHasTheEnergyOfTwoSpheres)
 TEST(SolvationFlow, ChargesInOneBallHaveKirkwoodsEnergy)
 {
   KirkwoodSphere sphere;
-  sphere.Centre = Off;
+  sphere.Center = Off;
   sphere.Radius = 4.0;
   sphere.Charges = { { { Off[0] + 2.0, Off[1], Off[2] }, 1.0, 0.0 },
     { { Off[0] - 1.2, Off[1] + 1.6, Off[2] }, -1.0, 0.0 } };
@@ -228,7 +228,7 @@ TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)
   }
 }
 
-TEST(SolvationFlow, ThreadsLeaveNoTrace)
+TEST(SolvationFlow, DoesNotDependOnThreads)
 {
   std::vector<float> first;
   std::vector<double> potential;
@@ -266,7 +266,7 @@ TEST(SolvationFlow, ProbeKeepsTheFieldFromDrawingTheSurfaceIn)
   EXPECT_GT(volume[1], 1.02 * volume[0]);
 }
 
-TEST(SolvationFlow, WhatDoesNotRestIsToldAndKept)
+TEST(SolvationFlow, LackOfConvergenceIsReported)
 {
   SolvationParameters p = IonParameters(0.5);
   p.Policy.MaximumUpdates = 2;
@@ -277,7 +277,7 @@ TEST(SolvationFlow, WhatDoesNotRestIsToldAndKept)
   EXPECT_GT(flow.GetUpdates().back().Area, 0.0);
 }
 
-TEST(SolvationFlow, BadInputIsToldInASentence)
+TEST(SolvationFlow, ReportsBadInput)
 {
   const auto said = [](SolvationAtoms atoms, const SolvationParameters& p)
   {

@@ -54,7 +54,7 @@ std::vector<double> EnergiesAtRest(double probe, const std::vector<int>& periods
   return totals;
 }
 
-double SpreadOf(const std::vector<double>& totals)
+double MeasureSpread(const std::vector<double>& totals)
 {
   const auto [least, most] = std::minmax_element(totals.begin(), totals.end());
   const double spread = (*most - *least) / std::abs(*least);
@@ -67,7 +67,7 @@ double SpreadOf(const std::vector<double>& totals)
 TEST(SolvationPolicies, EndAlikeOnLysozyme)
 {
   ISTHMUS_NEEDS_SHARED_DATA(Lysozyme);
-  EXPECT_LT(SpreadOf(EnergiesAtRest(1.4, { 10, 20, 50, 100 })), 5e-3);
+  EXPECT_LT(MeasureSpread(EnergiesAtRest(1.4, { 10, 20, 50, 100 })), 5e-3);
 }
 
 TEST(SolvationPolicies, EndAlikeOnLysozymesAtoms)
@@ -75,5 +75,5 @@ TEST(SolvationPolicies, EndAlikeOnLysozymesAtoms)
   // Without a probe the field draws the surface into the creases between the atoms, where it has
   // room to move: here policies could differ.
   ISTHMUS_NEEDS_SHARED_DATA(Lysozyme);
-  EXPECT_LT(SpreadOf(EnergiesAtRest(0.0, { 20, 50 })), 5e-3);
+  EXPECT_LT(MeasureSpread(EnergiesAtRest(0.0, { 20, 50 })), 5e-3);
 }

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkSolvationSurface> SurfaceOfIon(double charge)
   return filter;
 }
 
-double LastOf(vtkSolvationSurface* filter, const char* column)
+double GetLast(vtkSolvationSurface* filter, const char* column)
 {
   vtkTable* table = filter->GetUpdates();
   return table->GetValueByName(table->GetNumberOfRows() - 1, column).ToDouble();
@@ -79,16 +79,16 @@ TEST(SolvationSurface, OfAnIonHasBornsEnergyAndPotential)
   const double coulomb = units::CoulombLength(298.15);
   const double born =
     -0.5 * coulomb * (1.0 / Within - 1.0 / Water) / IonRadius * units::ThermalKilocalorie(298.15);
-  EXPECT_NEAR(LastOf(filter, "Area") / area, 1.0, 0.01);
-  EXPECT_NEAR(LastOf(filter, "Volume") / volume, 1.0, 0.02);
-  EXPECT_NEAR(LastOf(filter, "SurfaceEnergy") / (0.0700 * area), 1.0, 0.01);
-  EXPECT_NEAR(LastOf(filter, "VolumeEnergy") / (0.0464 * volume), 1.0, 0.02);
-  EXPECT_NEAR(LastOf(filter, "DispersionEnergy") / AttractionOfWater(0.1), 1.0, 0.01);
-  EXPECT_NEAR(LastOf(filter, "PolarEnergy") / born, 1.0, 0.005);
-  const double nonpolar = LastOf(filter, "SurfaceEnergy") + LastOf(filter, "VolumeEnergy") +
-    LastOf(filter, "DispersionEnergy");
-  EXPECT_NEAR(LastOf(filter, "NonpolarEnergy"), nonpolar, 1e-9);
-  EXPECT_NEAR(LastOf(filter, "TotalEnergy"), nonpolar + LastOf(filter, "PolarEnergy"), 1e-9);
+  EXPECT_NEAR(GetLast(filter, "Area") / area, 1.0, 0.01);
+  EXPECT_NEAR(GetLast(filter, "Volume") / volume, 1.0, 0.02);
+  EXPECT_NEAR(GetLast(filter, "SurfaceEnergy") / (0.0700 * area), 1.0, 0.01);
+  EXPECT_NEAR(GetLast(filter, "VolumeEnergy") / (0.0464 * volume), 1.0, 0.02);
+  EXPECT_NEAR(GetLast(filter, "DispersionEnergy") / AttractionOfWater(0.1), 1.0, 0.01);
+  EXPECT_NEAR(GetLast(filter, "PolarEnergy") / born, 1.0, 0.005);
+  const double nonpolar = GetLast(filter, "SurfaceEnergy") + GetLast(filter, "VolumeEnergy") +
+    GetLast(filter, "DispersionEnergy");
+  EXPECT_NEAR(GetLast(filter, "NonpolarEnergy"), nonpolar, 1e-9);
+  EXPECT_NEAR(GetLast(filter, "TotalEnergy"), nonpolar + GetLast(filter, "PolarEnergy"), 1e-9);
 
   vtkPointData* values = surface->GetPointData();
   const double potential = coulomb / (Water * IonRadius);
@@ -126,13 +126,13 @@ TEST(SolvationSurface, OfAnIonHasBornsEnergyAndPotential)
   EXPECT_GT(inside, 200);
 }
 
-TEST(SolvationSurface, PolarEnergyIsThatOfTheSquareOfTheCharge)
+TEST(SolvationSurface, PolarEnergyScalesWithTheSquareOfTheCharge)
 {
   const auto polar = [](double charge)
   {
     const auto filter = SurfaceOfIon(charge);
     filter->Update();
-    return LastOf(filter, "PolarEnergy");
+    return GetLast(filter, "PolarEnergy");
   };
   const double cation = polar(1.0);
   EXPECT_NEAR(polar(-1.0) / cation, 1.0, 1e-6);
@@ -172,7 +172,7 @@ vtkSmartPointer<vtkSolvationSurface> SurfaceOfIons()
 }
 
 /// All numbers of all updates.
-std::vector<double> HistoryOf(vtkSolvationSurface* filter)
+std::vector<double> CollectHistory(vtkSolvationSurface* filter)
 {
   filter->Update();
   vtkTable* table = filter->GetUpdates();
@@ -192,9 +192,9 @@ std::vector<double> HistoryOf(vtkSolvationSurface* filter)
 TEST(SolvationSurface, EachPropertyHasItsEffect)
 {
   using Filter = vtkSolvationSurface;
-  const std::vector<double> usual = HistoryOf(SurfaceOfIons());
+  const std::vector<double> usual = CollectHistory(SurfaceOfIons());
   ASSERT_FALSE(usual.empty());
-  EXPECT_EQ(HistoryOf(SurfaceOfIons()), usual);
+  EXPECT_EQ(CollectHistory(SurfaceOfIons()), usual);
   const std::vector<std::pair<const char*, std::function<void(Filter*)>>> changes{
     { "Enlargement", [](Filter* f) { f->SetEnlargement(1.5); } },
     { "ProbeRadius", [](Filter* f) { f->SetProbeRadius(0.5); } },
@@ -217,7 +217,7 @@ TEST(SolvationSurface, EachPropertyHasItsEffect)
   {
     const auto filter = SurfaceOfIons();
     change(filter);
-    EXPECT_NE(HistoryOf(filter), usual) << name;
+    EXPECT_NE(CollectHistory(filter), usual) << name;
   }
   // It shortens long periods only.
   const auto longer = [](bool adaptive)
@@ -225,7 +225,7 @@ TEST(SolvationSurface, EachPropertyHasItsEffect)
     const auto filter = SurfaceOfIons();
     filter->SetUpdatePeriod(100);
     filter->SetAdaptiveUpdate(adaptive);
-    return HistoryOf(filter);
+    return CollectHistory(filter);
   };
   EXPECT_NE(longer(true), longer(false));
 }

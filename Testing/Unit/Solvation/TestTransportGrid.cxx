@@ -29,7 +29,7 @@ IonTransportParameters Pore(double radius, double thickness, double spacing)
   return p;
 }
 
-CurrentProfile Solved(const TransportGrid& grid, const IonTransportParameters& p)
+CurrentProfile SolveCurrents(const TransportGrid& grid, const IonTransportParameters& p)
 {
   PoissonNernstPlanck solution(grid, p);
   EXPECT_TRUE(solution.Solve().Converged);
@@ -50,7 +50,7 @@ double Current(const IonTransportParameters& p, const std::vector<ChargedAtom>& 
   TransportGrid grid = MakeTransportGrid(DomainAround({}, p), {}, charges, p);
   RequireOpen(FindPassage(grid));
   CloseIsolatedPockets(grid);
-  return Solved(grid, p).Mean();
+  return SolveCurrents(grid, p).Mean();
 }
 
 /// Ohm's law with the resistances of the pore, of the access to it (J. E. Hall, J. Gen. Physiol. 66
@@ -101,7 +101,7 @@ TEST(TransportGrid, PoreHasItsAccessResistance)
   EXPECT_NEAR(current / OhmicCurrent(p), 1.0, 0.05);
 }
 
-TEST(TransportGrid, ChargedPoreIsAsInTwoDimensions)
+TEST(TransportGrid, ChargedPoreMatchesTwoDimensions)
 {
   IonTransportParameters p = Pore(4.0, 10.0, 0.5);
   p.Padding = 5.0;
@@ -110,7 +110,7 @@ TEST(TransportGrid, ChargedPoreIsAsInTwoDimensions)
   p.Voltage = 50.0;
   constexpr double charge = -0.8;
   TransportGrid grid = MakeTransportGrid(DomainAround({}, p), {}, Ring(p, 7.0, charge), p);
-  const CurrentProfile currents = Solved(grid, p);
+  const CurrentProfile currents = SolveCurrents(grid, p);
   // Its own error is of the first order (chloride 3.66, 3.79, 3.86, 3.89 pA at 0.5 to 0.0625
   // angstrom), so two of them are taken to spacing 0.
   const AxisymmetricPore coarse(grid.Domain, p, 7.0, charge, 0.5);
@@ -136,7 +136,7 @@ TEST(TransportGrid, TurnedByThirtyDegreesTheCurrentIsTheSame)
   EXPECT_NEAR(turned / straight, 1.0, 1e-4);
 }
 
-TEST(TransportGrid, PositivePartIsThatOfASquare)
+TEST(TransportGrid, PositivePartMatchesASquare)
 {
   for (const double distance : { -0.9, -0.4, -0.1, 0.0, 0.2, 0.7 })
   {
@@ -162,7 +162,7 @@ TEST(TransportGrid, PositivePartIsThatOfASquare)
   }
 }
 
-TEST(ChannelPassage, TellsWhereAChannelCloses)
+TEST(ChannelPassage, ReportsWhereAChannelCloses)
 {
   // A ball of 3 angstrom stops a pore of 4, off the axis by 2.2: the way past it, on the other
   // side, is widest half-way between ball and wall, 1.6 from each.

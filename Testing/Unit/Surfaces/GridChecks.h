@@ -26,7 +26,7 @@ inline GridShape Cube(int nodes, double side)
   return { { nodes, nodes, nodes }, { h, h, h } };
 }
 
-inline Model Moved(Model model, double x, double y, double z)
+inline Model Translate(Model model, double x, double y, double z)
 {
   for (Vector& p : model.Points)
   {

@@ -131,14 +131,14 @@ TEST(AreaQuantiles, HeightOnASphereIsSpreadEvenly)
 TEST(AreaQuantiles, AnArrayOfCellsCountsByTheirOwnArea)
 {
   const auto sphere = Sphere(100);
-  vtkNew<vtkCellCenters> centres;
-  centres->SetInputData(sphere);
-  centres->Update();
+  vtkNew<vtkCellCenters> centers;
+  centers->SetInputData(sphere);
+  centers->Update();
   vtkNew<vtkDoubleArray> height;
   height->SetName("Height");
   for (vtkIdType i = 0; i < sphere->GetNumberOfCells(); ++i)
   {
-    height->InsertNextValue(centres->GetOutput()->GetPoint(i)[2]);
+    height->InsertNextValue(centers->GetOutput()->GetPoint(i)[2]);
   }
   sphere->GetCellData()->AddArray(height);
   Trial trial(sphere, vtkDataObject::FIELD_ASSOCIATION_CELLS);
@@ -146,7 +146,7 @@ TEST(AreaQuantiles, AnArrayOfCellsCountsByTheirOwnArea)
   EXPECT_NEAR(trial(0.1, 0.9, 1), Exact(0.9), 0.1);
 }
 
-TEST(AreaQuantiles, WhatIsNoNumberOrNotValidDoesNotCount)
+TEST(AreaQuantiles, NaNAndInvalidValuesDoNotCount)
 {
   const auto sphere = Sphere(100);
   auto* height = vtkDoubleArray::SafeDownCast(sphere->GetPointData()->GetArray("Height"));
@@ -183,7 +183,7 @@ TEST(AreaQuantiles, OfPointsAloneEachCountsAlike)
   EXPECT_EQ(trial(0.02, 0.98, 1), 98.0);
 }
 
-TEST(AreaQuantiles, NothingGivesNoRowsAndNoWord)
+TEST(AreaQuantiles, EmptyInputGivesNoRowsAndNoMessage)
 {
   Trial empty(vtkNew<vtkPolyData>{});
   empty.Filter->Update();
@@ -197,7 +197,7 @@ TEST(AreaQuantiles, NothingGivesNoRowsAndNoWord)
   EXPECT_FALSE(empty.Observer->GetError() || noNumbers.Observer->GetError());
 }
 
-TEST(AreaQuantiles, WrongFractionsAndArraysAreASentence)
+TEST(AreaQuantiles, WrongFractionsAndArraysAreReported)
 {
   Trial fraction(Sphere(10));
   fraction.Filter->SetUpper(1.5);

@@ -22,7 +22,7 @@ namespace
 
 /// The mesh moved and scaled so that its box lies in [margin, side - margin]^3, touching along one
 /// axis.
-Model Fitted(Model model, double side, double margin)
+Model FitIntoBox(Model model, double side, double margin)
 {
   Vector low = model.Points[0], high = model.Points[0];
   for (const Vector& p : model.Points)
@@ -49,7 +49,7 @@ Model Fitted(Model model, double side, double margin)
 
 TEST(GridDistance, Sphere)
 {
-  const Model sphere = Moved(Icosphere(30, 2.0), 3.0, 3.0, 3.0);
+  const Model sphere = Translate(Icosphere(30, 2.0), 3.0, 3.0, 3.0);
   const GridShape grid = Cube(49, 6.0);
   const auto distance = DistanceToSurface(sphere.View(), grid, 2.0 * grid.Spacing[0]);
   double worstNear = 0.0, worstFar = 0.0;
@@ -96,7 +96,7 @@ TEST(GridDistance, FertilityAgainstBruteForce)
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/fertility.off");
   const GridShape grid{ { 81, 65, 101 }, { 1.0 / 64, 1.0 / 64, 1.0 / 64 } };
   const Model mesh =
-    Fitted(ReadOFF((SharedDataFolder() / "surfaces/fertility.off").string()), 1.0, 0.05);
+    FitIntoBox(ReadOFF((SharedDataFolder() / "surfaces/fertility.off").string()), 1.0, 0.05);
   const double h = grid.Spacing[0];
   const double band = 2.0 * h;
   const auto distance = DistanceToSurface(mesh.View(), grid, band);

@@ -67,7 +67,7 @@ TEST(ShellNesting, PointsLieInTheirOwnRegionOnly)
   }
 }
 
-TEST(ShellNesting, ThousandsOfShellsTellProgressAndStop)
+TEST(ShellNesting, ThousandsOfShellsReportProgressAndStop)
 {
   TriangleMesh dust;
   for (int i = 0; i < 3000; ++i)

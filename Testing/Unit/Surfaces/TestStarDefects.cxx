@@ -19,7 +19,7 @@ namespace
 
 using Ids = std::vector<std::int64_t>;
 
-std::set<std::int64_t> CornersOf(const Triangle& t)
+std::set<std::int64_t> GetCorners(const Triangle& t)
 {
   return { t.begin(), t.end() };
 }
@@ -56,9 +56,9 @@ int FansAt(std::int64_t point, const std::vector<Triangle>& triangles)
   std::vector<std::set<std::int64_t>> left;
   for (const Triangle& t : triangles)
   {
-    if (CornersOf(t).count(point))
+    if (GetCorners(t).count(point))
     {
-      left.push_back(CornersOf(t));
+      left.push_back(GetCorners(t));
       left.back().erase(point);
     }
   }
@@ -96,7 +96,7 @@ Expected ByDefinition(std::int64_t points, const std::vector<Triangle>& triangle
   {
     for (std::size_t earlier = 0; earlier < t; ++earlier)
     {
-      if (CornersOf(triangles[t]) == CornersOf(triangles[earlier]))
+      if (GetCorners(triangles[t]) == GetCorners(triangles[earlier]))
       {
         expected.Duplicate.insert(static_cast<std::int64_t>(t));
       }
@@ -142,7 +142,7 @@ TriangleMesh RandomSoup(std::mt19937& random, std::int64_t points, int triangles
   while (static_cast<int>(soup.Triangles.size()) < triangles)
   {
     const Triangle t{ id(random), id(random), id(random) };
-    if (CornersOf(t).size() == 3)
+    if (GetCorners(t).size() == 3)
     {
       soup.Triangles.push_back(t);
     }
@@ -150,14 +150,14 @@ TriangleMesh RandomSoup(std::mt19937& random, std::int64_t points, int triangles
   return soup;
 }
 
-Ids Listed(const std::set<std::int64_t>& ids)
+Ids ToIds(const std::set<std::int64_t>& ids)
 {
   return { ids.begin(), ids.end() };
 }
 
 }
 
-TEST(StarDefects, AreThoseOfTheDefinitionsOnRandomTriangles)
+TEST(StarDefects, MatchTheDefinitionsOnRandomTriangles)
 {
   std::mt19937 random(14);
   std::size_t met[5] = {};
@@ -167,11 +167,11 @@ TEST(StarDefects, AreThoseOfTheDefinitionsOnRandomTriangles)
     const TriangleMesh soup = RandomSoup(random, points, 2 + run % 17);
     const Expected expected = ByDefinition(points, soup.Triangles);
     const SurfaceDefects found = FindDefects(soup);
-    ASSERT_EQ(found.DuplicateTriangles, Listed(expected.Duplicate)) << run;
-    ASSERT_EQ(found.BoundaryTriangles, Listed(expected.Boundary)) << run;
-    ASSERT_EQ(found.NonManifoldTriangles, Listed(expected.NonManifold)) << run;
-    ASSERT_EQ(found.FlippedTriangles, Listed(expected.Flipped)) << run;
-    ASSERT_EQ(found.NonManifoldPoints, Listed(expected.Touching)) << run;
+    ASSERT_EQ(found.DuplicateTriangles, ToIds(expected.Duplicate)) << run;
+    ASSERT_EQ(found.BoundaryTriangles, ToIds(expected.Boundary)) << run;
+    ASSERT_EQ(found.NonManifoldTriangles, ToIds(expected.NonManifold)) << run;
+    ASSERT_EQ(found.FlippedTriangles, ToIds(expected.Flipped)) << run;
+    ASSERT_EQ(found.NonManifoldPoints, ToIds(expected.Touching)) << run;
     met[0] += expected.Duplicate.size();
     met[1] += expected.Boundary.size();
     met[2] += expected.NonManifold.size();
@@ -195,7 +195,7 @@ TEST(StarDefects, DoNotDependOnTheNumberOfThreads)
       [&]
       {
         const SurfaceDefects found = FindDefects(soup);
-        sentences.push_back(found.Sentence() + std::to_string(found.NonManifoldPoints.size()));
+        sentences.push_back(found.Message() + std::to_string(found.NonManifoldPoints.size()));
         EXPECT_TRUE(std::is_sorted(found.BoundaryTriangles.begin(), found.BoundaryTriangles.end()));
       });
   }

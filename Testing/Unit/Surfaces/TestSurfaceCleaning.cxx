@@ -44,10 +44,10 @@ TEST(SurfaceCleaning, PointsThatCoincideAreOne)
   const TriangleMesh merged = MergePoints(soup);
   EXPECT_EQ(merged.Points.size(), 4U);
   EXPECT_EQ(merged.Triangles.size(), 4U);
-  EXPECT_TRUE(FindDefects(merged).None()) << FindDefects(merged).Sentence();
+  EXPECT_TRUE(FindDefects(merged).None()) << FindDefects(merged).Message();
 }
 
-TEST(SurfaceCleaning, WhatCollapsesGoesAndWhatWasWrongStays)
+TEST(SurfaceCleaning, CollapsedTrianglesAreRemovedAndDefectsStay)
 {
   TriangleMesh soup = Soup();
   soup.Points.push_back({ 0, 0, 0 });
@@ -59,7 +59,7 @@ TEST(SurfaceCleaning, WhatCollapsesGoesAndWhatWasWrongStays)
   EXPECT_THROW(MergePoints(soup), std::invalid_argument);
 }
 
-TEST(SurfaceCleaning, NamesALevelThatLeavesTheMapAndNothingElse)
+TEST(SurfaceCleaning, ReportsOnlyALevelThatLeavesTheMap)
 {
   TriangleMesh open = MergePoints(Soup());
   open.Triangles.erase(open.Triangles.begin()); // that on z = 0, a face of the box
@@ -77,7 +77,7 @@ TEST(SurfaceCleaning, NamesALevelThatLeavesTheMapAndNothingElse)
   EXPECT_EQ(DescribeOpenBoundary(MergePoints(Soup()), FindDefects(MergePoints(Soup()))), "");
 }
 
-TEST(SurfaceCleaning, SurfaceMeasuresOfASoupAreThoseOfTheSurface)
+TEST(SurfaceCleaning, SurfaceMeasuresOfASoupMatchTheSurface)
 {
   const TriangleMesh soup = Soup();
   vtkNew<vtkPolyData> surface;
@@ -117,7 +117,7 @@ TriangleMesh OctahedronWithFlat()
   return mesh;
 }
 
-double VolumeOf(const TriangleMesh& mesh)
+double ComputeVolume(const TriangleMesh& mesh)
 {
   double six = 0.0;
   for (const Triangle& t : mesh.Triangles)
@@ -130,7 +130,7 @@ double VolumeOf(const TriangleMesh& mesh)
 
 }
 
-TEST(SurfaceCleaning, WhatIsCleanStaysAsItIs)
+TEST(SurfaceCleaning, CleanSurfacesAreUnchanged)
 {
   const TriangleMesh clean = MergePoints(Soup());
   const CleanedSurface taken = CleanSurface(clean);
@@ -150,14 +150,14 @@ TEST(SurfaceCleaning, OriginalPointsLieWhereThePointsDo)
   }
 }
 
-TEST(SurfaceCleaning, AFlatTriangleIsExchangedAndNothingMoves)
+TEST(SurfaceCleaning, AFlatTriangleIsFlippedInPlace)
 {
   const TriangleMesh flat = OctahedronWithFlat();
   ASSERT_EQ(FindDefects(flat).DegenerateTriangles.size(), 1U);
   const CleanedSurface taken = CleanSurface(flat);
-  EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Sentence();
+  EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Message();
   EXPECT_EQ(taken.Mesh.Triangles.size(), flat.Triangles.size());
-  EXPECT_DOUBLE_EQ(VolumeOf(taken.Mesh), 4.0 / 3.0);
+  EXPECT_DOUBLE_EQ(ComputeVolume(taken.Mesh), 4.0 / 3.0);
 }
 
 TEST(SurfaceCleaning, FlatTrianglesUponEachOtherGoLayerByLayer)
@@ -172,11 +172,11 @@ TEST(SurfaceCleaning, FlatTrianglesUponEachOtherGoLayerByLayer)
     mesh.Triangles.end(), { { 7, 1, 6 }, { 8, 1, 4 }, { 0, 7, 6 }, { 6, 8, 4 } });
   ASSERT_EQ(FindDefects(mesh).DegenerateTriangles.size(), 3U);
   const CleanedSurface taken = CleanSurface(mesh);
-  EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Sentence();
-  EXPECT_DOUBLE_EQ(VolumeOf(taken.Mesh), 4.0 / 3.0);
+  EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Message();
+  EXPECT_DOUBLE_EQ(ComputeVolume(taken.Mesh), 4.0 / 3.0);
 }
 
-TEST(SurfaceCleaning, AFlatTriangleAtABorderIsLeftOut)
+TEST(SurfaceCleaning, AFlatTriangleAtABorderIsDropped)
 {
   TriangleMesh mesh = OctahedronWithFlat();
   mesh.Triangles.erase(mesh.Triangles.begin() + 2); // that behind the flat one: a hole
@@ -187,7 +187,7 @@ TEST(SurfaceCleaning, AFlatTriangleAtABorderIsLeftOut)
   EXPECT_FALSE(defects.BoundaryTriangles.empty()); // what is open is told, not closed
 }
 
-TEST(SurfaceCleaning, ARepeatedCornerGoesAndWhatIsNoPointStays)
+TEST(SurfaceCleaning, RepeatedCornersAreRemovedAndInvalidIdsStay)
 {
   TriangleMesh mesh = OctahedronWithFlat();
   mesh.Triangles.push_back({ 3, 3, 0 });

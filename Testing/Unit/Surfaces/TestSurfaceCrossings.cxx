@@ -20,7 +20,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-Vector PositionOf(const GridCrossing& crossing, const GridShape& grid)
+Vector ComputePosition(const GridCrossing& crossing, const GridShape& grid)
 {
   const std::int64_t row = crossing.Node / grid.Dimensions[0];
   Vector index{ static_cast<double>(crossing.Node % grid.Dimensions[0]),
@@ -55,16 +55,16 @@ TEST(SurfaceCrossings, Table51)
     {
       low = std::min(low, p[0]);
     }
-    const double centre = 1.0 - low;
-    sphere = Moved(sphere, centre, centre, centre);
+    const double center = 1.0 - low;
+    sphere = Moved(sphere, center, center, center);
     const auto nodes = static_cast<std::int64_t>(std::lround(6.0 / row.Spacing)) + 1;
     const GridShape grid{ { nodes, nodes, nodes }, { row.Spacing, row.Spacing, row.Spacing } };
     const auto crossings = SurfaceCrossings(sphere.View(), grid, CrossingNormal::Points);
     double error = 0.0;
     for (const GridCrossing& crossing : crossings)
     {
-      const Vector p = PositionOf(crossing, grid);
-      const Vector r{ p[0] - centre, p[1] - centre, p[2] - centre };
+      const Vector p = ComputePosition(crossing, grid);
+      const Vector r{ p[0] - center, p[1] - center, p[2] - center };
       error += std::abs(2.0 - vtkMath::Norm(r.data()));
       EXPECT_NEAR(vtkMath::Dot(r.data(), crossing.Normal.data()) / 2.0, 1.0, 2e-3);
     }
@@ -86,7 +86,7 @@ TEST(SurfaceCrossings, OrderedAndOnTheSurface)
   const double cell = 0.17 * 0.2 * 0.1;
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    EXPECT_TRUE(i % 50 != 0 || BruteForce(torus, PositionOf(crossings[i], grid)) < 1e-6);
+    EXPECT_TRUE(i % 50 != 0 || BruteForce(torus, ComputePosition(crossings[i], grid)) < 1e-6);
     EXPECT_TRUE(crossings[i].Fraction >= 0.0 && crossings[i].Fraction <= 1.0);
     EXPECT_TRUE(i == 0 || crossings[i - 1].Node <= crossings[i].Node);
     const auto axis = static_cast<std::size_t>(crossings[i].Axis);

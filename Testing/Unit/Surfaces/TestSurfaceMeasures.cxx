@@ -50,7 +50,7 @@ std::vector<double> SphereDistance(int n)
   return values;
 }
 
-isthmus::LevelView<double> LevelOf(const std::vector<double>& values, int n)
+isthmus::LevelView<double> MakeLevelView(const std::vector<double>& values, int n)
 {
   isthmus::LevelView<double> level;
   const double h = 10.0 / (n - 1);
@@ -58,7 +58,7 @@ isthmus::LevelView<double> LevelOf(const std::vector<double>& values, int n)
   return level;
 }
 
-vtkSmartPointer<vtkImageData> ImageOf(const std::vector<double>& values, int n, int type)
+vtkSmartPointer<vtkImageData> MakeImage(const std::vector<double>& values, int n, int type)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   const double h = 10.0 / (n - 1);
@@ -149,7 +149,7 @@ TEST(SurfaceMeasures, HolesAreCountedAndVolumeIsRefused)
   EXPECT_TRUE(std::isnan(whole.Volume));
 }
 
-TEST(SurfaceMeasures, NonManifoldAndFlippedAreTold)
+TEST(SurfaceMeasures, NonManifoldAndFlippedAreReported)
 {
   // Two tetrahedra that share an edge: closed, but four triangles meet along it.
   Model pair;
@@ -209,7 +209,7 @@ TEST(CartesianMeasures, Table52)
   for (const auto& row : rows)
   {
     const std::vector<double> values = SphereDistance(row.Nodes);
-    const auto level = LevelOf(values, row.Nodes);
+    const auto level = MakeLevelView(values, row.Nodes);
     const double h = level.Grid.Spacing[0];
     const std::int64_t step[3] = { 1, row.Nodes, row.Nodes * row.Nodes };
     double strict = 0.0;
@@ -244,11 +244,11 @@ TEST(CartesianMeasures, SharpAndSmearedOnAnyTypeAndSide)
   {
     profile[i] = 0.5 + 0.5 * std::tanh(distance[i] / 0.25);
   }
-  const auto plain = isthmus::MeasureOnGrid(LevelOf(distance, n), 1.0, 0.0);
+  const auto plain = isthmus::MeasureOnGrid(MakeLevelView(distance, n), 1.0, 0.0);
   EXPECT_NEAR(plain.Volume, 32.0 / 3.0 * pi, 0.5);
 
   vtkNew<vtkSurfaceMeasures> filter;
-  filter->SetInputData(ImageOf(profile, n, VTK_FLOAT));
+  filter->SetInputData(MakeImage(profile, n, VTK_FLOAT));
   filter->Update();
   const double area = Number(filter->GetOutputDataObject(0), "Area");
   EXPECT_NEAR(area, 16.0 * pi, 0.15);
@@ -267,7 +267,7 @@ TEST(CartesianMeasures, SharpAndSmearedOnAnyTypeAndSide)
   {
     other[i] = std::round(1e6 * (3.0 - profile[i]));
   }
-  filter->SetInputData(ImageOf(other, n, VTK_INT));
+  filter->SetInputData(MakeImage(other, n, VTK_INT));
   filter->SetLevel(2.5e6);
   filter->InsideIsHigherOff();
   filter->SetInsideValue(2e6);
@@ -315,7 +315,7 @@ TEST(vtkSurfaceMeasures, QuadsStripsFieldDataAndTable)
   EXPECT_EQ(table->GetValueByName(1, "Triangles").ToInt(), 12);
 }
 
-TEST(vtkSurfaceMeasures, BadInputIsToldInASentence)
+TEST(vtkSurfaceMeasures, ReportsBadInput)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkSurfaceMeasures> filter;

@@ -70,10 +70,10 @@ TEST(vtkSurfaceToGrid, SurfaceOnAGivenGrid)
   grid->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1);
   grid->SetOrigin(4.0, -3.0, -4.0);
   vtkNew<vtkSurfaceToGrid> filter;
-  double centre[3];
+  double center[3];
   double index[3] = { 13.0, 22.0, 16.0 };
-  grid->TransformContinuousIndexToPhysicalPoint(index, centre);
-  filter->SetInputData(0, ToPolyData(Moved(Icosphere(20, 1.5), centre[0], centre[1], centre[2])));
+  grid->TransformContinuousIndexToPhysicalPoint(index, center);
+  filter->SetInputData(0, ToPolyData(Moved(Icosphere(20, 1.5), center[0], center[1], center[2])));
   filter->SetInputData(1, grid);
   filter->SetNormalMode(vtkSurfaceToGrid::PointNormals);
   filter->ExactEverywhereOn();
@@ -85,7 +85,7 @@ TEST(vtkSurfaceToGrid, SurfaceOnAGivenGrid)
   {
     double x[3];
     image->GetPoint(i, x);
-    const double exact = std::sqrt(vtkMath::Distance2BetweenPoints(x, centre)) - 1.5;
+    const double exact = std::sqrt(vtkMath::Distance2BetweenPoints(x, center)) - 1.5;
     EXPECT_NEAR(Nodes(filter, "SignedDistance")->GetComponent(i, 0), exact, 6e-3);
   }
   vtkPolyData* crossings = filter->GetCrossings();
@@ -93,7 +93,7 @@ TEST(vtkSurfaceToGrid, SurfaceOnAGivenGrid)
   for (vtkIdType i = 0; i < crossings->GetNumberOfPoints(); ++i)
   {
     double outward[3];
-    vtkMath::Subtract(crossings->GetPoint(i), centre, outward);
+    vtkMath::Subtract(crossings->GetPoint(i), center, outward);
     EXPECT_NEAR(vtkMath::Norm(outward), 1.5, 6e-3);
     vtkMath::Normalize(outward);
     EXPECT_GT(vtkMath::Dot(outward, crossings->GetPointData()->GetNormals()->GetTuple3(i)), 0.999);
@@ -214,7 +214,7 @@ TEST(vtkSurfaceToGrid, UnusedPointsDoNotCount)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 69 * 69 * 69);
 }
 
-TEST(vtkSurfaceToGrid, SameBitsOnAnyNumberOfThreads)
+TEST(vtkSurfaceToGrid, IdenticalOnAnyNumberOfThreads)
 {
   const auto surface = ToPolyData(Torus(120, 60, 2.0, 0.7));
   std::vector<double> first;
@@ -231,7 +231,7 @@ TEST(vtkSurfaceToGrid, SameBitsOnAnyNumberOfThreads)
   }
 }
 
-TEST(vtkSurfaceToGrid, BadInputIsToldInASentence)
+TEST(vtkSurfaceToGrid, ReportsBadInput)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkSurfaceToGrid> filter;

@@ -38,7 +38,7 @@ struct Soup
     }
   }
 
-  double Squared(const Point3& x) const
+  double SquaredDistance(const Point3& x) const
   {
     double least = std::numeric_limits<double>::infinity();
     const std::vector<Point3>& points = this->Surface.Points;
@@ -64,7 +64,8 @@ TEST(TriangleTree, FindsTheNearestOfAnyNumber)
     for (int n = 0; n < 200; ++n)
     {
       const Point3 x{ place(random), place(random), place(random) };
-      EXPECT_NEAR(std::sqrt(tree.Find(x, -1).Squared), std::sqrt(soup.Squared(x)), 1e-12)
+      EXPECT_NEAR(
+        std::sqrt(tree.Find(x, -1).SquaredDistance), std::sqrt(soup.SquaredDistance(x)), 1e-12)
         << count << " triangles";
     }
   }
@@ -77,11 +78,11 @@ TEST(TriangleTree, PointsOnTheSurfaceAreAtZero)
   const TriangleTree tree(soup.Surface);
   for (const Point3& corner : soup.Surface.Points)
   {
-    EXPECT_LT(tree.Find(corner, -1).Squared, 1e-30);
+    EXPECT_LT(tree.Find(corner, -1).SquaredDistance, 1e-30);
   }
 }
 
-TEST(TriangleTree, AnyGuessGivesTheSameBits)
+TEST(TriangleTree, AnyGuessGivesIdenticalResults)
 {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-2.0, 2.0);
@@ -93,7 +94,7 @@ TEST(TriangleTree, AnyGuessGivesTheSameBits)
     const Point3 x{ place(random), place(random), place(random) };
     const TriangleTree::Nearest alone = tree.Find(x, -1);
     const TriangleTree::Nearest guessed = tree.Find(x, guess);
-    EXPECT_EQ(alone.Squared, guessed.Squared);
+    EXPECT_EQ(alone.SquaredDistance, guessed.SquaredDistance);
     guess = guessed.Guess;
     EXPECT_GE(guess, 0);
   }
@@ -120,8 +121,8 @@ TEST(TriangleTree, IsExactAtAnySizeAndPlace)
       {
         const double reach = size * std::pow(10.0, n % 30 - 6);
         const Point3 x = shift + reach * Point3{ place(random), place(random), place(random) };
-        const double expected = std::sqrt(soup.Squared(x));
-        EXPECT_NEAR(std::sqrt(tree.Find(x, -1).Squared), expected,
+        const double expected = std::sqrt(soup.SquaredDistance(x));
+        EXPECT_NEAR(std::sqrt(tree.Find(x, -1).SquaredDistance), expected,
           1e-12 * expected + 1e-15 * size * (1.0 + offset))
           << "size " << size << ", offset " << offset << ", reach " << reach;
       }
@@ -132,7 +133,8 @@ TEST(TriangleTree, IsExactAtAnySizeAndPlace)
 TEST(TriangleTree, EmptyIsInfinitelyFar)
 {
   const TriangleTree tree(SurfaceView{});
-  EXPECT_EQ(tree.Find({ 0.0, 0.0, 0.0 }, -1).Squared, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(
+    tree.Find({ 0.0, 0.0, 0.0 }, -1).SquaredDistance, std::numeric_limits<double>::infinity());
   EXPECT_EQ(tree.Find({ 0.0, 0.0, 0.0 }, -1).Guess, -1);
 }
 

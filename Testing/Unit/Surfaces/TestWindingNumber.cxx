@@ -43,7 +43,7 @@ TEST(WindingNumber, IsOneInsideZeroOutsideAndInBetweenAtHoles)
       EXPECT_NEAR(closed(x), r < 1.0 ? 1.0 : 0.0, 0.02) << r;
     }
   }
-  // A hemisphere is seen from its centre under half of all directions.
+  // A hemisphere is seen from its center under half of all directions.
   TriangleMesh half = sphere;
   half.Triangles.clear();
   for (const Triangle& t : sphere.Triangles)
@@ -89,7 +89,7 @@ TEST(WindingNumber, OfASoupIsTheSumOfItsSolidAngles)
 }
 
 // Seen from a corner a triangle has no angle; the others keep theirs.
-TEST(WindingNumber, OfACornerIsThatOfTheOtherTriangles)
+TEST(WindingNumber, OfACornerMatchesTheOtherTriangles)
 {
   TriangleMesh soup;
   soup.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };

@@ -253,7 +253,7 @@ inline const std::vector<DamageKind>& DamageKinds()
     { "touching sheets",
       [](DamagedSurface& s, Chance&)
       {
-        const Bounds3 box = BoundsOf(s.Mesh);
+        const Bounds3 box = ComputeBounds(s.Mesh);
         const TriangleMesh one = s.Mesh;
         Append(s.Mesh, Moved(one, { box.Max[0] - box.Min[0], 0, 0 }));
         s.Volume *= 2.0;

@@ -12,7 +12,7 @@
 namespace isthmus::testing
 {
 
-inline TetrahedralParameters Limited()
+inline TetrahedralParameters LimitedParameters()
 {
   TetrahedralParameters parameters;
   parameters.TetGen.Limits = { 240.0, std::uint64_t{ 4 } << 30 };
@@ -22,7 +22,7 @@ inline TetrahedralParameters Limited()
 inline double Solids(const TetrahedralMesh& mesh)
 {
   double sum = 0.0;
-  for (const auto& [region, volume] : VolumesOf(mesh))
+  for (const auto& [region, volume] : ComputeVolumes(mesh))
   {
     sum += region > 0 ? volume : 0.0;
   }

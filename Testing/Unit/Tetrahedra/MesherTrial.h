@@ -34,7 +34,7 @@ inline std::map<int, double> Volumes(const TetrahedralMesh& mesh)
   return sum;
 }
 
-inline std::string WhyRefused(const TriangleMesh& mesh, const TetrahedralParameters& parameters)
+inline std::string CatchMessage(const TriangleMesh& mesh, const TetrahedralParameters& parameters)
 {
   try
   {

@@ -94,7 +94,7 @@ struct Ends
 void Fill(const TriangleMesh& mesh, double volume, std::uint64_t seed, Ends& ends)
 {
   SCOPED_TRACE(seed);
-  TetrahedralParameters parameters = Limited();
+  TetrahedralParameters parameters = LimitedParameters();
   parameters.CGAL.CellSize = 0.06;
   const AutomaticMesh made = AutomaticTetrahedra(mesh, parameters);
   ++ends.Filled;
@@ -104,7 +104,7 @@ void Fill(const TriangleMesh& mesh, double volume, std::uint64_t seed, Ends& end
   EXPECT_EQ(made.IsDoubtful, made.Report.find("doubtful") != std::string::npos);
   if (made.Backend == MeshingBackend::Stuffing)
   {
-    const QualitySummary quality = QualityOf(made.Mesh);
+    const QualitySummary quality = MeasureQualityRange(made.Mesh);
     EXPECT_GE(quality.SmallestAngle, 10.7);
     EXPECT_LE(quality.LargestAngle, 164.8);
   }
@@ -186,8 +186,9 @@ TEST(AutomaticMesher, SharedSurfacesAreFilled)
     }
     ++done;
     SCOPED_TRACE(known.File);
-    const TriangleMesh mesh = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
-    TetrahedralParameters parameters = Limited();
+    const TriangleMesh mesh =
+      ToTriangleMesh(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
+    TetrahedralParameters parameters = LimitedParameters();
     parameters.TetGen.RadiusEdgeRatio = 0.0;
     const auto start = std::chrono::steady_clock::now();
     try
@@ -200,8 +201,8 @@ TEST(AutomaticMesher, SharedSurfacesAreFilled)
       EXPECT_GT(made.VolumeAfter, 0.0);
       if (made.Backend == MeshingBackend::Stuffing)
       {
-        EXPECT_GE(QualityOf(made.Mesh).SmallestAngle, 10.7);
-        EXPECT_LE(QualityOf(made.Mesh).LargestAngle, 164.8);
+        EXPECT_GE(MeasureQualityRange(made.Mesh).SmallestAngle, 10.7);
+        EXPECT_LE(MeasureQualityRange(made.Mesh).LargestAngle, 164.8);
       }
       if (known.Closed)
       {
@@ -214,5 +215,5 @@ TEST(AutomaticMesher, SharedSurfacesAreFilled)
       ADD_FAILURE() << error.what();
     }
   }
-  others.Tell(done, index);
+  others.ReportCases(done, index);
 }

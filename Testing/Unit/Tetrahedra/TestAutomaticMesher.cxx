@@ -27,23 +27,23 @@ TEST(HausdorffDistance, HausdorffDistanceOfConcentricSpheres)
   EXPECT_NEAR(OneSidedDistance(two, a), 3.0, 0.01);
 }
 
-TEST(AutomaticMesher, TakesTheWayThatMovesTheSurfaceLeast)
+TEST(AutomaticMesher, ChoosesTheMethodThatMovesTheSurfaceLeast)
 {
   const TriangleMesh clean = Sphere({ 0, 0, 0 }, 1.0);
-  const AutomaticMesh kept = AutomaticTetrahedra(clean, Limited());
+  const AutomaticMesh kept = AutomaticTetrahedra(clean, LimitedParameters());
   EXPECT_EQ(kept.Backend, MeshingBackend::TetGen);
   EXPECT_EQ(kept.Hausdorff, 0.0);
   EXPECT_NEAR(kept.VolumeAfter, SignedVolume(clean), 1e-9);
 
   TriangleMesh holed = clean;
   holed.Triangles.pop_back();
-  const AutomaticMesh repaired = AutomaticTetrahedra(holed, Limited());
+  const AutomaticMesh repaired = AutomaticTetrahedra(holed, LimitedParameters());
   EXPECT_EQ(repaired.Backend, MeshingBackend::RepairedTetGen) << repaired.Report;
   EXPECT_NEAR(repaired.VolumeAfter, SignedVolume(clean), 1e-2);
   EXPECT_NE(repaired.Report.find("filled 1 hole"), std::string::npos) << repaired.Report;
 
   // Without TetGen's program a clean surface goes to CGAL.
-  TetrahedralParameters noTetGen = Limited();
+  TetrahedralParameters noTetGen = LimitedParameters();
   noTetGen.TetGen.TetGenCommand = "no-such-program";
   const AutomaticMesh cgal = AutomaticTetrahedra(clean, noTetGen);
   EXPECT_EQ(cgal.Backend, MeshingBackend::RepairedCGAL) << cgal.Report;
@@ -60,24 +60,24 @@ TEST(AutomaticMesher, SpheresThatCrossBecomeTheirUnion)
   const double d = std::sqrt(1.0 + 0.0034);
   const double pi = 4.0 * std::atan(1.0);
   const double both = 8.0 / 3.0 * pi - pi * (4.0 + d) * (2.0 - d) * (2.0 - d) / 12.0;
-  TetrahedralParameters coarse = Limited();
+  TetrahedralParameters coarse = LimitedParameters();
   coarse.CGAL.CellSize = 0.06;
   const AutomaticMesh made = AutomaticTetrahedra(two, coarse);
   std::printf("%s\n", made.Report.c_str());
   EXPECT_EQ(made.Backend, MeshingBackend::Stuffing);
   EXPECT_NEAR(made.VolumeAfter / both, 1.0, 0.015); // the spheres have facets: 0.8 % less
-  const QualitySummary quality = QualityOf(made.Mesh);
+  const QualitySummary quality = MeasureQualityRange(made.Mesh);
   EXPECT_GE(quality.SmallestAngle, 10.7);
   EXPECT_LE(quality.LargestAngle, 164.8);
 
   for (const MeshedSide side : { MeshedSide::Outside, MeshedSide::Both })
   {
-    TetrahedralParameters parameters = Limited();
+    TetrahedralParameters parameters = LimitedParameters();
     parameters.Side = side;
     parameters.BoxMargin = 0.2;
     parameters.CGAL.CellSize = 0.1;
     const AutomaticMesh other = AutomaticTetrahedra(two, parameters);
-    EXPECT_EQ(VolumesOf(other.Mesh).count(1), side == MeshedSide::Both ? 1u : 0u);
+    EXPECT_EQ(ComputeVolumes(other.Mesh).count(1), side == MeshedSide::Both ? 1u : 0u);
     EXPECT_NEAR(other.VolumeAfter / made.VolumeAfter, 1.0, 0.03);
     EXPECT_NEAR(other.Hausdorff, made.Hausdorff, 0.1);
   }
@@ -88,17 +88,17 @@ TEST(AutomaticMesher, NothingEnclosedAndWrongParametersAreRefused)
   TriangleMesh sheet;
   sheet.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   sheet.Triangles = { { 0, 1, 2 } };
-  EXPECT_THROW(AutomaticTetrahedra(sheet, Limited()), std::invalid_argument);
-  TetrahedralParameters wrong = Limited();
+  EXPECT_THROW(AutomaticTetrahedra(sheet, LimitedParameters()), std::invalid_argument);
+  TetrahedralParameters wrong = LimitedParameters();
   wrong.CGAL.FacetAngle = 50.0;
   EXPECT_THROW(AutomaticTetrahedra(Sphere({ 0, 0, 0 }, 1.0), wrong), std::invalid_argument);
-  EXPECT_TRUE(AutomaticTetrahedra({}, Limited()).Mesh.Tetrahedra.empty());
-  EXPECT_THROW(AutomaticTetrahedra(Sphere({ 0, 0, 0 }, 1.0), Limited(),
+  EXPECT_TRUE(AutomaticTetrahedra({}, LimitedParameters()).Mesh.Tetrahedra.empty());
+  EXPECT_THROW(AutomaticTetrahedra(Sphere({ 0, 0, 0 }, 1.0), LimitedParameters(),
                  [](double fraction) { return fraction < 0.02; }),
     Cancelled);
 }
 
-TEST(AutomaticMesher, AVolumeBeyondAllNumbersIsRefused)
+TEST(AutomaticMesher, AnInfiniteVolumeIsRefused)
 {
   for (const double side : { 0.0, 1e120 })
   {

@@ -90,7 +90,7 @@ IsosurfaceStuffingResult Ball(double h, MeshedSide side, int levels = 0)
 
 double BoxVolume(const TetrahedralMesh& mesh)
 {
-  const Bounds3 box = BoundsOf(mesh);
+  const Bounds3 box = ComputeBounds(mesh);
   const Point3 d = box.Max - box.Min;
   return d[0] * d[1] * d[2];
 }
@@ -98,7 +98,7 @@ double BoxVolume(const TetrahedralMesh& mesh)
 double Total(const TetrahedralMesh& mesh)
 {
   double sum = 0.0;
-  for (const auto& [region, volume] : VolumesOf(mesh))
+  for (const auto& [region, volume] : ComputeVolumes(mesh))
   {
     sum += volume;
   }
@@ -108,7 +108,7 @@ double Total(const TetrahedralMesh& mesh)
 /// Do all triangles of the skin of a mesh of both sides lie in a side of its box?
 bool SkinIsTheBox(const TetrahedralMesh& mesh, const std::set<Triangle>& skin)
 {
-  const Bounds3 box = BoundsOf(mesh);
+  const Bounds3 box = ComputeBounds(mesh);
   for (const Triangle& t : skin)
   {
     bool inOneSide = false;
@@ -143,7 +143,7 @@ TEST(IsosurfaceStuffing, AnglesStayWithinTheBoundsOnRandomLevelSets)
     parameters.Side = MeshedSide::Both;
     parameters.GradingLevels = static_cast<int>(seed % 3);
     const TetrahedralMesh mesh = Random(seed, parameters).Mesh;
-    const QualitySummary quality = QualityOf(mesh);
+    const QualitySummary quality = MeasureQualityRange(mesh);
     smallest = std::min(smallest, quality.SmallestAngle);
     largest = std::max(largest, quality.LargestAngle);
     tetrahedra += mesh.Tetrahedra.size();
@@ -152,7 +152,7 @@ TEST(IsosurfaceStuffing, AnglesStayWithinTheBoundsOnRandomLevelSets)
     ASSERT_NEAR(Total(mesh) / BoxVolume(mesh), 1.0, 1e-11) << "seed " << seed;
     if (seed % 10 == 0)
     {
-      const FaceCounts faces = FacesOf(mesh);
+      const FaceCounts faces = CountFaces(mesh);
       ASSERT_EQ(faces.Crowded, 0);
       ASSERT_TRUE(SkinIsTheBox(mesh, faces.Skin)) << "seed " << seed;
     }
@@ -161,7 +161,7 @@ TEST(IsosurfaceStuffing, AnglesStayWithinTheBoundsOnRandomLevelSets)
     smallest, largest);
 }
 
-TEST(IsosurfaceStuffing, TheSidesAloneAreThoseOfBoth)
+TEST(IsosurfaceStuffing, SingleSidesMatchBoth)
 {
   for (const std::uint64_t seed : { 0u, 1u, 2u, 3u })
   {
@@ -173,9 +173,9 @@ TEST(IsosurfaceStuffing, TheSidesAloneAreThoseOfBoth)
     parameters.Side = MeshedSide::Outside;
     const auto outside = Random(seed, parameters).Mesh;
     EXPECT_EQ(inside.Tetrahedra.size() + outside.Tetrahedra.size(), both.Tetrahedra.size());
-    EXPECT_NEAR(Total(inside), VolumesOf(both).at(1), 1e-9);
-    EXPECT_NEAR(Total(outside), VolumesOf(both).at(0), 1e-9);
-    EXPECT_EQ(FacesOf(both).Interface.size(), FacesOf(inside).Skin.size());
+    EXPECT_NEAR(Total(inside), ComputeVolumes(both).at(1), 1e-9);
+    EXPECT_NEAR(Total(outside), ComputeVolumes(both).at(0), 1e-9);
+    EXPECT_EQ(CountFaces(both).Interface.size(), CountFaces(inside).Skin.size());
   }
 }
 
@@ -183,7 +183,7 @@ TEST(IsosurfaceStuffing, PointsOnTheSurfaceAreOnIt)
 {
   const double h = 0.1;
   const auto result = Ball(h, MeshedSide::Both);
-  const FaceCounts faces = FacesOf(result.Mesh);
+  const FaceCounts faces = CountFaces(result.Mesh);
   EXPECT_EQ(result.KeptPoints, 0);
   for (const Triangle& t : faces.Interface)
   {
@@ -212,8 +212,8 @@ TEST(IsosurfaceStuffing, VolumeConvergesWithOrderTwo)
     const double error = std::abs(Total(result.Mesh) - 4.0 / 3.0 * pi);
     const double order = std::log2(last / error);
     std::printf("h %.3f: volume off by %.3e, order %.2f, angles %.2f to %.2f\n", h, error,
-      last > 0.0 ? order : 0.0, QualityOf(result.Mesh).SmallestAngle,
-      QualityOf(result.Mesh).LargestAngle);
+      last > 0.0 ? order : 0.0, MeasureQualityRange(result.Mesh).SmallestAngle,
+      MeasureQualityRange(result.Mesh).LargestAngle);
     if (last > 0.0)
     {
       EXPECT_NEAR(order, 2.0, 0.2);
@@ -228,14 +228,14 @@ TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesTetrahedra)
   for (const int levels : { 1, 2 })
   {
     const auto graded = Ball(0.06, MeshedSide::Both, levels);
-    const FaceCounts faces = FacesOf(graded.Mesh);
+    const FaceCounts faces = CountFaces(graded.Mesh);
     EXPECT_EQ(faces.Crowded, 0);
     EXPECT_TRUE(SkinIsTheBox(graded.Mesh, faces.Skin));
     EXPECT_LT(graded.Mesh.Tetrahedra.size(), uniform.Mesh.Tetrahedra.size());
     EXPECT_NEAR(Total(graded.Mesh) / BoxVolume(graded.Mesh), 1.0, 1e-11);
-    EXPECT_NEAR(VolumesOf(graded.Mesh).at(1) / VolumesOf(uniform.Mesh).at(1), 1.0, 2e-3);
-    EXPECT_GE(QualityOf(graded.Mesh).SmallestAngle, 10.7);
-    EXPECT_LE(QualityOf(graded.Mesh).LargestAngle, 164.8);
+    EXPECT_NEAR(ComputeVolumes(graded.Mesh).at(1) / ComputeVolumes(uniform.Mesh).at(1), 1.0, 2e-3);
+    EXPECT_GE(MeasureQualityRange(graded.Mesh).SmallestAngle, 10.7);
+    EXPECT_LE(MeasureQualityRange(graded.Mesh).LargestAngle, 164.8);
   }
   // The more cells, the larger the part that the surface does not hold to the finest.
   EXPECT_LT(4 * Ball(0.04, MeshedSide::Both, 2).Mesh.Tetrahedra.size(),
@@ -263,11 +263,11 @@ TEST(IsosurfaceStuffing, MovedAndTurnedAroundItStaysAsGood)
       { { -1.2, -1.2, -1.2 }, { 1.2, 1.2, 1.2 } }, parameters);
     const double torus = 2.0 * pi * pi * 0.7 * 0.25 * 0.25;
     EXPECT_NEAR(Total(result.Mesh), sign > 0.0 ? torus : 2.4 * 2.4 * 2.4 - torus, 0.03);
-    EXPECT_GE(QualityOf(result.Mesh).SmallestAngle, 10.7);
+    EXPECT_GE(MeasureQualityRange(result.Mesh).SmallestAngle, 10.7);
   }
 }
 
-TEST(IsosurfaceStuffing, AnyNumberOfThreadsGivesTheSameBits)
+TEST(IsosurfaceStuffing, IdenticalOnAnyNumberOfThreads)
 {
   StuffingParameters parameters;
   parameters.Side = MeshedSide::Both;
@@ -298,7 +298,7 @@ TEST(IsosurfaceStuffing, ExtremeValuesAndExactLevelsAreFine)
         return scale * (x[0] < 3.0 ? -1.0 : x[0] > 5.0 || x[1] > 6.0 ? -1.0 : 1.0);
       },
       { { 0, 0, 0 }, { 8, 8, 8 } }, parameters);
-    EXPECT_GE(QualityOf(result.Mesh).SmallestAngle, 10.7) << scale;
+    EXPECT_GE(MeasureQualityRange(result.Mesh).SmallestAngle, 10.7) << scale;
   }
   // The level right at lattice points: flat sides come out flat.
   const auto slab = IsosurfaceStuffing(
@@ -306,18 +306,18 @@ TEST(IsosurfaceStuffing, ExtremeValuesAndExactLevelsAreFine)
       return std::min({ x[0], 4.0 - x[0], x[1], 4.0 - x[1], x[2], 4.0 - x[2] });
     },
     { { 0, 0, 0 }, { 4, 4, 4 } }, parameters);
-  EXPECT_GE(QualityOf(slab.Mesh).SmallestAngle, 10.7);
-  EXPECT_NEAR(VolumesOf(slab.Mesh).at(1), 64.0, 1.0);
+  EXPECT_GE(MeasureQualityRange(slab.Mesh).SmallestAngle, 10.7);
+  EXPECT_NEAR(ComputeVolumes(slab.Mesh).at(1), 64.0, 1.0);
 }
 
-TEST(IsosurfaceStuffing, WhatCannotBeMetIsRefused)
+TEST(IsosurfaceStuffing, UnreachableBoundsAreRefused)
 {
   const auto fails = [](double size, int levels, std::uint64_t bytes)
   {
     StuffingParameters parameters;
     parameters.CellSize = size;
     parameters.GradingLevels = levels;
-    parameters.Memory = MemoryBudget::OfBytes(bytes);
+    parameters.Memory = MemoryBudget::ForBytes(bytes);
     try
     {
       IsosurfaceStuffing(
@@ -350,16 +350,16 @@ TEST(IsosurfaceStuffing, AnglesAndFacesOfSomeRandomLevelSets)
     parameters.Side = MeshedSide::Both;
     parameters.GradingLevels = static_cast<int>(seed % 3);
     const TetrahedralMesh mesh = Random(seed, parameters).Mesh;
-    EXPECT_GE(QualityOf(mesh).SmallestAngle, 10.7) << "seed " << seed;
-    EXPECT_LE(QualityOf(mesh).LargestAngle, 164.8) << "seed " << seed;
+    EXPECT_GE(MeasureQualityRange(mesh).SmallestAngle, 10.7) << "seed " << seed;
+    EXPECT_LE(MeasureQualityRange(mesh).LargestAngle, 164.8) << "seed " << seed;
     EXPECT_NEAR(Total(mesh) / BoxVolume(mesh), 1.0, 1e-11) << "seed " << seed;
   }
 }
 
-TEST(IsosurfaceStuffing, AGradedBallIsWhole)
+TEST(IsosurfaceStuffing, AGradedBallIsComplete)
 {
   const auto graded = Ball(0.15, MeshedSide::Both, 2).Mesh;
-  const FaceCounts faces = FacesOf(graded);
+  const FaceCounts faces = CountFaces(graded);
   EXPECT_EQ(faces.Crowded, 0);
   EXPECT_TRUE(SkinIsTheBox(graded, faces.Skin));
   EXPECT_NEAR(Total(graded) / BoxVolume(graded), 1.0, 1e-11);

@@ -252,7 +252,7 @@ TEST(MeshQuality, EmptyInputGivesEmptyOutput)
   EXPECT_EQ(vtkTable::SafeDownCast(report->GetOutputDataObject(1))->GetNumberOfRows(), 0);
 }
 
-TEST(MeshQuality, SizesAreThoseOfTheCells)
+TEST(MeshQuality, SizesMatchTheCells)
 {
   for (const double side : { 0.003, 1.0, 700.0, 1e90 })
   {

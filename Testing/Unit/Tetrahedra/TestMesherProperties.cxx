@@ -35,7 +35,7 @@ struct Mesh
 
 using Change = std::function<void(vtkTetrahedralMesher*)>;
 
-Mesh Made(vtkAlgorithm* surface, const Change& change)
+Mesh MakeTetrahedra(vtkAlgorithm* surface, const Change& change)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(surface->GetOutputPort());
@@ -76,7 +76,7 @@ Mesh Made(vtkAlgorithm* surface, const Change& change)
 Mesh TetGen(const Change& change)
 {
   vtkNew<vtkCubeSource> cube;
-  return Made(cube,
+  return MakeTetrahedra(cube,
     [&](vtkTetrahedralMesher* m)
     {
       m->SetLibrary(vtkTetrahedralMesher::TetGen);
@@ -92,7 +92,7 @@ Mesh CGAL(const Change& change)
   sphere->SetRadius(1.0);
   sphere->SetThetaResolution(16);
   sphere->SetPhiResolution(16);
-  return Made(sphere,
+  return MakeTetrahedra(sphere,
     [&](vtkTetrahedralMesher* m)
     {
       m->SetLibrary(vtkTetrahedralMesher::CGAL);
@@ -191,7 +191,7 @@ TEST(MesherProperties, OfCGAL)
     CGAL([](vtkTetrahedralMesher* m) { m->ExudeOff(); }).SmallestAngle, plain.SmallestAngle + 1e-9);
 }
 
-TEST(MesherProperties, OutOfRangeEndsInASentence)
+TEST(MesherProperties, OutOfRangeIsReported)
 {
   const double nan = std::nan("");
   EXPECT_NE(TetGen([](vtkTetrahedralMesher* m) { m->SetTimeLimit(-1.0); }).Error, "");

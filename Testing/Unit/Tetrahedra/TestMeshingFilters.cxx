@@ -113,7 +113,7 @@ TEST(MeshingFilters, AnOpenSurfaceIsRefusedWithItsTriangles)
   EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
 }
 
-TEST(MeshingFilters, RepairFillsItAndSaysSo)
+TEST(MeshingFilters, RepairFillsItAndReportsIt)
 {
   for (const int library : { vtkTetrahedralMesher::TetGen, vtkTetrahedralMesher::Automatic })
   {
@@ -134,7 +134,7 @@ TEST(MeshingFilters, RepairFillsItAndSaysSo)
   }
 }
 
-TEST(MeshingFilters, ASoupIsTheSurfaceItWasMadeOf)
+TEST(MeshingFilters, ASoupGivesItsOriginalSurface)
 {
   const auto mesh = [](vtkPolyData* surface, int library)
   {
@@ -248,7 +248,7 @@ TEST(MeshingFilters, AbortLeavesAnEmptyOutputAndNoError)
   EXPECT_FALSE(observer->GetError());
 }
 
-TEST(MeshingFilters, EmptyInputGivesEmptyOutputWithoutAWord)
+TEST(MeshingFilters, EmptyInputGivesEmptyOutputWithoutAMessage)
 {
   vtkNew<vtkTetrahedralMesher> mesher;
   vtkNew<vtkSurfaceRemesh> remesh;
@@ -269,7 +269,7 @@ TEST(MeshingFilters, EmptyInputGivesEmptyOutputWithoutAWord)
   EXPECT_FALSE(observer->GetError());
 }
 
-TEST(MeshingFilters, WrongInputEndsInASentence)
+TEST(MeshingFilters, WrongInputIsReported)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 4);

@@ -64,7 +64,7 @@ TriangleMesh SmallSphere(int resolution)
   source->SetThetaResolution(resolution);
   source->SetPhiResolution(resolution);
   source->Update();
-  return MeshOf(source->GetOutput());
+  return ToTriangleMesh(source->GetOutput());
 }
 
 /// One of the damages a mesh suffers on its way through programs.
@@ -188,7 +188,7 @@ TriangleMesh SphereThatTears()
   vtkNew<vtkCleanPolyData> clean; // numbers the points by use
   clean->SetInputConnection(source->GetOutputPort());
   clean->Update();
-  TriangleMesh mesh = MeshOf(clean->GetOutput());
+  TriangleMesh mesh = ToTriangleMesh(clean->GetOutput());
   constexpr double None = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [point, z] : { std::pair<std::size_t, double>{ 12, 1e38 }, { 29, 1e-300 },
          { 39, None }, { 55, None }, { 58, 1e12 } })
@@ -202,7 +202,7 @@ TriangleMesh SphereThatTears()
 
 /// A sentence of ours, or CGAL's where its own checks are compiled in (sanitized builds); or a
 /// clean surface: CGAL 6.0 finds patches that fit.
-TEST(MeshingFuzz, SurfacesThatTearUnderRepairEndInASentence)
+TEST(MeshingFuzz, SurfacesThatTearUnderRepairAreReported)
 {
   try
   {
@@ -219,7 +219,7 @@ TEST(MeshingFuzz, SurfacesThatTearUnderRepairEndInASentence)
   }
 }
 
-TEST(MeshingFuzz, RepairOfCrossingsRisesAndIsStoppedAnywhere)
+TEST(MeshingFuzz, RepairOfCrossingsReportsProgressAndStops)
 {
   TriangleMesh mesh = SmallSphere(12);
   for (const std::size_t p : { 5, 40, 70, 100 })

@@ -40,7 +40,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
+TetrahedralMesh ToTriangleMesh(vtkUnstructuredGrid* grid)
 {
   TetrahedralMesh mesh;
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
@@ -60,7 +60,7 @@ TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
 }
 
 /// A level between the lowest and the highest value; NaN where there is none.
-double LevelOf(vtkImageData* map)
+double ChooseLevel(vtkImageData* map)
 {
   vtkDataArray* scalars = map->GetPointData()->GetScalars();
   if (!scalars || scalars->GetNumberOfComponents() != 1)
@@ -81,13 +81,13 @@ double LevelOf(vtkImageData* map)
   return *low < *high ? EstimateLevel(values) : std::nan("");
 }
 
-struct Seen
+struct Totals
 {
   std::size_t Maps = 0, Tetrahedra = 0;
   double Smallest = 180.0, Largest = 0.0;
 };
 
-void Stuff(vtkImageData* map, double level, int levels, Seen& seen)
+void Stuff(vtkImageData* map, double level, int levels, Totals& seen)
 {
   vtkNew<vtkIsosurfaceStuffing> filter;
   filter->SetInputData(map);
@@ -97,9 +97,9 @@ void Stuff(vtkImageData* map, double level, int levels, Seen& seen)
   filter->SetSide(
     map->GetNumberOfPoints() < large ? vtkIsosurfaceStuffing::Both : vtkIsosurfaceStuffing::Inside);
   filter->Update();
-  const TetrahedralMesh mesh = MeshOf(filter->GetOutput());
+  const TetrahedralMesh mesh = ToTriangleMesh(filter->GetOutput());
   ASSERT_GT(mesh.Tetrahedra.size(), 0u);
-  const QualitySummary quality = QualityOf(mesh);
+  const QualitySummary quality = MeasureQualityRange(mesh);
   EXPECT_GE(quality.SmallestAngle, 10.7);
   EXPECT_LE(quality.LargestAngle, 164.8);
   seen.Tetrahedra += mesh.Tetrahedra.size();
@@ -108,7 +108,7 @@ void Stuff(vtkImageData* map, double level, int levels, Seen& seen)
   constexpr std::size_t few = 200000; // faces are counted in a tree
   if (mesh.Tetrahedra.size() < few)
   {
-    EXPECT_EQ(FacesOf(mesh).Crowded, 0);
+    EXPECT_EQ(CountFaces(mesh).Crowded, 0);
   }
 }
 
@@ -128,7 +128,7 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnAllSharedMaps)
     }
   }
   std::sort(files.begin(), files.end());
-  Seen seen;
+  Totals seen;
   std::size_t index = 0, left = 0;
   for (const auto& file : files)
   {
@@ -150,7 +150,7 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnAllSharedMaps)
     reader->Update();
     const int* n = reader->GetOutput()->GetDimensions();
     const double level =
-      std::min({ n[0], n[1], n[2] }) > 1 ? LevelOf(reader->GetOutput()) : std::nan("");
+      std::min({ n[0], n[1], n[2] }) > 1 ? ChooseLevel(reader->GetOutput()) : std::nan("");
     if (!std::isfinite(level))
     {
       ++left;
@@ -163,14 +163,14 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnAllSharedMaps)
               "angles %.2f to %.2f\n",
     seen.Maps, left, seen.Tetrahedra, seen.Smallest, seen.Largest);
   EXPECT_GE(seen.Maps, 8u);
-  others.Tell(seen.Maps + left, files.size());
+  others.ReportCases(seen.Maps + left, files.size());
 }
 
 /// Acceptance 1, "offset surfaces": levels of the signed distance to primitives, a spacing and a
 /// half inside to three outside, where fronts of the distance meet in kinks.
 TEST(StuffedMaps, AnglesStayWithinTheBoundsOnOffsetSurfaces)
 {
-  Seen seen;
+  Totals seen;
   for (unsigned seed = 1; seed <= 5; ++seed)
   {
     SCOPED_TRACE(seed);
@@ -178,7 +178,7 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnOffsetSurfaces)
     const TriangleMesh mesh = SoundSurface(chance);
     vtkNew<vtkPolyData> surface;
     SetMesh(mesh, surface);
-    const double h = BoundsOf(mesh).Diagonal() / 24.0;
+    const double h = ComputeBounds(mesh).Diagonal() / 24.0;
     vtkNew<vtkSurfaceToGrid> grid;
     grid->SetInputData(surface);
     grid->SetSpacing(h);
@@ -194,12 +194,12 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnOffsetSurfaces)
       filter->InsideIsHigherOff();
       filter->SetGradingLevels(static_cast<int>(seed % 3));
       filter->Update();
-      const TetrahedralMesh tetrahedra = MeshOf(filter->GetOutput());
+      const TetrahedralMesh tetrahedra = ToTriangleMesh(filter->GetOutput());
       ASSERT_GT(tetrahedra.Tetrahedra.size(), 0u);
-      const QualitySummary quality = QualityOf(tetrahedra);
+      const QualitySummary quality = MeasureQualityRange(tetrahedra);
       EXPECT_GE(quality.SmallestAngle, 10.7);
       EXPECT_LE(quality.LargestAngle, 164.8);
-      EXPECT_EQ(FacesOf(tetrahedra).Crowded, 0);
+      EXPECT_EQ(CountFaces(tetrahedra).Crowded, 0);
       seen.Tetrahedra += tetrahedra.Tetrahedra.size();
       seen.Smallest = std::min(seen.Smallest, quality.SmallestAngle);
       seen.Largest = std::max(seen.Largest, quality.LargestAngle);

@@ -51,11 +51,12 @@ TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
   for (const KnownSurface& known : KnownSurfaces)
   {
     SCOPED_TRACE(known.File);
-    const TriangleMesh mesh = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
+    const TriangleMesh mesh =
+      ToTriangleMesh(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
     auto parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
     parameters.TetGen.RadiusEdgeRatio = 0.0;
     const auto start = std::chrono::steady_clock::now();
-    const std::string refusal = WhyRefused(mesh, parameters);
+    const std::string refusal = CatchMessage(mesh, parameters);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%-28s %6.2f s  %s\n", known.File, seconds.count(), refusal.c_str());
     if (!known.Closed)
@@ -80,8 +81,8 @@ TEST(TetrahedralMesher, LysozymeIsFilledOnceRepaired)
   vtkNew<vtkMSMSReader> reader;
   reader->SetFileName((SharedDataFolder() / "surfaces/lysozyme_msms/Lys1.face").c_str());
   reader->Update();
-  const TriangleMesh surface = MeshOf(reader->GetOutput());
-  EXPECT_NE(WhyRefused(surface, {}).find("43 triangles"), std::string::npos);
+  const TriangleMesh surface = ToTriangleMesh(reader->GetOutput());
+  EXPECT_NE(CatchMessage(surface, {}).find("43 triangles"), std::string::npos);
   const RepairedSurface repaired = RepairSurface(surface);
   RequireCleanSurface(repaired.Mesh);
   EXPECT_EQ(EulerCharacteristic(repaired.Mesh), 8);
@@ -119,7 +120,8 @@ TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
     }
     ++done;
     SCOPED_TRACE(known.File);
-    const TriangleMesh mesh = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
+    const TriangleMesh mesh =
+      ToTriangleMesh(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
     for (const char* way : { "TetGen pYq", "TetGen pq", "CGAL" })
     {
       const bool cgal = std::string(way) == "CGAL";
@@ -151,5 +153,5 @@ TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
       std::printf("%-28s %-11s %6.2f s  %s\n", known.File, way, seconds(), ending.c_str());
     }
   }
-  others.Tell(done, good);
+  others.ReportCases(done, good);
 }

@@ -174,7 +174,7 @@ TEST(TetrahedralMesher, TetGenKeepsItsBounds)
 // Of a surface that is kept, and the box around it: what exceeds the bounds is nearer to the
 // surface than its triangles are long or, by little, on the box; the warning says how many do, and
 // by how much.
-TEST(TetrahedralMesher, TetGenKeepsItsBoundsBesideAKeptSurface)
+TEST(TetrahedralMesher, TetGenKeepsItsBoundsNextToAPreservedSurface)
 {
   TetrahedralParameters parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Both);
   parameters.BoxMargin = 0.1;
@@ -217,26 +217,26 @@ TEST(TetrahedralMesher, TetGenKeepsItsBoundsBesideAKeptSurface)
   }
 }
 
-TEST(TetrahedralMesher, WrongParametersEndInASentence)
+TEST(TetrahedralMesher, WrongParametersAreReported)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
   auto parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
   parameters.TetGen.TetGenCommand = "no-such-program";
-  EXPECT_NE(WhyRefused(cube, parameters).find("was not found"), std::string::npos);
+  EXPECT_NE(CatchMessage(cube, parameters).find("was not found"), std::string::npos);
   parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
   parameters.TetGen.RadiusEdgeRatio = 0.3;
-  EXPECT_NE(WhyRefused(cube, parameters).find("from 1 to"), std::string::npos);
+  EXPECT_NE(CatchMessage(cube, parameters).find("from 1 to"), std::string::npos);
   parameters = With(TetrahedralLibrary::CGAL, MeshedSide::Inside);
   parameters.CGAL.FacetAngle = 45.0;
-  EXPECT_NE(WhyRefused(cube, parameters).find("0 to 30"), std::string::npos);
+  EXPECT_NE(CatchMessage(cube, parameters).find("0 to 30"), std::string::npos);
   parameters = With(TetrahedralLibrary::CGAL, MeshedSide::Inside);
   parameters.CGAL.FacetSize = 0.01;
   parameters.CGAL.MaximumPoints = 500;
-  EXPECT_NE(WhyRefused(cube, parameters).find("passed 500 points"), std::string::npos);
+  EXPECT_NE(CatchMessage(cube, parameters).find("passed 500 points"), std::string::npos);
 }
 
 // More than 1e12 points are refused by area or volume, before anything is meshed.
-TEST(TetrahedralMesher, SizesThatTakeHopelesslyManyPointsAreRefusedAtOnce)
+TEST(TetrahedralMesher, SizesThatNeedTooManyPointsAreRefusedImmediately)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
   for (double CGALCriteria::*size : { &CGALCriteria::FacetSize, &CGALCriteria::CellSize })
@@ -244,25 +244,25 @@ TEST(TetrahedralMesher, SizesThatTakeHopelesslyManyPointsAreRefusedAtOnce)
     auto parameters = With(TetrahedralLibrary::CGAL, MeshedSide::Inside);
     parameters.CGAL.MaximumPoints = 500;
     parameters.CGAL.*size = 1e-6;
-    EXPECT_NE(WhyRefused(cube, parameters).find("need at least"), std::string::npos)
-      << WhyRefused(cube, parameters);
+    EXPECT_NE(CatchMessage(cube, parameters).find("need at least"), std::string::npos)
+      << CatchMessage(cube, parameters);
   }
 }
 
-TEST(TetrahedralMesher, TimeAndMemoryLimitsEndInASentence)
+TEST(TetrahedralMesher, TimeAndMemoryLimitsAreReported)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
   auto parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
   parameters.TetGen.PreserveSurface = false;
   parameters.TetGen.MaximumVolume = 1e-9;
   parameters.TetGen.Limits = { 0.3, std::uint64_t{ 4 } << 30 };
-  EXPECT_NE(WhyRefused(cube, parameters).find("stopped after 0 s"), std::string::npos);
+  EXPECT_NE(CatchMessage(cube, parameters).find("stopped after 0 s"), std::string::npos);
   parameters.TetGen.Limits = { 60.0, std::uint64_t{ 40 } << 20 };
-  EXPECT_NE(WhyRefused(cube, parameters).find("memory"), std::string::npos)
-    << WhyRefused(cube, parameters);
+  EXPECT_NE(CatchMessage(cube, parameters).find("memory"), std::string::npos)
+    << CatchMessage(cube, parameters);
 }
 
-TEST(TetrahedralMesher, StopsWhenAskedTo)
+TEST(TetrahedralMesher, StopsOnRequest)
 {
   const TriangleMesh cube = Cube({ 0, 0, 0 }, 1.0);
   for (const auto library : { TetrahedralLibrary::TetGen, TetrahedralLibrary::CGAL })

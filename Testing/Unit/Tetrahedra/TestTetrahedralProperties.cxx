@@ -28,7 +28,7 @@ TriangleMesh Sphere()
   source->SetThetaResolution(60);
   source->SetPhiResolution(60);
   source->Update();
-  return MeshOf(source->GetOutput());
+  return ToTriangleMesh(source->GetOutput());
 }
 
 struct Measured
@@ -63,7 +63,7 @@ Measured Measure(const TetrahedralMesh& mesh, const TriangleMesh& surface)
     m.RadiusEdge = std::max(m.RadiusEdge, cell.RadiusEdge);
     m.Circumradius = std::max(m.Circumradius, cell.RadiusEdge * shortest);
     m.SmallestDihedral = std::min(m.SmallestDihedral, cell.Smallest);
-    m.Volume = std::max(m.Volume, VolumeOf(mesh, i));
+    m.Volume = std::max(m.Volume, ComputeVolume(mesh, i));
   }
   const TriangleMesh skin = BoundarySurface(mesh);
   for (const Triangle& t : skin.Triangles)
@@ -171,7 +171,7 @@ TEST(TetrahedralProperties, OptimisationRaisesTheSmallestAngles)
     TetrahedralParameters changed = parameters;
     change(changed.CGAL);
     const TetrahedralMesh mesh = MeshTetrahedra(sphere, changed);
-    EXPECT_NEAR(VolumesOf(mesh).at(1) / SignedVolume(sphere), 1.0, 0.05);
+    EXPECT_NEAR(ComputeVolumes(mesh).at(1) / SignedVolume(sphere), 1.0, 0.05);
     return Measure(mesh, sphere).SmallestDihedral;
   };
   EXPECT_GT(with([](CGALCriteria& c) { c.Exude = true; }), plain);

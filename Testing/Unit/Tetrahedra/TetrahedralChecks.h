@@ -18,7 +18,7 @@
 namespace isthmus::testing
 {
 
-inline double VolumeOf(const TetrahedralMesh& mesh, std::size_t i)
+inline double ComputeVolume(const TetrahedralMesh& mesh, std::size_t i)
 {
   const Tetrahedron& t = mesh.Tetrahedra[i];
   const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
@@ -26,17 +26,17 @@ inline double VolumeOf(const TetrahedralMesh& mesh, std::size_t i)
 }
 
 /// Volume of each region.
-inline std::map<int, double> VolumesOf(const TetrahedralMesh& mesh)
+inline std::map<int, double> ComputeVolumes(const TetrahedralMesh& mesh)
 {
   std::map<int, double> sum;
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
   {
-    sum[mesh.Regions[i]] += VolumeOf(mesh, i);
+    sum[mesh.Regions[i]] += ComputeVolume(mesh, i);
   }
   return sum;
 }
 
-inline QualitySummary QualityOf(const TetrahedralMesh& mesh)
+inline QualitySummary MeasureQualityRange(const TetrahedralMesh& mesh)
 {
   std::vector<CellAngles> cells;
   return MeasureQuality(mesh.Points, mesh.Tetrahedra, 18, cells);
@@ -49,7 +49,7 @@ struct FaceCounts
   std::int64_t Crowded = 0;     ///< faces of more than two
 };
 
-inline FaceCounts FacesOf(const TetrahedralMesh& mesh)
+inline FaceCounts CountFaces(const TetrahedralMesh& mesh)
 {
   std::map<Triangle, std::vector<int>> regions;
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
@@ -78,7 +78,7 @@ inline FaceCounts FacesOf(const TetrahedralMesh& mesh)
   return counts;
 }
 
-inline Bounds3 BoundsOf(const TetrahedralMesh& mesh)
+inline Bounds3 ComputeBounds(const TetrahedralMesh& mesh)
 {
   Bounds3 bounds{ mesh.Points.at(0), mesh.Points.at(0) };
   for (const Point3& p : mesh.Points)

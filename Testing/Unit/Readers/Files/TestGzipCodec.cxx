@@ -19,7 +19,7 @@ namespace
 {
 
 using isthmus::CodecState;
-using Zlib = isthmus::GzipCodecOf<isthmus::ZlibInflater>;
+using Zlib = isthmus::BasicGzipCodec<isthmus::ZlibInflater>;
 
 /// Random, mostly zero, of four letters, or one value: stored, skewed and flat blocks.
 std::string Content(std::mt19937& random)
@@ -37,7 +37,7 @@ std::string Content(std::mt19937& random)
 }
 
 /// As gzip packs it, at any level and by any strategy, with or without all that a header may have.
-std::string Packed(std::string content, std::mt19937& random)
+std::string CompressRandomly(std::string content, std::mt19937& random)
 {
   z_stream stream{};
   deflateInit2(&stream, static_cast<int>(random() % 10), Z_DEFLATED, 16 + MAX_WBITS, 8,
@@ -118,7 +118,7 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
   for (int i = 0; i < 400; ++i)
   {
     const std::string content = Content(random);
-    std::string packed = Packed(content, random);
+    std::string packed = CompressRandomly(content, random);
     const std::size_t size = packed.size();
     const auto fate = random() % 4;
     if (fate == 0)
@@ -157,7 +157,7 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
 }
 
 /// A member that ends amid the bytes read ahead: the next one goes on with these.
-TEST(GzipCodec, LargeMembersOneBehindTheOther)
+TEST(GzipCodec, ConsecutiveLargeMembers)
 {
   std::mt19937 random(4);
   std::string content, packed;

@@ -63,19 +63,19 @@ Truth ByLibbz2(std::string packed)
 }
 
 /// What our source says of it, read in pieces of random sizes.
-struct Seen
+struct ReadResult
 {
   std::string Content;
-  std::string Sentence; ///< empty where nothing was thrown
+  std::string Message; ///< empty where nothing was thrown
   bool Cut = false;
   bool Careful = false; ///< libbz2 had to read it again
 };
 
-Seen ByBlocks(const std::string& packed, int threads, unsigned seed)
+ReadResult ByBlocks(const std::string& packed, int threads, unsigned seed)
 {
   std::mt19937 random(seed);
   const TemporaryFile file(packed, "data.bz2");
-  Seen seen;
+  ReadResult seen;
   const auto read = [&]()
   {
     const std::unique_ptr<isthmus::ByteSource> source = isthmus::OpenByteSource(file.Path());
@@ -96,7 +96,7 @@ Seen ByBlocks(const std::string& packed, int threads, unsigned seed)
     }
     catch (const isthmus::ReaderError& error)
     {
-      seen.Sentence = error.what();
+      seen.Message = error.what();
     }
     seen.Cut = source->IsCut();
     seen.Careful = threads > 1 && !source->UsesThreads();
@@ -120,7 +120,7 @@ std::string Content(std::mt19937& random)
 }
 
 /// Members as bzip2 (one, many blocks) and pbzip2 (one block each) write them.
-std::string Packed(std::mt19937& random, std::string& content)
+std::string CompressRandomly(std::mt19937& random, std::string& content)
 {
   std::string packed;
   for (auto members = 1 + random() % 3; members > 0; --members)
@@ -135,13 +135,13 @@ std::string Packed(std::mt19937& random, std::string& content)
 void ExpectSame(const std::string& packed, int threads, unsigned seed)
 {
   const Truth truth = ByLibbz2(packed);
-  const Seen seen = ByBlocks(packed, threads, seed);
-  ASSERT_EQ(seen.Sentence.empty(), !truth.DamagedAt) << seen.Sentence;
+  const ReadResult seen = ByBlocks(packed, threads, seed);
+  ASSERT_EQ(seen.Message.empty(), !truth.DamagedAt) << seen.Message;
   ASSERT_EQ(seen.Cut, truth.Cut);
   if (truth.DamagedAt)
   {
     const std::string where = "before byte " + std::to_string(*truth.DamagedAt) + " of the file";
-    ASSERT_NE(seen.Sentence.find(where), std::string::npos) << seen.Sentence << " " << where;
+    ASSERT_NE(seen.Message.find(where), std::string::npos) << seen.Message << " " << where;
     // The piece in which it was noticed is not there.
     ASSERT_LE(seen.Content.size(), truth.Content.size() + 400000);
   }
@@ -160,16 +160,16 @@ TEST(ParallelBzip2, UnpackAsLibbz2Does)
   {
     std::string content;
     const std::string packed =
-      Packed(random, content) + std::string(random() % 3 ? 0 : random() % 50, '\x1f');
-    const Seen seen = ByBlocks(packed, 1 + static_cast<int>(i % 4), i);
-    ASSERT_EQ(seen.Sentence, "") << i;
+      CompressRandomly(random, content) + std::string(random() % 3 ? 0 : random() % 50, '\x1f');
+    const ReadResult seen = ByBlocks(packed, 1 + static_cast<int>(i % 4), i);
+    ASSERT_EQ(seen.Message, "") << i;
     ASSERT_FALSE(seen.Cut) << i;
     ASSERT_FALSE(seen.Careful) << i;
     ASSERT_TRUE(seen.Content == content) << i;
   }
 }
 
-TEST(ParallelBzip2, TellDamageAsLibbz2Does)
+TEST(ParallelBzip2, ReportDamageAsLibbz2Does)
 {
   std::mt19937 random(7);
   const std::string magic = "\x31\x41\x59\x26\x53\x59";
@@ -179,7 +179,7 @@ TEST(ParallelBzip2, TellDamageAsLibbz2Does)
   {
     SCOPED_TRACE(i);
     std::string content;
-    std::string packed = Packed(random, content);
+    std::string packed = CompressRandomly(random, content);
     const auto at = 4 + random() % (packed.size() - 10);
     switch (i % 4)
     {

@@ -43,7 +43,7 @@ public:
     return this->Reader->GetOutput();
   }
 
-  bool Failed() const { return this->Observer->GetError(); }
+  bool HasFailed() const { return this->Observer->GetError(); }
   std::string Error() const { return this->Observer->GetErrorMessage(); }
   std::string Warning() const { return this->Observer->GetWarningMessage(); }
 

@@ -33,7 +33,7 @@ void ExpectFailure(
 {
   reading->SetFileName(path);
   vtkImageData* const image = reading.Update();
-  EXPECT_TRUE(reading.Failed()) << words;
+  EXPECT_TRUE(reading.HasFailed()) << words;
   EXPECT_NE(reading.Error().find(words), std::string::npos) << reading.Error();
   EXPECT_NE(reading.Error().find(path ? path : ""), std::string::npos) << reading.Error();
   EXPECT_EQ(reading->GetErrorCode(), code) << words;
@@ -157,7 +157,7 @@ TEST(MRCErrors, TruncatedAndDamagedCompressed)
     "3072 bytes expected after decompression, found 2000", vtkErrorCode::PrematureEndOfFileError);
 }
 
-TEST(MRCErrors, HeadersThatClaimTooMuchCostNoMemory)
+TEST(MRCErrors, HeadersWithHugeCountsAllocateNothing)
 {
   MRCTestFile huge({ 2000000000, 2000000000, 2000000000 }, 2);
   MRCTestFile large({ 1500, 1500, 1500 }, 2); // 13.5 GB
@@ -176,7 +176,7 @@ TEST(MRCErrors, HeadersThatClaimTooMuchCostNoMemory)
   ExpectPeakBelow(before + 200);
 }
 
-TEST(MRCErrors, AskedForWhatIsNotThere)
+TEST(MRCErrors, RequestsBeyondTheMapAreErrors)
 {
   const TemporaryFile file(GoodMap());
   MRCTestReading reading(file.Path());
@@ -202,7 +202,7 @@ TEST(MRCErrors, AReaderRecovers)
   ExpectFailure(reading, "too few", vtkErrorCode::PrematureEndOfFileError, bad.Path());
   reading->SetFileName(good.Path());
   EXPECT_EQ(reading.Update()->GetNumberOfPoints(), 512);
-  EXPECT_FALSE(reading.Failed());
+  EXPECT_FALSE(reading.HasFailed());
   EXPECT_EQ(reading->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 }
 
@@ -220,7 +220,7 @@ public:
   }
 };
 
-TEST(MRCErrors, AbortLeavesNothing)
+TEST(MRCErrors, AbortLeavesAnEmptyOutput)
 {
   MRCTestFile map({ 256, 256, 256 }, 1);
   map.AddVoxels([](int c, int, int, int) { return c; });
@@ -232,7 +232,7 @@ TEST(MRCErrors, AbortLeavesNothing)
     vtkNew<Abort> abort;
     reading->AddObserver(vtkCommand::ProgressEvent, abort);
     EXPECT_EQ(reading.Update()->GetNumberOfPoints(), 0);
-    EXPECT_FALSE(reading.Failed()) << reading.Error();
+    EXPECT_FALSE(reading.HasFailed()) << reading.Error();
   }
 }
 
@@ -242,7 +242,7 @@ class ShortSource : public isthmus::ByteSource
 public:
   std::size_t Read(std::uint64_t, void*, std::size_t size) override { return size / 2; }
   bool RandomAccess() const override { return true; }
-  std::uint64_t MostBytes() const override { return 4096; }
+  std::uint64_t MaximumBytes() const override { return 4096; }
   std::uint64_t CountUpTo(std::uint64_t limit, const isthmus::ProgressCallback&) override
   {
     return limit;
@@ -296,7 +296,7 @@ TEST(MRCErrors, SmallCropOfAHugeSparseMap)
   MRCTestReading reading(file.Path());
   reading->SetCropExtent(1000, 1063, 1000, 1063, 1000, 1063);
   vtkImageData* const image = reading.Update();
-  ASSERT_FALSE(reading.Failed()) << reading.Error();
+  ASSERT_FALSE(reading.HasFailed()) << reading.Error();
   EXPECT_EQ(image->GetNumberOfPoints(), 64 * 64 * 64);
   EXPECT_EQ(reading.At(61, 62, 63), 42.0);
   EXPECT_EQ(reading.At(61, 62, 62), 0.0);

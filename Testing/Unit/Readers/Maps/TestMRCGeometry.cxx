@@ -17,7 +17,7 @@ namespace
 using namespace isthmus::testing;
 using Point = std::array<double, 3>;
 
-Point WorldOf(vtkImageData* image, int i, int j, int k)
+Point MakeWorldTransform(vtkImageData* image, int i, int j, int k)
 {
   Point world{};
   image->TransformIndexToPhysicalPoint(i, j, k, world.data());
@@ -50,8 +50,8 @@ TEST(MRCGeometry, StartIsPermutedAndOriginIsNot)
   const TemporaryFile byStart(map.Bytes());
   MRCTestReading reading(byStart.Path());
   vtkImageData* image = reading.Update();
-  ExpectNear(WorldOf(image, 0, 0, 0), { 8 * 2.0, 9 * 3.0, 7 * 4.0 });
-  ExpectNear(WorldOf(image, 3, 4, 2), { 11 * 2.0, 13 * 3.0, 9 * 4.0 });
+  ExpectNear(MakeWorldTransform(image, 0, 0, 0), { 8 * 2.0, 9 * 3.0, 7 * 4.0 });
+  ExpectNear(MakeWorldTransform(image, 3, 4, 2), { 11 * 2.0, 13 * 3.0, 9 * 4.0 });
   EXPECT_EQ(reading.At(3, 4, 2), 234.0);
   EXPECT_EQ(image->GetExtent()[0], 0);
 
@@ -59,7 +59,7 @@ TEST(MRCGeometry, StartIsPermutedAndOriginIsNot)
   const TemporaryFile byOrigin(map.Bytes());
   reading->SetFileName(byOrigin.Path());
   image = reading.Update();
-  ExpectNear(WorldOf(image, 0, 0, 0), { 0.0, -5.5, 0.0 });
+  ExpectNear(MakeWorldTransform(image, 0, 0, 0), { 0.0, -5.5, 0.0 });
 }
 
 TEST(MRCGeometry, SkewTransformationComesOnTop)
@@ -78,9 +78,9 @@ TEST(MRCGeometry, SkewTransformationComesOnTop)
   vtkImageData* const image = reading.Update();
   EXPECT_EQ(reading.Warning(), "");
   // Node 0 is (2, 6, 12) in the map's frame; x_world = S^-1 x_map + t.
-  ExpectNear(WorldOf(image, 0, 0, 0), { 106.0, 198.0, 312.0 });
-  ExpectNear(WorldOf(image, 1, 0, 0), { 106.0, 196.0, 312.0 });
-  ExpectNear(WorldOf(image, 0, 1, 1), { 109.0, 198.0, 316.0 });
+  ExpectNear(MakeWorldTransform(image, 0, 0, 0), { 106.0, 198.0, 312.0 });
+  ExpectNear(MakeWorldTransform(image, 1, 0, 0), { 106.0, 196.0, 312.0 });
+  ExpectNear(MakeWorldTransform(image, 0, 1, 1), { 109.0, 198.0, 316.0 });
 }
 
 TEST(MRCGeometry, SharedMapsOfWaterHaveTheirPublishedPlaces)
@@ -92,7 +92,7 @@ TEST(MRCGeometry, SharedMapsOfWaterHaveTheirPublishedPlaces)
   {
     ISTHMUS_NEEDS_SHARED_DATA(std::string("maps/") + name);
     MRCTestReading reading((SharedDataFolder() / "maps" / name).c_str());
-    ExpectNear(WorldOf(reading.Update(), 0, 0, 0), place);
+    ExpectNear(MakeWorldTransform(reading.Update(), 0, 0, 0), place);
   }
 }
 
@@ -126,7 +126,7 @@ class ObliqueCell : public ::testing::TestWithParam<std::array<float, 3>>
 {
 };
 
-TEST_P(ObliqueCell, ResampledValuesAreThoseOfTheWorld)
+TEST_P(ObliqueCell, ResampledValuesMatchTheWorld)
 {
   const Cell cell = MakeCell(GetParam()[0], GetParam()[1], GetParam()[2]);
   const auto place = [&cell](double i, double j, double k)
@@ -146,7 +146,7 @@ TEST_P(ObliqueCell, ResampledValuesAreThoseOfTheWorld)
   const TemporaryFile file(map.Bytes());
   MRCTestReading reading(file.Path());
   vtkImageData* const image = reading.Update();
-  ASSERT_FALSE(reading.Failed()) << reading.Error();
+  ASSERT_FALSE(reading.HasFailed()) << reading.Error();
   EXPECT_NE(reading.Warning().find("resampled"), std::string::npos);
   EXPECT_NE(reading.Text("Notes").find("resampled"), std::string::npos);
   vtkDataArray* const density = image->GetPointData()->GetArray("Density");
@@ -167,7 +167,7 @@ TEST_P(ObliqueCell, ResampledValuesAreThoseOfTheWorld)
   EXPECT_GT(within, 100);
 }
 
-TEST_P(ObliqueCell, PiecesAreBitForBitTheWhole)
+TEST_P(ObliqueCell, PiecesMatchTheWholeBitwise)
 {
   MRCTestFile map = Ramp({ 12, 11, 10 }, { 1, 2, 3 });
   map.SetFloats(14, GetParam());
@@ -196,7 +196,7 @@ TEST_P(ObliqueCell, PiecesAreBitForBitTheWhole)
   }
 }
 
-TEST_P(ObliqueCell, KeptAxesSaySo)
+TEST_P(ObliqueCell, KeptAxesAreReported)
 {
   MRCTestFile map = Ramp({ 4, 3, 2 }, { 1, 2, 3 });
   map.SetFloats(14, GetParam());
@@ -225,7 +225,7 @@ TEST(ObliqueCellLimits, AFlatCellIsRefusedWithAdvice)
   const TemporaryFile file(map.Bytes());
   MRCTestReading reading(file.Path());
   reading.Update();
-  EXPECT_TRUE(reading.Failed());
+  EXPECT_TRUE(reading.HasFailed());
   EXPECT_NE(reading.Error().find("KeepCellAxes"), std::string::npos) << reading.Error();
 }
 
@@ -267,7 +267,7 @@ TEST(MRCStacks, ImagesAndVolumes)
   }
 }
 
-TEST(MRCTransforms, AreSaidToBeTransforms)
+TEST(MRCTransforms, AreReportedAsTransforms)
 {
   MRCTestFile map({ 3, 2, 2 }, 4);
   map.AddVoxels([](int c, int, int, int k) { return c + 10 * k; });

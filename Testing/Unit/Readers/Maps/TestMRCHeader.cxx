@@ -24,7 +24,7 @@ std::string SmallMap(const Damage& damage, bool bigEndian = false)
   return map.Bytes();
 }
 
-TEST(MRCHeader, FactsAreFieldData)
+TEST(MRCHeader, HeaderValuesAreFieldData)
 {
   const TemporaryFile file(SmallMap(
     [](MRCTestFile& map)
@@ -46,7 +46,7 @@ TEST(MRCHeader, FactsAreFieldData)
     }));
   MRCTestReading reading(file.Path());
   vtkImageData* const image = reading.Update();
-  ASSERT_FALSE(reading.Failed()) << reading.Error();
+  ASSERT_FALSE(reading.HasFailed()) << reading.Error();
   EXPECT_EQ(reading.Warning(), "");
   for (int i = 0; i < 3; ++i)
   {
@@ -93,14 +93,14 @@ class MRCRepair : public ::testing::TestWithParam<Repair>
 {
 };
 
-TEST_P(MRCRepair, IsToldAndStrictRefuses)
+TEST_P(MRCRepair, IsReportedAndStrictRefuses)
 {
   for (const bool bigEndian : { false, true })
   {
     const TemporaryFile file(SmallMap(GetParam().Do, bigEndian));
     MRCTestReading reading(file.Path());
     vtkImageData* const image = reading.Update();
-    ASSERT_FALSE(reading.Failed()) << reading.Error();
+    ASSERT_FALSE(reading.HasFailed()) << reading.Error();
     EXPECT_EQ(reading.Count("Repairs"), 1);
     EXPECT_NE(reading.Text("Repairs").find(GetParam().Says), std::string::npos)
       << reading.Text("Repairs");
@@ -115,7 +115,7 @@ TEST_P(MRCRepair, IsToldAndStrictRefuses)
 
     reading->StrictOn();
     vtkImageData* const refused = reading.Update();
-    EXPECT_TRUE(reading.Failed());
+    EXPECT_TRUE(reading.HasFailed());
     EXPECT_NE(reading.Error().find(GetParam().Says), std::string::npos) << reading.Error();
     EXPECT_EQ(refused->GetNumberOfPoints(), 0);
   }
@@ -188,7 +188,7 @@ TEST(MRCHeader, WithoutASamplingTheCellIsTheMap)
       }));
     MRCTestReading reading(file.Path());
     vtkImageData* const image = reading.Update();
-    ASSERT_FALSE(reading.Failed()) << reading.Error();
+    ASSERT_FALSE(reading.HasFailed()) << reading.Error();
     const std::array<int, 3> nodes =
       turned ? std::array<int, 3>{ 3, 2, 4 } : std::array<int, 3>{ 4, 3, 2 };
     for (int axis = 0; axis < 3; ++axis)
@@ -211,16 +211,16 @@ TEST(MRCHeader, WithoutASamplingAsReported)
   }
 }
 
-TEST(MRCHeader, BytesBehindTheMapAreTold)
+TEST(MRCHeader, BytesAfterTheMapAreReported)
 {
   const TemporaryFile file(SmallMap([](MRCTestFile&) {}) + "1234567");
   MRCTestReading reading(file.Path());
   reading.Update();
-  EXPECT_FALSE(reading.Failed());
+  EXPECT_FALSE(reading.HasFailed());
   EXPECT_NE(reading.Text("Repairs").find("7 bytes follow"), std::string::npos);
 }
 
-TEST(MRCHeader, AStampThatLiesIsOverruled)
+TEST(MRCHeader, AWrongStampIsOverruled)
 {
   for (const bool bigEndian : { false, true })
   {
@@ -229,7 +229,7 @@ TEST(MRCHeader, AStampThatLiesIsOverruled)
         bigEndian));
     MRCTestReading reading(file.Path());
     reading.Update();
-    ASSERT_FALSE(reading.Failed()) << reading.Error();
+    ASSERT_FALSE(reading.HasFailed()) << reading.Error();
     EXPECT_EQ(reading.Text("ByteOrder"), bigEndian ? "big endian" : "little endian");
     EXPECT_NE(reading.Text("Repairs").find("contradicts"), std::string::npos);
     EXPECT_EQ(reading.At(3, 2, 1), 23.0);
@@ -269,7 +269,7 @@ TEST(MRCHeader, CanReadFileLooksAtTheContent)
   EXPECT_EQ(reading->CanReadFile("/there/is/no/such/file"), 0);
   EXPECT_EQ(reading->CanReadFile("/"), 0);
   EXPECT_EQ(reading->CanReadFile(nullptr), 0);
-  EXPECT_FALSE(reading.Failed());
+  EXPECT_FALSE(reading.HasFailed());
 }
 
 }

@@ -160,7 +160,7 @@ TEST_P(MRCVoxels, WholeMap)
     {
       const auto& [mode, order] = GetParam();
       vtkImageData* const image = reading.Update();
-      ASSERT_FALSE(reading.Failed()) << reading.Error();
+      ASSERT_FALSE(reading.HasFailed()) << reading.Error();
       const std::array<int, 3> size = this->Size();
       EXPECT_EQ(image->GetScalarType(), ScalarType(mode));
       EXPECT_STREQ(image->GetPointData()->GetScalars()->GetName(), "Density");
@@ -183,7 +183,7 @@ TEST_P(MRCVoxels, CroppedAndStrided)
         reading->SetCropExtent(box.Crop.data());
         reading->SetSampleRate(box.Rate.data());
         vtkImageData* const image = reading.Update();
-        ASSERT_FALSE(reading.Failed()) << reading.Error();
+        ASSERT_FALSE(reading.HasFailed()) << reading.Error();
         const std::array<int, 3> size = this->Size();
         for (std::size_t a = 0; a < 3; ++a)
         {
@@ -233,7 +233,7 @@ TEST(MRCVoxelsLarge, ManyBricks)
         const TemporaryFile file(packed ? Gzip(bytes) : bytes);
         MRCTestReading reading(file.Path());
         reading.Update();
-        ASSERT_FALSE(reading.Failed()) << reading.Error();
+        ASSERT_FALSE(reading.HasFailed()) << reading.Error();
         EXPECT_TRUE(AllRight(reading, mode, order, {})) << "mode " << mode << " packed " << packed;
       }
     }
@@ -250,7 +250,7 @@ TEST(MRCVoxelsHalf, SpecialValues)
   const TemporaryFile file(bytes);
   MRCTestReading reading(file.Path());
   reading.Update();
-  ASSERT_FALSE(reading.Failed()) << reading.Error();
+  ASSERT_FALSE(reading.HasFailed()) << reading.Error();
   EXPECT_EQ(reading.At(0, 0, 0), std::ldexp(1.0, -24));
   EXPECT_EQ(reading.At(1, 0, 0), std::ldexp(1023.0, -24));
   EXPECT_EQ(reading.At(2, 0, 0), -std::ldexp(1.0, -24));
@@ -289,7 +289,7 @@ TEST(MRCVoxelsStream, MembersOneAfterTheOther)
     const TemporaryFile file(packed);
     MRCTestReading reading(file.Path());
     reading.Update();
-    ASSERT_FALSE(reading.Failed()) << reading.Error();
+    ASSERT_FALSE(reading.HasFailed()) << reading.Error();
     EXPECT_TRUE(AllRight(reading, 2, order, {}));
   }
 }

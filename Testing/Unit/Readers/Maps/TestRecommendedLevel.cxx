@@ -15,7 +15,7 @@ namespace
 
 const EntryMap Primary{ "5043", "map", 0 };
 
-std::optional<double> LevelOfHeader(const std::string& xml, const EntryMap& map = Primary)
+std::optional<double> ReadLevelFromHeader(const std::string& xml, const EntryMap& map = Primary)
 {
   return HeaderLevel(xml, map);
 }
@@ -46,31 +46,32 @@ std::string Contour(const std::string& level)
 
 TEST(RecommendedLevel, OfBothFormats)
 {
-  EXPECT_EQ(LevelOfHeader(Contour("0.0316")), 0.0316);
-  EXPECT_EQ(LevelOfHeader("<map><contourLevel source=\"author\"> 2.5 </contourLevel></map>"), 2.5);
-  EXPECT_EQ(LevelOfHeader(Contour("-1e-3")), -1e-3);
-  EXPECT_EQ(LevelOfHeader(Contour("0.5<!-- 0.7 or 911-->")), 0.5);
+  EXPECT_EQ(ReadLevelFromHeader(Contour("0.0316")), 0.0316);
+  EXPECT_EQ(
+    ReadLevelFromHeader("<map><contourLevel source=\"author\"> 2.5 </contourLevel></map>"), 2.5);
+  EXPECT_EQ(ReadLevelFromHeader(Contour("-1e-3")), -1e-3);
+  EXPECT_EQ(ReadLevelFromHeader(Contour("0.5<!-- 0.7 or 911-->")), 0.5);
 }
 
 TEST(RecommendedLevel, ThePrimaryOneOfSeveral)
 {
-  EXPECT_EQ(
-    LevelOfHeader("<map ><contour_list>\n<contour primary=\"false\"><level>1</level></contour>\n"
-                  "<contour primary=\"true\"><level>2</level></contour></contour_list></map>"),
+  EXPECT_EQ(ReadLevelFromHeader(
+              "<map ><contour_list>\n<contour primary=\"false\"><level>1</level></contour>\n"
+              "<contour primary=\"true\"><level>2</level></contour></contour_list></map>"),
     2.0);
-  EXPECT_EQ(LevelOfHeader("<map><contour_list><contour><level>3</level></contour>"
-                          "<contour><level>4</level></contour></contour_list></map>"),
+  EXPECT_EQ(ReadLevelFromHeader("<map><contour_list><contour><level>3</level></contour>"
+                                "<contour><level>4</level></contour></contour_list></map>"),
     3.0);
 }
 
-TEST(RecommendedLevel, NothingWhereThereIsNone)
+TEST(RecommendedLevel, EmptyWithoutAHeader)
 {
   for (const char* text : { "", "<emd/>", "<contour>", "<contour", "<contour_list></contour_list>",
          "<contour><level>high</level></contour>", "<contour><level>nan</level></contour>",
          "<contour><level>1 2</level></contour>", "<contour><level/></contour>",
          "<!-- <contour><level>1</level></contour> -->", "<!-- <contour><level>1</level>" })
   {
-    EXPECT_FALSE(LevelOfHeader("<map>" + std::string(text) + "</map>")) << text;
+    EXPECT_FALSE(ReadLevelFromHeader("<map>" + std::string(text) + "</map>")) << text;
   }
 }
 

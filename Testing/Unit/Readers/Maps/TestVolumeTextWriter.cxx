@@ -76,7 +76,7 @@ TEST(VolumeTextWriter, CountsThenValuesWithXFastest)
   EXPECT_FALSE(std::getline(text, line));
 }
 
-TEST(VolumeTextWriter, TellsWhatTheFormatLosesAndRefusesWhatItDoesNotHold)
+TEST(VolumeTextWriter, ReportsWhatTheFormatLosesAndRefusesTheRest)
 {
   const TemporaryFile file("", "x.dat");
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -141,7 +141,7 @@ TEST(VolumeTextWriter, IntegersOf64BitsKeepAllTheirDigits)
   EXPECT_EQ(written(least), "2 1 1\n-9223372036854775808 -1\n");
 }
 
-TEST(VolumeTextReader, WhatIsWrittenComesBackBitForBit)
+TEST(VolumeTextReader, RoundTripIsBitwise)
 {
   const auto image = Volume();
   for (const char* name : { "x.dat", "x.dat.gz" })
@@ -169,7 +169,7 @@ TEST(VolumeTextReader, WhatIsWrittenComesBackBitForBit)
   }
 }
 
-TEST(VolumeTextReader, BrokenFilesEndInASentenceWithTheLine)
+TEST(VolumeTextReader, BrokenFilesReportTheLine)
 {
   const auto why = [](const std::string& text)
   {

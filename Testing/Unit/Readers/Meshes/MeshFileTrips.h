@@ -29,7 +29,7 @@ namespace isthmus::testing
 {
 
 template <typename Reader>
-auto Opened(const std::string& path)
+auto OpenFile(const std::string& path)
 {
   auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
@@ -75,7 +75,7 @@ void Write(vtkPointSet* data, const std::string& path)
 
 /// The sentence that a file's reading ends in; empty: it was read.
 template <typename Read>
-std::string WhyRefused(Read&& read, const std::string& content, const std::string& name,
+std::string CatchMessage(Read&& read, const std::string& content, const std::string& name,
   const std::string& partner = {}, const std::string& partnerName = "x.node")
 {
   const TemporaryFile file(content, name);

@@ -86,7 +86,7 @@ struct Reading
   vtkNew<vtkTest::ErrorObserver> Observer, Pipeline;
 };
 
-std::string Replaced(const std::string& from, const std::string& to)
+std::string ReplaceInSample(const std::string& from, const std::string& to)
 {
   std::string text = Sample;
   const std::size_t at = text.find(from);
@@ -237,20 +237,23 @@ TEST(CombinatorialMeshReader, RefusesBadFilesWithTheLine)
 {
   ExpectRefusal("", "ends where the file's name should be");
   ExpectRefusal("nonsense 1 text", "line 1: this is no combinatorial mesh");
-  ExpectRefusal(Replaced("mesh 1 text", "mesh 2 text"), "the version of the format should be");
-  ExpectRefusal(Replaced(" text", " words"), "'text' or 'binary' should follow");
-  ExpectRefusal(Replaced("types 2", "types 1000000"), "the number of cell types should be");
-  ExpectRefusal(Replaced("3 0 2 1\n3 0 1 3", "3 0 1 2\n3 0 1 3"), "in the same direction");
-  ExpectRefusal(Replaced("3 2 0 3\n", "3 2 0 9\n"), "line 7: a vertex of a face should be");
-  ExpectRefusal(Replaced("vertices 8", "vertices 9"), "'blocks' among the coordinates");
-  ExpectRefusal(Replaced("vertices 8", "vertices 99999999999"), "the number of vertices should be");
-  ExpectRefusal(Replaced("float32", "int32"), "coordinates should be float32 or float64");
-  ExpectRefusal(Replaced("block 1 1", "block 2 1"), "the number of a cell type should be");
-  ExpectRefusal(Replaced("3 4 5 7", "3 4 5 8"), "block 0 has the vertex number 8");
-  ExpectRefusal(Replaced("block 0 2", "block 0 3"), "'block' among the vertices of cells");
-  ExpectRefusal(Replaced("uint8 1", "uint8 7"), "values of an attribute");
-  ExpectRefusal(Replaced("\n3\nend", "\n300\nend"), "'300' among the values of an attribute");
-  ExpectRefusal(Replaced("end\n", ""), "ends where 'end' should be. It is truncated.");
+  ExpectRefusal(
+    ReplaceInSample("mesh 1 text", "mesh 2 text"), "the version of the format should be");
+  ExpectRefusal(ReplaceInSample(" text", " words"), "'text' or 'binary' should follow");
+  ExpectRefusal(ReplaceInSample("types 2", "types 1000000"), "the number of cell types should be");
+  ExpectRefusal(ReplaceInSample("3 0 2 1\n3 0 1 3", "3 0 1 2\n3 0 1 3"), "in the same direction");
+  ExpectRefusal(ReplaceInSample("3 2 0 3\n", "3 2 0 9\n"), "line 7: a vertex of a face should be");
+  ExpectRefusal(ReplaceInSample("vertices 8", "vertices 9"), "'blocks' among the coordinates");
+  ExpectRefusal(
+    ReplaceInSample("vertices 8", "vertices 99999999999"), "the number of vertices should be");
+  ExpectRefusal(ReplaceInSample("float32", "int32"), "coordinates should be float32 or float64");
+  ExpectRefusal(ReplaceInSample("block 1 1", "block 2 1"), "the number of a cell type should be");
+  ExpectRefusal(ReplaceInSample("3 4 5 7", "3 4 5 8"), "block 0 has the vertex number 8");
+  ExpectRefusal(ReplaceInSample("block 0 2", "block 0 3"), "'block' among the vertices of cells");
+  ExpectRefusal(ReplaceInSample("uint8 1", "uint8 7"), "values of an attribute");
+  ExpectRefusal(
+    ReplaceInSample("\n3\nend", "\n300\nend"), "'300' among the values of an attribute");
+  ExpectRefusal(ReplaceInSample("end\n", ""), "ends where 'end' should be. It is truncated.");
   std::ostringstream binary;
   WriteCombinatorialMesh(ParseCombinatorialMesh(Sample), true, binary);
   for (std::size_t size = 0; size + 1 < binary.str().size(); ++size)
@@ -259,7 +262,7 @@ TEST(CombinatorialMeshReader, RefusesBadFilesWithTheLine)
   }
 }
 
-TEST(CombinatorialMeshReader, RefusesWhatIsNotThere)
+TEST(CombinatorialMeshReader, RefusesMissingFiles)
 {
   Reading reading;
   EXPECT_EQ(reading.Read("/nowhere/at/all.cmesh")->GetNumberOfCells(), 0);
@@ -269,7 +272,7 @@ TEST(CombinatorialMeshReader, RefusesWhatIsNotThere)
   EXPECT_NE(reading.Observer->GetErrorMessage().find("set FileName"), std::string::npos);
 }
 
-TEST(CombinatorialMeshReader, WriterTellsWhatItCannotDo)
+TEST(CombinatorialMeshReader, WriterReportsWhatItCannotDo)
 {
   const auto grid = AllGridFixtures().front().Grid;
   vtkNew<vtkTest::ErrorObserver> observer;

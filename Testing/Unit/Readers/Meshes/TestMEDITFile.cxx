@@ -28,7 +28,7 @@
 using namespace isthmus;
 using namespace isthmus::testing;
 
-TEST(MEDITFile, SharedMeshesAreThoseOfAnIndependentParser)
+TEST(MEDITFile, SharedMeshesMatchAnIndependentParser)
 {
   ISTHMUS_NEEDS_SHARED_DATA("volumes/bunny.mesh");
   for (const char* name : { "bunny.mesh", "octopus-low.mesh", "rockerarm_hex.mesh" })
@@ -36,7 +36,7 @@ TEST(MEDITFile, SharedMeshesAreThoseOfAnIndependentParser)
     SCOPED_TRACE(name);
     const auto path = SharedDataFolder() / "volumes" / name;
     EXPECT_EQ(vtkMEDITReader::CanReadFile(path.c_str()), 1);
-    const auto reader = Opened<vtkMEDITReader>(path.string());
+    const auto reader = OpenFile<vtkMEDITReader>(path.string());
     // The parser of the tests leaves surface cells out.
     vtkNew<vtkUnstructuredGrid> volume;
     volume->SetPoints(reader->GetOutput()->GetPoints());
@@ -57,7 +57,7 @@ TEST(MEDITFile, SharedMeshesAreThoseOfAnIndependentParser)
     vtkMEDITReader::CanReadFile((SharedDataFolder() / "volumes/tinyzoo-3d.mesh").c_str()), 0);
 }
 
-TEST(MEDITFile, WhatIsWrittenComesBackBitForBit)
+TEST(MEDITFile, RoundTripIsBitwise)
 {
   for (const auto& [type, corners] :
     { std::pair{ VTK_TETRA, 4 }, { VTK_HEXAHEDRON, 8 }, { VTK_WEDGE, 6 }, { VTK_PYRAMID, 5 },
@@ -73,7 +73,7 @@ TEST(MEDITFile, WhatIsWrittenComesBackBitForBit)
     grid->GetCellData()->AddArray(references);
     const TemporaryFile file("", "x.mesh");
     Write<vtkMEDITWriter>(grid, file.Path());
-    const auto reader = Opened<vtkMEDITReader>(file.Path());
+    const auto reader = OpenFile<vtkMEDITReader>(file.Path());
     ExpectSame(reader->GetOutput(), grid);
     vtkDataArray* read = reader->GetOutput()->GetCellData()->GetArray("Reference");
     ASSERT_NE(read, nullptr);
@@ -81,25 +81,25 @@ TEST(MEDITFile, WhatIsWrittenComesBackBitForBit)
   }
 }
 
-TEST(MEDITFile, OtherSectionsAreLeftOutAndPointsMayComeLast)
+TEST(MEDITFile, OtherSectionsAreSkippedAndPointsMayComeLast)
 {
   const TemporaryFile file("MeshVersionFormatted 2\nDimension\n3\n# cells first\nTetrahedra\n1\n"
                            "1 2 3 4 5\nCorners 2\n1\n2\nNormals 1\n0 0 1e0\nVertices 4\n0 0 0 1\n"
                            "1 0 0 1\n0 1 0 1\n0 0 1 2\nEnd\nVertices 9\n",
     "x.mesh");
-  const auto reader = Opened<vtkMEDITReader>(file.Path());
+  const auto reader = OpenFile<vtkMEDITReader>(file.Path());
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 4);
   ASSERT_EQ(reader->GetOutput()->GetNumberOfCells(), 1);
   EXPECT_EQ(reader->GetOutput()->GetCell(0)->GetPointId(3), 3);
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("Reference")->GetComponent(3, 0), 2);
 }
 
-TEST(MEDITFile, DamagedFilesEndInASentenceWithTheLine)
+TEST(MEDITFile, DamagedFilesReportTheLine)
 {
   const std::string head = "MeshVersionFormatted 1\nDimension 3\n";
   const auto why = [&head](const std::string& content, bool withHead = true)
   {
-    return WhyRefused([](const char* path, const ProgressCallback& progress)
+    return CatchMessage([](const char* path, const ProgressCallback& progress)
       { ReadMEDIT(path, progress); },
       (withHead ? head : "") + content, "x.mesh");
   };
@@ -130,7 +130,7 @@ TEST(MEDITFile, PlaneMeshesHaveNoHeight)
         "\n\nVertices\n4\n0 0.5 1\n1 0.5 2\n1 2 3\n0 2 4\nEdges\n1\n1 2 7\nTriangles\n2\n"
         "1 2 3 8\n1 3 4 9\nEnd\n",
       "x.mesh");
-    const auto reader = Opened<vtkMEDITReader>(file.Path());
+    const auto reader = OpenFile<vtkMEDITReader>(file.Path());
     vtkUnstructuredGrid* grid = reader->GetOutput();
     ASSERT_EQ(grid->GetNumberOfPoints(), 4);
     ASSERT_EQ(grid->GetNumberOfCells(), 3);
@@ -153,7 +153,7 @@ TEST(MEDITFile, TheBinaryFormatIsNamed)
       begin[isLittle ? 4 : 7] = version;
       const TemporaryFile file(begin, "x.meshb");
       EXPECT_EQ(vtkMEDITReader::CanReadFile(file.Path()), 1);
-      EXPECT_SAYS(WhyRefused([](const char* path, const ProgressCallback& progress)
+      EXPECT_SAYS(CatchMessage([](const char* path, const ProgressCallback& progress)
                     { ReadMEDIT(path, progress); },
                     begin, "x.meshb"),
         "MEDIT's binary format (.meshb), which is not read. Convert it");
@@ -161,7 +161,7 @@ TEST(MEDITFile, TheBinaryFormatIsNamed)
   }
 }
 
-TEST(MeshFiles, WritersSayWhatTheyLeaveOut)
+TEST(MeshFiles, WritersReportWhatTheyOmit)
 {
   const auto grid = RandomMesh(VTK_TETRA, 4, 1);
   vtkNew<vtkDoubleArray> extra;

@@ -36,7 +36,7 @@ struct Pair
   std::filesystem::path File; ///< the .vert
 };
 
-std::string WhyRefused(const std::filesystem::path& file)
+std::string CatchMessage(const std::filesystem::path& file)
 {
   try
   {
@@ -73,15 +73,18 @@ TEST(MSMSReader, ReadsHeadersCommentsAndAtomNames)
   EXPECT_EQ(vtkMSMSReader::CanReadFile(pair.File.c_str()), 1);
 }
 
-TEST(MSMSReader, DamagedFilesEndInASentenceWithTheLine)
+TEST(MSMSReader, DamagedFilesReportTheLine)
 {
-  EXPECT_NE(WhyRefused(Pair(Three, "1 2 4 1 12\n").File).find("names vertex 4"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair(Three, "1 2 1.5 1 12\n").File).find("whole number"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair(Three, "1 2 3 1 12\n1 2\n").File).find("Line 2"), std::string::npos);
   EXPECT_NE(
-    WhyRefused(Pair("0 0 nan 0 0 1 0 7 2\n", "").File).find("not a finite"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair("hello\n", "").File).find("0 numbers instead of 9"), std::string::npos);
-  EXPECT_NE(WhyRefused("no/such.vert").find("There is no file"), std::string::npos);
+    CatchMessage(Pair(Three, "1 2 4 1 12\n").File).find("names vertex 4"), std::string::npos);
+  EXPECT_NE(
+    CatchMessage(Pair(Three, "1 2 1.5 1 12\n").File).find("whole number"), std::string::npos);
+  EXPECT_NE(CatchMessage(Pair(Three, "1 2 3 1 12\n1 2\n").File).find("Line 2"), std::string::npos);
+  EXPECT_NE(
+    CatchMessage(Pair("0 0 nan 0 0 1 0 7 2\n", "").File).find("not a finite"), std::string::npos);
+  EXPECT_NE(
+    CatchMessage(Pair("hello\n", "").File).find("0 numbers instead of 9"), std::string::npos);
+  EXPECT_NE(CatchMessage("no/such.vert").find("There is no file"), std::string::npos);
   EXPECT_EQ(vtkMSMSReader::CanReadFile("no/such.vert"), 0);
   EXPECT_EQ(vtkMSMSReader::CanReadFile("picture.png"), 0);
 }
@@ -97,8 +100,8 @@ TEST(MSMSReader, LysozymeHasAShellAndThreeCavities)
   EXPECT_EQ(surface->GetNumberOfPoints(), 7201 + 35 + 158 + 37);
   EXPECT_EQ(surface->GetNumberOfCells(), 14398 + 66 + 312 + 70);
   EXPECT_EQ(surface->GetCellData()->GetArray("Component")->GetRange()[1], 3.0);
-  const TriangleMesh mesh = MeshOf(surface);
-  EXPECT_EQ(FindDefects(mesh).Sentence(), "");
+  const TriangleMesh mesh = ToCombinatorialMesh(surface);
+  EXPECT_EQ(FindDefects(mesh).Message(), "");
   // Four spheres: Euler number 8; normals point as the triangles do.
   EXPECT_EQ(EulerCharacteristic(mesh), 8);
   std::int64_t agree = 0;

@@ -52,7 +52,7 @@ vtkSmartPointer<vtkDataArray> Array(
   return array;
 }
 
-vtkDataSetAttributes* DataOf(vtkPointSet* mesh, bool onCells)
+vtkDataSetAttributes* ToPolyData(vtkPointSet* mesh, bool onCells)
 {
   return onCells ? static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) : mesh->GetPointData();
 }
@@ -74,17 +74,17 @@ template <typename Writer, typename Reader>
 Trip Written(vtkPointSet* mesh, vtkAbstractArray* array, bool onCells, const char* file)
 {
   const TemporaryFile place("", file);
-  DataOf(mesh, onCells)->AddArray(array);
+  ToPolyData(mesh, onCells)->AddArray(array);
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<Writer> writer;
   writer->AddObserver(vtkCommand::WarningEvent, observer);
   writer->SetInputData(mesh);
   writer->SetFileName(place.Path());
   EXPECT_EQ(writer->Write(), 1);
-  const auto reader = Opened<Reader>(place.Path());
-  Trip trip{ DataOf(reader->GetOutput(), onCells)->GetArray(array->GetName()),
+  const auto reader = OpenFile<Reader>(place.Path());
+  Trip trip{ ToPolyData(reader->GetOutput(), onCells)->GetArray(array->GetName()),
     observer->GetWarningMessage() };
-  DataOf(mesh, onCells)->RemoveArray(array->GetName());
+  ToPolyData(mesh, onCells)->RemoveArray(array->GetName());
   return trip;
 }
 

@@ -26,7 +26,7 @@
 using namespace isthmus;
 using namespace isthmus::testing;
 
-TEST(OFFFile, SharedSurfacesAreThoseOfAnIndependentParser)
+TEST(OFFFile, SharedSurfacesMatchAnIndependentParser)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/fertility.off");
   int files = 0;
@@ -36,7 +36,7 @@ TEST(OFFFile, SharedSurfacesAreThoseOfAnIndependentParser)
     {
       SCOPED_TRACE(entry.path().filename().string());
       EXPECT_EQ(vtkOFFSurfaceReader::CanReadFile(entry.path().c_str()), 1);
-      const auto reader = Opened<vtkOFFSurfaceReader>(entry.path().string());
+      const auto reader = OpenFile<vtkOFFSurfaceReader>(entry.path().string());
       ExpectSame(reader->GetOutput(), ReadOFF(entry.path()));
       ++files;
     }
@@ -51,7 +51,7 @@ TEST(OFFFile, HeadersColoursNormalsCommentsAndAllSizesOfFaces)
                            "1 1 0  0 0 1  1 2 3\n+0 1 0  0 0 1  0 0 0 0\n2 2 2  1 0 0  0 0 0\n"
                            "3 0 1 2 255 0 0\n4 0 1 2 3\n2 0 4\n1 4\n5 0 1 4 2 3 0.1 0.2 0.3\n",
     "x.off");
-  const auto reader = Opened<vtkOFFSurfaceReader>(file.Path());
+  const auto reader = OpenFile<vtkOFFSurfaceReader>(file.Path());
   vtkPolyData* surface = reader->GetOutput();
   EXPECT_EQ(surface->GetNumberOfVerts(), 1);
   EXPECT_EQ(surface->GetNumberOfLines(), 1);
@@ -69,7 +69,7 @@ TEST(OFFFile, HeadersColoursNormalsCommentsAndAllSizesOfFaces)
   EXPECT_EQ(colours->GetComponent(2, 3), 255); // none given: opaque
 }
 
-TEST(OFFFile, CountsMayStandWithoutABlankBehindTheHeader)
+TEST(OFFFile, CountsMayFollowTheHeaderDirectly)
 {
   // As in the files of ModelNet.
   const std::string rows = " 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -77,7 +77,7 @@ TEST(OFFFile, CountsMayStandWithoutABlankBehindTheHeader)
   {
     const TemporaryFile file(begin + rows, "x.off");
     EXPECT_EQ(vtkOFFSurfaceReader::CanReadFile(file.Path()), 1) << begin;
-    const auto reader = Opened<vtkOFFSurfaceReader>(file.Path());
+    const auto reader = OpenFile<vtkOFFSurfaceReader>(file.Path());
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 3) << begin;
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 1) << begin;
   }
@@ -88,11 +88,11 @@ TEST(OFFFile, CountsMayStandWithoutABlankBehindTheHeader)
   }
 }
 
-TEST(OFFFile, DamagedFilesEndInASentenceWithTheLine)
+TEST(OFFFile, DamagedFilesReportTheLine)
 {
   const auto why = [](const std::string& content)
   {
-    return WhyRefused([](const char* path, const ProgressCallback& progress)
+    return CatchMessage([](const char* path, const ProgressCallback& progress)
       { isthmus::ReadOFF(path, progress); },
       content, "x.off");
   };
@@ -120,7 +120,7 @@ TEST(OFFFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_EQ(vtkOFFSurfaceReader::CanReadFile("no/such.off"), 0);
 }
 
-TEST(OFFFile, WhatIsWrittenComesBackBitForBit)
+TEST(OFFFile, RoundTripIsBitwise)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -131,11 +131,11 @@ TEST(OFFFile, WhatIsWrittenComesBackBitForBit)
   {
     const TemporaryFile file("", name);
     Write<vtkOFFSurfaceWriter>(sphere->GetOutput(), file.Path());
-    ExpectSame(Opened<vtkOFFSurfaceReader>(file.Path())->GetOutput(), sphere->GetOutput());
+    ExpectSame(OpenFile<vtkOFFSurfaceReader>(file.Path())->GetOutput(), sphere->GetOutput());
   }
 }
 
-TEST(OFFFile, WritersRefuseWhatTheyDoNotHold)
+TEST(OFFFile, WritersRefuseUnsupportedCells)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   const TemporaryFile file("", "x.off");

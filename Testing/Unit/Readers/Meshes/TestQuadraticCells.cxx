@@ -37,7 +37,7 @@ namespace
 {
 
 /// VTK's own parametric coordinates of the nodes of a cell: its order.
-std::vector<double> NodesOf(int type)
+std::vector<double> GetNodes(int type)
 {
   vtkNew<vtkGenericCell> cell;
   cell->SetCellType(type);
@@ -50,7 +50,7 @@ std::vector<double> NodesOf(int type)
 std::string TwoCells(
   const std::string& section, int type, std::size_t corners, const std::vector<std::size_t>& order)
 {
-  const std::vector<double> nodes = NodesOf(type);
+  const std::vector<double> nodes = GetNodes(type);
   const std::size_t size = nodes.size() / 3;
   std::ostringstream vertices, cells;
   std::mt19937 random(11);
@@ -91,14 +91,14 @@ TEST(QuadraticCells, MEDITGivesVTKsOrderFromAnyOrder)
   std::mt19937 random(7);
   for (const auto& c : cases)
   {
-    const std::vector<double> nodes = NodesOf(c.Type);
+    const std::vector<double> nodes = GetNodes(c.Type);
     std::vector<std::size_t> order(nodes.size() / 3 - c.Corners);
     std::iota(order.begin(), order.end(), std::size_t{ 0 });
     for (int trial = 0; trial < 4; ++trial)
     {
       SCOPED_TRACE(std::string(c.Section) + ", trial " + std::to_string(trial));
       const TemporaryFile file(TwoCells(c.Section, c.Type, c.Corners, order), "x.mesh");
-      const auto reader = Opened<vtkMEDITReader>(file.Path());
+      const auto reader = OpenFile<vtkMEDITReader>(file.Path());
       vtkUnstructuredGrid* grid = reader->GetOutput();
       ASSERT_EQ(grid->GetNumberOfCells(), 2);
       EXPECT_EQ(grid->GetCellType(0), c.Type);
@@ -147,7 +147,7 @@ TEST(QuadraticCells, TetGensMarkersAreNotMiddlesOfEdges)
 {
   ISTHMUS_NEEDS_SHARED_DATA("reports/tetgen_o2/cube.1.face");
   const auto folder = SharedDataFolder() / "reports/tetgen_o2";
-  const auto faces = Opened<vtkTetGenMeshReader>((folder / "cube.1.face").string());
+  const auto faces = OpenFile<vtkTetGenMeshReader>((folder / "cube.1.face").string());
   ASSERT_EQ(faces->GetOutput()->GetNumberOfCells(), 12);
   std::map<double, int> counts;
   vtkDataArray* markers = faces->GetOutput()->GetCellData()->GetArray("BoundaryMarker");
@@ -170,7 +170,7 @@ TEST(QuadraticCells, TetGensMarkersAreNotMiddlesOfEdges)
   }
   EXPECT_EQ(
     counts, (std::map<double, int>{ { 1, 2 }, { 2, 2 }, { 3, 2 }, { 4, 2 }, { 5, 2 }, { 6, 2 } }));
-  const auto tetrahedra = Opened<vtkTetGenMeshReader>((folder / "cube.1.ele").string());
+  const auto tetrahedra = OpenFile<vtkTetGenMeshReader>((folder / "cube.1.ele").string());
   ASSERT_EQ(tetrahedra->GetOutput()->GetNumberOfCells(), 6);
   EXPECT_EQ(tetrahedra->GetOutput()->GetCell(0)->GetNumberOfPoints(), 10);
 }
@@ -194,7 +194,7 @@ TEST(QuadraticCells, EachLayoutOfAFaceFileIsRecognised)
     SCOPED_TRACE(c.Faces);
     const TemporaryFile file(c.Faces, "x.face");
     std::ofstream(std::filesystem::path(file.Path()).parent_path() / "x.node") << nodes;
-    const auto reader = Opened<vtkTetGenMeshReader>(file.Path());
+    const auto reader = OpenFile<vtkTetGenMeshReader>(file.Path());
     ASSERT_EQ(reader->GetOutput()->GetNumberOfCells(), 1);
     vtkCell* cell = reader->GetOutput()->GetCell(0);
     ASSERT_EQ(cell->GetNumberOfPoints(), c.Points);
@@ -207,7 +207,7 @@ TEST(QuadraticCells, EachLayoutOfAFaceFileIsRecognised)
   }
   const auto why = [&nodes](const std::string& faces)
   {
-    return WhyRefused(
+    return CatchMessage(
       [](const char* path, const ProgressCallback&)
       {
         vtkNew<vtkTest::ErrorObserver> observer;
@@ -235,7 +235,7 @@ TEST(QuadraticCells, SmallCellsDecideAsMuchAsLargeOnes)
     "0 0 0 0\n0.001 0 0 0\n0 0.001 0 0\n0.0005 0 0 0\n0.0005 0.0005 0 0\n0 0.0005 0 0\n"
     "TrianglesP2\n2\n1 2 3 4 5 6 0\n7 8 9 10 11 12 0\nEnd\n",
     "x.mesh");
-  const auto reader = Opened<vtkMEDITReader>(file.Path());
+  const auto reader = OpenFile<vtkMEDITReader>(file.Path());
   ASSERT_EQ(reader->GetOutput()->GetNumberOfCells(), 2);
   for (int i = 0; i < 6; ++i)
   {

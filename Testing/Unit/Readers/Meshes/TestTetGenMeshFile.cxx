@@ -36,7 +36,7 @@ TEST(TetGenMeshFile, TenNodesComeInVTKsOrder)
   ISTHMUS_NEEDS_SHARED_DATA("volumes/tetgen_one_tet10.ele");
   const auto path = SharedDataFolder() / "volumes/tetgen_one_tet10.ele";
   EXPECT_EQ(vtkTetGenMeshReader::CanReadFile(path.c_str()), 1);
-  const auto reader = Opened<vtkTetGenMeshReader>(path.string());
+  const auto reader = OpenFile<vtkTetGenMeshReader>(path.string());
   ASSERT_EQ(reader->GetOutput()->GetNumberOfCells(), 1);
   ASSERT_EQ(reader->GetOutput()->GetCellType(0), VTK_QUADRATIC_TETRA);
   // Each further node lies in the middle of the edge that VTK says.
@@ -54,7 +54,7 @@ TEST(TetGenMeshFile, TenNodesComeInVTKsOrder)
   }
 }
 
-TEST(TetGenMeshFile, WhatIsWrittenComesBackBitForBit)
+TEST(TetGenMeshFile, RoundTripIsBitwise)
 {
   for (const auto& [type, corners] : { std::pair{ VTK_TETRA, 4 }, { VTK_QUADRATIC_TETRA, 10 } })
   {
@@ -76,7 +76,7 @@ TEST(TetGenMeshFile, WhatIsWrittenComesBackBitForBit)
     grid->GetCellData()->AddArray(values);
     const TemporaryFile file("", "x.ele");
     Write<vtkTetGenMeshWriter>(grid, file.Path());
-    const auto reader = Opened<vtkTetGenMeshReader>(file.Path());
+    const auto reader = OpenFile<vtkTetGenMeshReader>(file.Path());
     ExpectSame(reader->GetOutput(), grid);
     vtkDataArray* read = reader->GetOutput()->GetCellData()->GetArray("Attribute");
     vtkDataArray* readMarkers = reader->GetOutput()->GetPointData()->GetArray("BoundaryMarker");
@@ -87,7 +87,7 @@ TEST(TetGenMeshFile, WhatIsWrittenComesBackBitForBit)
   }
 }
 
-TEST(TetGenMeshFile, TrianglesGoWithTheTetrahedra)
+TEST(TetGenMeshFile, TrianglesAreReadWithTheTetrahedra)
 {
   const auto grid = RandomMesh(VTK_TETRA, 4, 2);
   const vtkIdType triangle[3] = { 1, 5, 2 };
@@ -95,19 +95,19 @@ TEST(TetGenMeshFile, TrianglesGoWithTheTetrahedra)
   const TemporaryFile file("", "x.node");
   Write<vtkTetGenMeshWriter>(grid, file.Path());
   const auto folder = std::filesystem::path(file.Path()).parent_path();
-  const auto faces = Opened<vtkTetGenMeshReader>((folder / "x.face").string());
+  const auto faces = OpenFile<vtkTetGenMeshReader>((folder / "x.face").string());
   ASSERT_EQ(faces->GetOutput()->GetNumberOfCells(), 1);
   EXPECT_EQ(faces->GetOutput()->GetCell(0)->GetPointId(1), 5);
   EXPECT_EQ(
-    Opened<vtkTetGenMeshReader>((folder / "x.ele").string())->GetOutput()->GetNumberOfCells(), 2);
-  EXPECT_EQ(Opened<vtkTetGenMeshReader>(file.Path())->GetOutput()->GetNumberOfPoints(), 8);
+    OpenFile<vtkTetGenMeshReader>((folder / "x.ele").string())->GetOutput()->GetNumberOfCells(), 2);
+  EXPECT_EQ(OpenFile<vtkTetGenMeshReader>(file.Path())->GetOutput()->GetNumberOfPoints(), 8);
 }
 
-TEST(TetGenMeshFile, DamagedFilesEndInASentenceWithTheLine)
+TEST(TetGenMeshFile, DamagedFilesReportTheLine)
 {
   const auto why = [](const std::string& elements, const std::string& nodes = fourNodes)
   {
-    return WhyRefused([](const char* path, const ProgressCallback& progress)
+    return CatchMessage([](const char* path, const ProgressCallback& progress)
       { ReadTetGenFiles(path, progress); },
       elements, "x.ele", nodes);
   };
@@ -131,7 +131,7 @@ TEST(TetGenMeshFile, DamagedFilesEndInASentenceWithTheLine)
 
   const auto whyFace = [](const std::string& faces)
   {
-    return WhyRefused([](const char* path, const ProgressCallback& progress)
+    return CatchMessage([](const char* path, const ProgressCallback& progress)
       { ReadTetGenFiles(path, progress); },
       faces, "x.face", fourNodes);
   };

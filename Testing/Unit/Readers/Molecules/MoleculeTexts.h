@@ -12,19 +12,19 @@
 namespace isthmus::testing
 {
 
-inline Macromolecule Parsed(
+inline Macromolecule ParseMolecule(
   const std::string& text, MoleculeFormat format, MoleculeOptions options = MoleculeOptions())
 {
   options.Format = format;
   return ParseMacromolecule(text, "test", options);
 }
 
-inline std::string WhyRefused(
+inline std::string CatchMessage(
   const std::string& text, MoleculeFormat format, const MoleculeOptions& options = {})
 {
   try
   {
-    Parsed(text, format, options);
+    ParseMolecule(text, format, options);
   }
   catch (const std::runtime_error& error)
   {
@@ -33,7 +33,7 @@ inline std::string WhyRefused(
   return {};
 }
 
-inline std::string NamesOf(const Macromolecule& molecule)
+inline std::string JoinNames(const Macromolecule& molecule)
 {
   std::string names;
   for (const Atom& atom : molecule.Atoms)

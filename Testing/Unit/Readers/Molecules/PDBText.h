@@ -34,7 +34,7 @@ inline Macromolecule FromPDB(const std::string& text, std::int64_t model = 0)
 {
   MoleculeOptions options;
   options.ModelIndex = model;
-  return Parsed(text, MoleculeFormat::PDB, options);
+  return ParseMolecule(text, MoleculeFormat::PDB, options);
 }
 
 /// A file of the bug reports, plain or compressed.
@@ -46,7 +46,7 @@ inline Macromolecule FromReport(const std::string& name, std::int64_t model = 0)
 }
 
 /// "Na Cl X " of the atoms.
-inline std::string ElementsOf(const Macromolecule& molecule)
+inline std::string JoinElements(const Macromolecule& molecule)
 {
   std::string symbols;
   for (const Atom& atom : molecule.Atoms)

@@ -43,7 +43,7 @@ void ExpectElements(const std::vector<Named>& atoms)
     text += AtomLine(std::to_string(i + 1), atoms[i].Name, residue.data(), x += 5.0);
     expected += std::string(atoms[i].Element) + " ";
   }
-  EXPECT_EQ(ElementsOf(FromPDB(text)), expected);
+  EXPECT_EQ(JoinElements(FromPDB(text)), expected);
 }
 
 std::map<std::string, int> Counts(const Macromolecule& molecule)
@@ -141,8 +141,8 @@ TEST(AtomElements, ColumnsOfNamesInUnknownResidues)
   // Alone in its residue's neighbourhood, and as near as in a bond.
   const auto ligand = [&](const char* name, double distance)
   {
-    return ElementsOf(FromPDB(known + AtomLine("3", " O1", "XYZ A   2 ", 50) +
-                        AtomLine("4", name, "XYZ A   2 ", 50 + distance)))
+    return JoinElements(FromPDB(known + AtomLine("3", " O1", "XYZ A   2 ", 50) +
+                          AtomLine("4", name, "XYZ A   2 ", 50 + distance)))
       .substr(6);
   };
   EXPECT_EQ(ligand("CA", 2.4), "Ca ");
@@ -157,13 +157,13 @@ TEST(AtomElements, ColumnsOfNamesInUnknownResidues)
   EXPECT_EQ(ligand("OG", 1.5), "O "); // never oganesson
   EXPECT_EQ(ligand("OG", 2.5), "O ");
   // A ligand whose name is that of an ion in CHARMM.
-  EXPECT_EQ(ElementsOf(FromPDB(
+  EXPECT_EQ(JoinElements(FromPDB(
               AtomLine("1", "CA", "CAL A   1 ", 0) + AtomLine("2", "CB", "CAL A   1 ", 1.5))),
     "C C ");
   // Left-justified names of a known residue: columns mean nothing.
   const std::string left =
     AtomLine("1", "CA", "ALA A   1 ", 0) + AtomLine("2", "N", "ALA A   1 ", -1.4);
-  EXPECT_EQ(ElementsOf(FromPDB(left + AtomLine("3", "CD1", "XYZ A   2 ", 50) +
+  EXPECT_EQ(JoinElements(FromPDB(left + AtomLine("3", "CD1", "XYZ A   2 ", 50) +
               AtomLine("4", "HG", "XYZ A   2 ", 60))),
     "C N C H ");
   const Macromolecule counted = FromPDB(
@@ -179,59 +179,59 @@ TEST(AtomElements, MetalsAreKnownByTheirLigands)
 {
   // Left-justified, in residues that are not known: cobalt with nitrogens at 1.9 angstrom, and the
   // same name as a carbon at the end of a chain, or far from all others, as in traces of C-alphas.
-  const auto centre = [](const char* name, double distance)
+  const auto center = [](const char* name, double distance)
   {
-    return ElementsOf(
+    return JoinElements(
       FromPDB(AtomLine("1", name, "B1Z A   1 ", 0) + AtomLine("2", "N21", "B1Z A   1 ", distance) +
         AtomLine("3", "N22", "B1Z A   1 ", 0, distance) +
         AtomLine("4", "N23", "B1Z A   1 ", -distance)))
       .substr(0, 2);
   };
-  EXPECT_EQ(centre("CO", 1.9), "Co");
-  EXPECT_EQ(centre("CO", 1.5), "C ");
-  EXPECT_EQ(centre("CO", 3.8), "C ");
-  EXPECT_EQ(centre("CD", 2.3), "Cd");
-  EXPECT_EQ(centre("CA", 2.4), "Ca");
-  EXPECT_EQ(centre("CO1", 1.9), "C ");
+  EXPECT_EQ(center("CO", 1.9), "Co");
+  EXPECT_EQ(center("CO", 1.5), "C ");
+  EXPECT_EQ(center("CO", 3.8), "C ");
+  EXPECT_EQ(center("CD", 2.3), "Cd");
+  EXPECT_EQ(center("CA", 2.4), "Ca");
+  EXPECT_EQ(center("CO1", 1.9), "C ");
   // A symbol that can mean nothing else, wherever it is; a small letter.
-  EXPECT_EQ(centre("IR", 1.5), "Ir");
-  EXPECT_EQ(centre("RU", 3.8), "Ru");
-  EXPECT_EQ(centre("Co1", 1.9), "Co");
-  EXPECT_EQ(centre("Br1", 1.9), "Br");
-  EXPECT_EQ(ElementOfAtomName("Li", "LI"), 3); // of GRO files
-  EXPECT_EQ(ElementOfAtomName("IR1", "LIG"), 53);
-  EXPECT_EQ(ElementOfAtomName("CO", "3CO"), 27); // oxidation states of the PDB
-  EXPECT_EQ(ElementOfAtomName("PA", "1PA"), 15);
-  EXPECT_EQ(ElementOfAtomName("C1", "1CO"), 6);
-  EXPECT_EQ(ElementOfAtomName("HG", "LIG"), 1);
-  EXPECT_EQ(ElementOfAtomName("Cd1", "LEU"), 6);
+  EXPECT_EQ(center("IR", 1.5), "Ir");
+  EXPECT_EQ(center("RU", 3.8), "Ru");
+  EXPECT_EQ(center("Co1", 1.9), "Co");
+  EXPECT_EQ(center("Br1", 1.9), "Br");
+  EXPECT_EQ(ElementFromAtomName("Li", "LI"), 3); // of GRO files
+  EXPECT_EQ(ElementFromAtomName("IR1", "LIG"), 53);
+  EXPECT_EQ(ElementFromAtomName("CO", "3CO"), 27); // oxidation states of the PDB
+  EXPECT_EQ(ElementFromAtomName("PA", "1PA"), 15);
+  EXPECT_EQ(ElementFromAtomName("C1", "1CO"), 6);
+  EXPECT_EQ(ElementFromAtomName("HG", "LIG"), 1);
+  EXPECT_EQ(ElementFromAtomName("Cd1", "LEU"), 6);
 }
 
 TEST(AtomElements, AnElementColumnWinsUnlessItIsAbsurd)
 {
   const auto with = [](const char* name, const char* residue, const char* symbol)
   { return AtomLine("1", name, residue, 0, 0, 0, std::string("  1.00  0.00          ") + symbol); };
-  EXPECT_EQ(ElementsOf(FromPDB(with("CA", "LIG A   1 ", "CA"))), "Ca ");
-  EXPECT_EQ(ElementsOf(FromPDB(with(" CA", "LIG A   1 ", "CA"))), "Ca ");
-  EXPECT_EQ(ElementsOf(FromPDB(with("CLA", "CLA A   1 ", "CL"))), "Cl ");
-  EXPECT_EQ(ElementsOf(FromPDB(with("SE", "MSE A   1 ", "SE"))), "Se ");
-  EXPECT_EQ(ElementsOf(FromPDB(with(" D1", "DOD A   1 ", " D"))), "H ");
-  EXPECT_EQ(ElementsOf(FromPDB(with("N", "ALA A   1 ", "N "))), "N ");
-  EXPECT_EQ(ElementsOf(FromPDB(with("N", "ALA A   1 ", "N1+"))), "N ");
+  EXPECT_EQ(JoinElements(FromPDB(with("CA", "LIG A   1 ", "CA"))), "Ca ");
+  EXPECT_EQ(JoinElements(FromPDB(with(" CA", "LIG A   1 ", "CA"))), "Ca ");
+  EXPECT_EQ(JoinElements(FromPDB(with("CLA", "CLA A   1 ", "CL"))), "Cl ");
+  EXPECT_EQ(JoinElements(FromPDB(with("SE", "MSE A   1 ", "SE"))), "Se ");
+  EXPECT_EQ(JoinElements(FromPDB(with(" D1", "DOD A   1 ", " D"))), "H ");
+  EXPECT_EQ(JoinElements(FromPDB(with("N", "ALA A   1 ", "N "))), "N ");
+  EXPECT_EQ(JoinElements(FromPDB(with("N", "ALA A   1 ", "N1+"))), "N ");
   EXPECT_TRUE(FromPDB(with(" CA", "ALA A   1 ", " C")).Warnings.empty());
   // Names in the wrong columns: oganesson, mercury, calcium, cadmium in a protein.
   const Macromolecule absurd = FromPDB(with(" OG", "SER A   1 ", "OG") +
     with(" HG", "SER A   1 ", "HG") + with(" CA", "SER A   1 ", "CA") +
     with(" CB", "SER A   1 ", " C") + with(" OH2", "HOH A   2 ", "NA"));
-  EXPECT_EQ(ElementsOf(absurd), "O H C C O ");
-  EXPECT_EQ(ElementsOf(FromPDB(with(" OG", "SEP A   1 ", "OG") + with(" CA", "POPC    2 ", "CA") +
+  EXPECT_EQ(JoinElements(absurd), "O H C C O ");
+  EXPECT_EQ(JoinElements(FromPDB(with(" OG", "SEP A   1 ", "OG") + with(" CA", "POPC    2 ", "CA") +
               with(" OG", "LIG A   3 ", "OG") + with("SE", "MSE A   4 ", "SE"))),
     "O C O Se ");
   EXPECT_TRUE(Mention(
     absurd.Warnings, "that the residue does not contain: 4 (first: Og for OG of SER 1 A)."));
 }
 
-TEST(AtomElements, WhatIsNoElement)
+TEST(AtomElements, RecognisesDummies)
 {
   const auto with = [](const char* name, const char* residue, const char* symbol)
   {
@@ -246,14 +246,14 @@ TEST(AtomElements, WhatIsNoElement)
          { " O", "DUM     1 ", "  " }, { " N", "DUM     1 ", " N" } })
   {
     const Macromolecule molecule = with(name, residue, symbol);
-    EXPECT_EQ(ElementsOf(molecule), "X ") << name << residue << symbol;
+    EXPECT_EQ(JoinElements(molecule), "X ") << name << residue << symbol;
     EXPECT_TRUE(std::isnan(molecule.Atoms[0].Radius)) << name;
     EXPECT_TRUE(Mention(molecule.Warnings,
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1."))
       << name;
   }
   const Macromolecule pseudo = with("QB", "ALA A   1 ", "  ");
-  EXPECT_EQ(ElementsOf(pseudo), "X ");
+  EXPECT_EQ(JoinElements(pseudo), "X ");
   EXPECT_TRUE(Mention(pseudo.Warnings, "mean no element (Element is 0): 1 (first: QB of ALA 1 A)"));
 }
 
@@ -272,16 +272,16 @@ TEST(AtomElements, BeadsOfMartini)
 
 TEST(AtomElements, FamiliesOfResidues)
 {
-  EXPECT_EQ(FamilyOfResidue("HSP"), ResidueFamily::AminoAcid);
-  EXPECT_EQ(FamilyOfResidue("NHIE"), ResidueFamily::AminoAcid);
-  EXPECT_EQ(FamilyOfResidue("DG5"), ResidueFamily::Nucleotide);
-  EXPECT_EQ(FamilyOfResidue("OPC3"), ResidueFamily::Water);
-  EXPECT_EQ(FamilyOfResidue("SAPI"), ResidueFamily::Lipid);
-  EXPECT_EQ(FamilyOfResidue("NAP"), ResidueFamily::Cofactor);
-  EXPECT_EQ(FamilyOfResidue("LIG"), ResidueFamily::Unknown);
-  EXPECT_EQ(FamilyOfResidue(""), ResidueFamily::Unknown);
+  EXPECT_EQ(FindResidueFamily("HSP"), ResidueFamily::AminoAcid);
+  EXPECT_EQ(FindResidueFamily("NHIE"), ResidueFamily::AminoAcid);
+  EXPECT_EQ(FindResidueFamily("DG5"), ResidueFamily::Nucleotide);
+  EXPECT_EQ(FindResidueFamily("OPC3"), ResidueFamily::Water);
+  EXPECT_EQ(FindResidueFamily("SAPI"), ResidueFamily::Lipid);
+  EXPECT_EQ(FindResidueFamily("NAP"), ResidueFamily::Cofactor);
+  EXPECT_EQ(FindResidueFamily("LIG"), ResidueFamily::Unknown);
+  EXPECT_EQ(FindResidueFamily(""), ResidueFamily::Unknown);
   EXPECT_TRUE(IsLongResidueName("TIP3") && IsLongResidueName("LYSH") && IsLongResidueName("DOPS"));
   EXPECT_FALSE(IsLongResidueName("ALA") || IsLongResidueName("ALAB") || IsLongResidueName("LIGX"));
-  EXPECT_EQ(ElementOfAtomName("SOD", "SOD"), 11); // of PQR and GRO files, too
-  EXPECT_EQ(ElementOfAtomName("CLA", "CLA"), 17);
+  EXPECT_EQ(ElementFromAtomName("SOD", "SOD"), 11); // of PQR and GRO files, too
+  EXPECT_EQ(ElementFromAtomName("CLA", "CLA"), 17);
 }

@@ -34,12 +34,12 @@ Macromolecule FromCIF(const std::string& text, std::int64_t model = 0)
 {
   MoleculeOptions options;
   options.ModelIndex = model;
-  return Parsed(text, MoleculeFormat::MMCIF, options);
+  return ParseMolecule(text, MoleculeFormat::MMCIF, options);
 }
 
 std::string Why(const std::string& text)
 {
-  return WhyRefused(text, MoleculeFormat::MMCIF);
+  return CatchMessage(text, MoleculeFormat::MMCIF);
 }
 
 /// "C2 O1 " of the elements of a molecule.
@@ -183,7 +183,7 @@ TEST(CIFAtomTable, CoordinatesAndANameAreEnough)
 {
   const Macromolecule molecule =
     FromCIF(Glycine({ "label_atom_id", "Cartn_x", "Cartn_y", "Cartn_z" }));
-  EXPECT_EQ(NamesOf(molecule), "N CA C O CA O ");
+  EXPECT_EQ(JoinNames(molecule), "N CA C O CA O ");
   EXPECT_EQ(molecule.Atoms[5].Position, (std::array<double, 3>{ 14.0, 0.5, -1.25 }));
   EXPECT_TRUE(Mention(molecule.Notes, "Atoms without a usable element in the file: 6;"));
   EXPECT_TRUE(Mention(molecule.Notes, "no occupancy and B_iso_or_equiv"));
@@ -212,7 +212,7 @@ TEST(CIFAtomTable, AtomsWithoutCoordinatesAreDroppedAndCounted)
       text.replace(at + 1, 3, missing);
     }
     const Macromolecule molecule = FromCIF(text);
-    EXPECT_EQ(NamesOf(molecule), "N CA O O ") << missing;
+    EXPECT_EQ(JoinNames(molecule), "N CA O O ") << missing;
     ASSERT_EQ(molecule.Warnings.size(), 1u) << missing;
     EXPECT_NE(molecule.Warnings[0].find("2 of 6 atoms have no coordinates"), std::string::npos);
     EXPECT_NE(molecule.Warnings[0].find("C of GLY 7 A, CA of CA 101 B"), std::string::npos)
@@ -310,7 +310,7 @@ TEST(CIFAtomTable, ChargesSymbolsAndDisorderOfCoreCIF)
   EXPECT_TRUE(Mention(molecule.Warnings, "1 of 6 atoms")); // C3
   MoleculeOptions all;
   all.AltLoc = "*";
-  EXPECT_EQ(Parsed(text, MoleculeFormat::MMCIF, all).Atoms.size(), 5u);
+  EXPECT_EQ(ParseMolecule(text, MoleculeFormat::MMCIF, all).Atoms.size(), 5u);
 }
 
 TEST(CIFAtomTable, LabelsOfCoreCIFBeginWithTheSymbol)
@@ -351,7 +351,7 @@ TEST(CIFAtomTable, ChemicalComponentHasItsBonds)
     "_chem_comp_atom.pdbx_model_Cartn_z_ideal\n";
   MoleculeOptions fileBonds;
   fileBonds.BondsByDistance = false;
-  const Macromolecule ideal = Parsed(both +
+  const Macromolecule ideal = ParseMolecule(both +
       "EOH C1 C 0 50 0 0 0 0 0\nEOH C2 C 0 51 0 0 1.5 0 0\n"
       "EOH O O -1 52 0 0 0 1.4 0\n" +
       bonds,
@@ -374,7 +374,7 @@ TEST(CIFAtomTable, ChemicalComponentHasItsBonds)
     "data_comp_list\nloop_\n_chem_comp.id\n_chem_comp.name\nEOH ethanol\n" + head +
     "_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n" +
     "EOH C1 C 0.000 1 0 0\nEOH O O 0 2.4 0 0\n" + bonds;
-  EXPECT_EQ(NamesOf(FromCIF(library)), "C1 O ");
+  EXPECT_EQ(JoinNames(FromCIF(library)), "C1 O ");
 }
 
 // Two components in one table have atoms of the same names.
@@ -382,14 +382,14 @@ TEST(CIFAtomTable, BondsStayWithinTheirComponent)
 {
   MoleculeOptions fileBonds;
   fileBonds.BondsByDistance = false;
-  const Macromolecule both =
-    Parsed("data_comp\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n"
-           "_chem_comp_atom.type_symbol\n_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n"
-           "EOH C1 C 0 0 0\nEOH C2 C 1.5 0 0\nEOH O O 0 1.4 0\n"
-           "MOH C1 C 9 0 0\nMOH N N 9 9 0\nMOH O O 9 1.4 0\n"
-           "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
-           "EOH C1 C2\nEOH C1 O\nMOH C1 O\n",
-      MoleculeFormat::MMCIF, fileBonds);
+  const Macromolecule both = ParseMolecule(
+    "data_comp\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n"
+    "_chem_comp_atom.type_symbol\n_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n"
+    "EOH C1 C 0 0 0\nEOH C2 C 1.5 0 0\nEOH O O 0 1.4 0\n"
+    "MOH C1 C 9 0 0\nMOH N N 9 9 0\nMOH O O 9 1.4 0\n"
+    "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
+    "EOH C1 C2\nEOH C1 O\nMOH C1 O\n",
+    MoleculeFormat::MMCIF, fileBonds);
   ASSERT_EQ(both.Atoms.size(), 6u);
   std::set<std::pair<std::int64_t, std::int64_t>> bonds;
   for (const auto& bond : both.Bonds)
@@ -404,7 +404,7 @@ TEST(CIFAtomTable, AtomsOfALaterDataBlockAreRead)
 {
   const std::string glycine = Glycine(AllColumns);
   const std::string first = FromCIF("data_global\n_journal_year 2016\n" + glycine).Warnings.empty()
-    ? NamesOf(FromCIF("data_global\n_journal_year 2016\n" + glycine))
+    ? JoinNames(FromCIF("data_global\n_journal_year 2016\n" + glycine))
     : "warned";
   EXPECT_EQ(first, "N CA C O CA O ");
   const std::string other = "data_zinc\n_atom_site.label_atom_id ZN\n_atom_site.label_comp_id ZN\n"
@@ -413,7 +413,7 @@ TEST(CIFAtomTable, AtomsOfALaterDataBlockAreRead)
   EXPECT_EQ(both.Atoms.size(), 6u);
   EXPECT_EQ(both.NumberOfModels, 2);
   EXPECT_TRUE(Mention(both.Warnings, "2 data blocks with atoms (gly, zinc)"));
-  EXPECT_EQ(NamesOf(FromCIF(glycine + other, 1)), "ZN ");
+  EXPECT_EQ(JoinNames(FromCIF(glycine + other, 1)), "ZN ");
   EXPECT_NE(Why("data_r1abcsf\nloop_\n_refln.index_h\n_refln.index_k\n1 2\n").find("reflections"),
     std::string::npos);
 }
@@ -446,7 +446,7 @@ TEST(CIFAtomTable, FractionalCoordinatesCountWhereCartesianOnesAreUnknown)
   EXPECT_NEAR(molecule.Atoms[1].Position[2], 3.0, 1e-12);
 }
 
-TEST(CIFAtomTable, ValuesThatAreNoNumbersCostNoAtoms)
+TEST(CIFAtomTable, MalformedValuesDropNoAtoms)
 {
   const std::vector<std::string> columns{ "label_atom_id", "auth_seq_id", "pdbx_PDB_ins_code",
     "pdbx_formal_charge", "label_alt_id", "Cartn_x", "Cartn_y", "Cartn_z" };
@@ -458,7 +458,7 @@ TEST(CIFAtomTable, ValuesThatAreNoNumbersCostNoAtoms)
   text += "N   one ?  2+  .  0 0 0\nCA  15A B  1-  .  2 0 0\nC '16' ?  x   .  4 0 0\n"
           "O   17C ?  1.0 AB 6 0 0\nCB  -3  AB +1  .  8 0 0\n";
   const Macromolecule molecule = FromCIF(text);
-  ASSERT_EQ(NamesOf(molecule), "N CA C OA CB ");
+  ASSERT_EQ(JoinNames(molecule), "N CA C OA CB ");
   const int numbers[] = { 0, 15, 16, 17, -3 };
   const double charges[] = { 2, -1, Atom::Unknown, 1, 1 };
   const char insertions[] = { ' ', 'B', ' ', 'C', 'A' };
@@ -474,7 +474,7 @@ TEST(CIFAtomTable, ValuesThatAreNoNumbersCostNoAtoms)
   EXPECT_TRUE(Mention(molecule.Notes, "1 value of pdbx_formal_charge"));
 }
 
-TEST(CIFAtomTable, FaultsInConnectionsCostNoAtoms)
+TEST(CIFAtomTable, MalformedConnectionsDropNoAtoms)
 {
   const std::string connections =
     "_struct_conn.id covale1\n_struct_conn.conn_type_id covale\n_struct_conn.ptnr1_label_comp_id "

@@ -36,7 +36,7 @@ Macromolecule JitteredCarbons(int side)
 
 }
 
-TEST(CovalentBonds, AreThoseOfAllPairs)
+TEST(CovalentBonds, MatchBruteForce)
 {
   Macromolecule molecule = JitteredCarbons(12);
   std::vector<std::pair<std::int64_t, std::int64_t>> expected;

@@ -36,7 +36,7 @@ Macromolecule Model(const std::string& text, MoleculeFormat format, std::int64_t
   MoleculeOptions options;
   options.ModelIndex = model;
   options.BondsByDistance = false;
-  return Parsed(text, format, options);
+  return ParseMolecule(text, format, options);
 }
 
 std::string WhyOfFile(const std::string& content, const std::string& name)
@@ -81,7 +81,7 @@ TEST(ExchangeFormats, ExtendedXYZInAnyOrder)
   ASSERT_FALSE(charged.Notes.empty());
   EXPECT_PART(charged.Notes[0], "not read: fixed.");
   const auto why = [](const std::string& properties)
-  { return WhyRefused("1\nProperties=" + properties + "\nO 1 2 3\n", MoleculeFormat::XYZ); };
+  { return CatchMessage("1\nProperties=" + properties + "\nO 1 2 3\n", MoleculeFormat::XYZ); };
   EXPECT_PART(why("species:S:1"), "needs the properties species");
   EXPECT_PART(why("pos:R:3"), "needs the properties species");
   EXPECT_PART(why("species:S:1:pos:R"), "name:type:count");
@@ -110,8 +110,8 @@ TEST(ExchangeFormats, TinkerXYZ)
     Model("4\n1 Na+ 0 0 0 7\n2 CA 9 0 0 1\n3 Cl- 0 9 0 8\n4 HN 0 0 9 2\n", MoleculeFormat::XYZ, 0);
   EXPECT_EQ(Symbols(ions), "Na C Cl H ");
   EXPECT_PART(
-    WhyRefused("2\n1 O 0 0 0 1 2\n2 H 1 0 0 1 9\n", MoleculeFormat::XYZ), "atom 9 is bonded");
-  EXPECT_PART(WhyRefused("2\n1 O 0 0 0 1 2\n", MoleculeFormat::XYZ), "ends after 1 of 2");
+    CatchMessage("2\n1 O 0 0 0 1 2\n2 H 1 0 0 1 9\n", MoleculeFormat::XYZ), "atom 9 is bonded");
+  EXPECT_PART(CatchMessage("2\n1 O 0 0 0 1 2\n", MoleculeFormat::XYZ), "ends after 1 of 2");
   // A comment of plain XYZ may have numbers.
   EXPECT_EQ(Symbols(Model("1\n1 2 3 4\nC 0 0 0\n", MoleculeFormat::XYZ, 0)), "C ");
 }
@@ -144,7 +144,7 @@ TEST(ExchangeFormats, PDBQTHasChargesAndAutoDocksTypes)
   const std::string long10 =
     "ATOM      1  N1  LIG A   2      14.607 -11.551  25.793  1.00 30.50-12.345678 N \n";
   EXPECT_EQ(Model(long10, MoleculeFormat::PDBQT, 0).Atoms.at(0).Charge, -12.345678);
-  EXPECT_PART(WhyRefused("ATOM      1  C   LIG A   2      14.607 -11.551  25.793  1.00  0.00\n",
+  EXPECT_PART(CatchMessage("ATOM      1  C   LIG A   2      14.607 -11.551  25.793  1.00  0.00\n",
                 MoleculeFormat::PDBQT),
     "partial charge");
 }
@@ -186,11 +186,11 @@ TEST(ExchangeFormats, GROInAngstrom)
     "\n1\n    1SOL     OW    1   0.12612   1.62478  -1.67933\n1 1 1\n", MoleculeFormat::GRO, 0);
   EXPECT_EQ(fine.Atoms[0].Position, (std::array<double, 3>{ 1.2612, 16.2478, -16.7933 }));
   EXPECT_PART(
-    WhyRefused("t\n2\n    1SOL     OW    1   0.126   1.624   1.679\n", MoleculeFormat::GRO),
+    CatchMessage("t\n2\n    1SOL     OW    1   0.126   1.624   1.679\n", MoleculeFormat::GRO),
     "within a molecule");
-  EXPECT_PART(WhyRefused("t\nmany\n", MoleculeFormat::GRO), "line 2");
+  EXPECT_PART(CatchMessage("t\nmany\n", MoleculeFormat::GRO), "line 2");
   EXPECT_PART(
-    WhyRefused("t\n1\n    1SOL     OW    1   0.1261e300   1.678\n1 1 1\n", MoleculeFormat::GRO),
+    CatchMessage("t\n1\n    1SOL     OW    1   0.1261e300   1.678\n1 1 1\n", MoleculeFormat::GRO),
     "larger than");
 }
 
@@ -212,9 +212,9 @@ TEST(ExchangeFormats, MOL2)
   EXPECT_EQ(Symbols(ion), "Zn ");
   EXPECT_EQ(ion.NumberOfModels, 2);
   EXPECT_TRUE(std::isnan(ion.Atoms[0].Charge));
-  EXPECT_EQ(Symbols(Parsed(second, MoleculeFormat::ByName)), "Zn ");
+  EXPECT_EQ(Symbols(ParseMolecule(second, MoleculeFormat::ByName)), "Zn ");
   EXPECT_PART(
-    WhyRefused(text.substr(0, text.find("  3 O1")), MoleculeFormat::MOL2), "within a molecule");
+    CatchMessage(text.substr(0, text.find("  3 O1")), MoleculeFormat::MOL2), "within a molecule");
   const Macromolecule odd = Model("@<TRIPOS>MOLECULE\nx\n1 1\nS\nC\n@<TRIPOS>ATOM\n1 C 0 0 0 C.3\n"
                                   "@<TRIPOS>BOND\n1 1 7 1\n",
     MoleculeFormat::MOL2, 0);
@@ -278,7 +278,7 @@ TEST(ExchangeFormats, SDFOfBothVersions)
   EXPECT_EQ(second.Atoms[0].Charge, 2.0);
   ASSERT_FALSE(second.Warnings.empty());
   EXPECT_PART(second.Warnings[0], "2D");
-  EXPECT_PART(WhyRefused(v2000.substr(0, 150), MoleculeFormat::SDF), "line");
+  EXPECT_PART(CatchMessage(v2000.substr(0, 150), MoleculeFormat::SDF), "line");
   const Macromolecule odd =
     Model("a\nb\n\n  1  1\n    0.0000    0.0000    0.0000 C\n  1  9  1\nM  END\n",
       MoleculeFormat::SDF, 0);
@@ -299,11 +299,11 @@ TEST(ExchangeFormats, SDFWithoutItsEndIsReadWithAWarning)
   EXPECT_TRUE(Model(whole + "M  END\n", MoleculeFormat::SDF, 0).Warnings.empty());
   EXPECT_TRUE(Model(whole + "$$$$\n", MoleculeFormat::SDF, 0).Warnings.empty());
   EXPECT_PART(
-    WhyRefused(whole.substr(0, whole.size() - 1), MoleculeFormat::SDF), "ends within this line");
+    CatchMessage(whole.substr(0, whole.size() - 1), MoleculeFormat::SDF), "ends within this line");
 }
 
 // Bytes changed, cut and doubled at random: atoms or a message, and nothing that is not finite.
-TEST(ExchangeFormats, DamagedTextsEndInAtomsOrAMessage)
+TEST(ExchangeFormats, DamagedTextsGiveAtomsOrAMessage)
 {
   const std::pair<MoleculeFormat, std::string> texts[] = {
     { MoleculeFormat::XYZ, "2\nProperties=pos:R:3:species:S:1:q:R:1\n0 0 0 C 1\n1 2 3 O 2\n" },
@@ -333,7 +333,7 @@ TEST(ExchangeFormats, DamagedTextsEndInAtomsOrAMessage)
   int read = 0;
   for (const auto& [format, whole] : texts)
   {
-    ASSERT_EQ(WhyRefused(whole, format), "") << whole;
+    ASSERT_EQ(CatchMessage(whole, format), "") << whole;
     for (int trial = 0; trial < 400; ++trial)
     {
       std::string text = whole;
@@ -375,7 +375,7 @@ TEST(ExchangeFormats, DamagedTextsEndInAtomsOrAMessage)
   EXPECT_GT(read, 500);
 }
 
-TEST(ExchangeFormats, OtherFormatsAreNamedWithTheWayOut)
+TEST(ExchangeFormats, OtherFormatsAreNamedWithASuggestion)
 {
   EXPECT_PART(WhyOfFile("\x83\xa7 binary", "x.bcif"), "BinaryCIF");
   EXPECT_PART(WhyOfFile("\x83\xa7 binary", "x.mmtf"), "MMTF");
@@ -396,7 +396,7 @@ TEST(ExchangeFormats, OtherFormatsAreNamedWithTheWayOut)
   EXPECT_PART(WhyOfFile("PK\x03\x04", "x.pdb.zip"), "unzip");
 }
 
-TEST(ExchangeFormats, ContentsOfOtherFormatsAreNamedWhateverTheName)
+TEST(ExchangeFormats, OtherFormatsAreRecognisedByTheirContent)
 {
   // BinaryCIF's first map has version, encoder and dataBlocks; MMTF's a version of its own.
   const std::string binaryCIF = "\x83\xa7version\xa5"

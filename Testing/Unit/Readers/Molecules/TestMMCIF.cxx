@@ -31,7 +31,7 @@ std::string TwoAtoms(const std::string& id, const std::string& label, const std:
 
 std::string Why(const std::string& text)
 {
-  return WhyRefused(text, MoleculeFormat::MMCIF);
+  return CatchMessage(text, MoleculeFormat::MMCIF);
 }
 
 }
@@ -61,12 +61,12 @@ TEST(MMCIF, LongRangesOfOperationsAreRefused)
   EXPECT_NE(Why(atoms + assembly + "(1-2000000000)\n").find("oper_expression"), std::string::npos);
 }
 
-TEST(MMCIF, FaultsInWhatIsNotWantedCostNoAtoms)
+TEST(MMCIF, MalformedUnusedCategoriesDropNoAtoms)
 {
   const std::string atoms = TwoAtoms("2", "1", "1", "0");
   const std::string helix = "_struct_conf.conf_type_id HELX_P\n_struct_conf.beg_auth_asym_id A\n"
                             "_struct_conf.beg_label_comp_id LYS\n_struct_conf.beg_auth_seq_id one\n"
                             "_struct_conf.end_auth_asym_id A\n_struct_conf.end_label_comp_id LYS\n"
                             "_struct_conf.end_auth_seq_id 99999999999\n";
-  EXPECT_EQ(NamesOf(Parsed(atoms + helix, MoleculeFormat::MMCIF)), "N CA ");
+  EXPECT_EQ(JoinNames(ParseMolecule(atoms + helix, MoleculeFormat::MMCIF)), "N CA ");
 }

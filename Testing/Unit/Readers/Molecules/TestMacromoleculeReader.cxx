@@ -54,46 +54,46 @@ TEST(MacromoleculeReader, Selections)
 {
   MoleculeOptions options;
   options.AltLoc = "A";
-  EXPECT_EQ(NamesOf(Parsed(SmallPDB, MoleculeFormat::PDB, options)), "CA CBA OGA FE O ");
+  EXPECT_EQ(JoinNames(ParseMolecule(SmallPDB, MoleculeFormat::PDB, options)), "CA CBA OGA FE O ");
   options.AltLoc = "*";
-  const Macromolecule all = Parsed(SmallPDB, MoleculeFormat::PDB, options);
-  EXPECT_EQ(NamesOf(all), "CA CBA CBB OGA OGB FE O ");
+  const Macromolecule all = ParseMolecule(SmallPDB, MoleculeFormat::PDB, options);
+  EXPECT_EQ(JoinNames(all), "CA CBA CBB OGA OGB FE O ");
   // CA to both CB, each CB to its own OG: never one conformer to the other; Fe-O of the file.
   EXPECT_EQ(all.Bonds.size(), 5u);
   options.AltLoc.clear();
   options.Chains = " B,C";
-  EXPECT_EQ(NamesOf(Parsed(SmallPDB, MoleculeFormat::PDB, options)), "FE O ");
+  EXPECT_EQ(JoinNames(ParseMolecule(SmallPDB, MoleculeFormat::PDB, options)), "FE O ");
   options.ReadWater = false;
-  const Macromolecule iron = Parsed(SmallPDB, MoleculeFormat::PDB, options);
-  EXPECT_EQ(NamesOf(iron), "FE ");
+  const Macromolecule iron = ParseMolecule(SmallPDB, MoleculeFormat::PDB, options);
+  EXPECT_EQ(JoinNames(iron), "FE ");
   EXPECT_TRUE(iron.Bonds.empty()); // its partner is gone
   options.ReadHetero = false;
-  EXPECT_TRUE(Parsed(SmallPDB, MoleculeFormat::PDB, options).Atoms.empty());
+  EXPECT_TRUE(ParseMolecule(SmallPDB, MoleculeFormat::PDB, options).Atoms.empty());
   options = MoleculeOptions();
   options.ModelIndex = 1;
-  EXPECT_EQ(Parsed(SmallPDB, MoleculeFormat::PDB, options).Atoms.at(0).Position[0], 5.0);
+  EXPECT_EQ(ParseMolecule(SmallPDB, MoleculeFormat::PDB, options).Atoms.at(0).Position[0], 5.0);
   options.RadiusTable = RadiusTable::Alvarez;
   options.ModelIndex = 0;
-  EXPECT_TRUE(Parsed(SmallPDB, MoleculeFormat::PDB, options).Warnings.empty());
+  EXPECT_TRUE(ParseMolecule(SmallPDB, MoleculeFormat::PDB, options).Warnings.empty());
 
   options = MoleculeOptions();
   options.Chains = "A X";
   EXPECT_EQ(
-    WhyRefused(SmallPDB, MoleculeFormat::PDB, options), "There is no chain X; there are: A B C.");
+    CatchMessage(SmallPDB, MoleculeFormat::PDB, options), "There is no chain X; there are: A B C.");
   options = MoleculeOptions();
   options.AltLoc = "Q";
   EXPECT_NE(
-    WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("location Q"), std::string::npos);
+    CatchMessage(SmallPDB, MoleculeFormat::PDB, options).find("location Q"), std::string::npos);
   options.AltLoc = "AB";
   EXPECT_NE(
-    WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("one letter"), std::string::npos);
+    CatchMessage(SmallPDB, MoleculeFormat::PDB, options).find("one letter"), std::string::npos);
   options = MoleculeOptions();
   options.ModelIndex = 2;
-  EXPECT_EQ(WhyRefused(SmallPDB, MoleculeFormat::PDB, options),
+  EXPECT_EQ(CatchMessage(SmallPDB, MoleculeFormat::PDB, options),
     "test: there is no model 2, they are numbered 0 to 1.");
 }
 
-TEST(MacromoleculeReader, OneConformerOfEachResidueIsWhole)
+TEST(MacromoleculeReader, ConformersAreComplete)
 {
   // Equal occupancies: the first letter. An atom that only the other conformer has is kept, unless
   // the conformers are two different residues (1EN2 has such).
@@ -103,9 +103,9 @@ TEST(MacromoleculeReader, OneConformerOfEachResidueIsWhole)
     "ATOM      3  OG BSER A  10       3.000   0.000   0.000  0.50 10.00           O  \n"
     "ATOM      4  CB ATHR A  11       4.000   0.000   0.000  0.70 10.00           C  \n"
     "ATOM      5  OG BSER A  11       5.000   0.000   0.000  0.30 10.00           O  \n";
-  const Macromolecule molecule = Parsed(residue, MoleculeFormat::PDB);
+  const Macromolecule molecule = ParseMolecule(residue, MoleculeFormat::PDB);
   // B is the most occupied of residue 10 by the sum over its atoms.
-  EXPECT_EQ(NamesOf(molecule), "CBB OGB CBA ");
+  EXPECT_EQ(JoinNames(molecule), "CBB OGB CBA ");
 }
 
 TEST(MacromoleculeReader, AssembliesThatTheFileDescribes)
@@ -126,9 +126,9 @@ TEST(MacromoleculeReader, AssembliesThatTheFileDescribes)
     "ATOM      2  CA  GLY A   1       2.400   2.000   3.000  1.00 10.00           C\n"
     "CONECT    1    2\nEND\n";
   MoleculeOptions options;
-  EXPECT_EQ(Parsed(remarks + atoms, MoleculeFormat::PDB, options).Atoms.size(), 2u);
+  EXPECT_EQ(ParseMolecule(remarks + atoms, MoleculeFormat::PDB, options).Atoms.size(), 2u);
   options.Assembly = "1";
-  const Macromolecule dimer = Parsed(remarks + atoms, MoleculeFormat::PDB, options);
+  const Macromolecule dimer = ParseMolecule(remarks + atoms, MoleculeFormat::PDB, options);
   ASSERT_EQ(dimer.Atoms.size(), 4u);
   EXPECT_NEAR(dimer.Atoms[2].Position[0], 19.0, 1e-6);
   EXPECT_NEAR(dimer.Atoms[2].Position[1], -2.0, 1e-6);
@@ -140,14 +140,14 @@ TEST(MacromoleculeReader, AssembliesThatTheFileDescribes)
   far.replace(far.rfind("0.00000\n"), 7, "9999999.9");
   far.replace(far.find("20.00000"), 8, "9999999.9");
   far.replace(far.rfind("0.000000        0.00000\n") + 8, 15, "        9999999");
-  EXPECT_NE(WhyRefused(far + atoms, MoleculeFormat::PDB, options).find("too large to search"),
+  EXPECT_NE(CatchMessage(far + atoms, MoleculeFormat::PDB, options).find("too large to search"),
     std::string::npos);
   options.Assembly = "7";
-  EXPECT_EQ(WhyRefused(remarks + atoms, MoleculeFormat::PDB, options),
+  EXPECT_EQ(CatchMessage(remarks + atoms, MoleculeFormat::PDB, options),
     "test: there is no assembly 7; the file describes 1.");
-  EXPECT_EQ(WhyRefused(atoms, MoleculeFormat::PDB, options),
+  EXPECT_EQ(CatchMessage(atoms, MoleculeFormat::PDB, options),
     "test: there is no assembly 7; the file describes none.");
-  EXPECT_NE(WhyRefused("1\n\nC 0 0 0\n", MoleculeFormat::XYZ, options).find("assemblies"),
+  EXPECT_NE(CatchMessage("1\n\nC 0 0 0\n", MoleculeFormat::XYZ, options).find("assemblies"),
     std::string::npos);
 }
 
@@ -218,7 +218,7 @@ TEST(MacromoleculeReader, ErrorsOfTheVTKClass)
   EXPECT_EQ(vtkMacromoleculeReader::CanReadFile(binary.Path()), 0);
 }
 
-TEST(MacromoleculeReader, ProgressRisesAndStopIsHonoured)
+TEST(MacromoleculeReader, ReportsProgressAndStops)
 {
   std::string text;
   for (int i = 0; i < 100000; ++i)

@@ -13,7 +13,7 @@
 using namespace isthmus;
 using namespace isthmus::testing;
 
-TEST(MacromoleculeReader, PQRDialectsSayTheSame)
+TEST(MacromoleculeReader, PQRDialectsAgree)
 {
   const char* const same[] = {
     "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274 -0.0212 1.4870",
@@ -25,7 +25,7 @@ TEST(MacromoleculeReader, PQRDialectsSayTheSame)
   };
   for (const char* line : same)
   {
-    const Macromolecule molecule = Parsed(line, MoleculeFormat::PQR);
+    const Macromolecule molecule = ParseMolecule(line, MoleculeFormat::PQR);
     ASSERT_EQ(molecule.Atoms.size(), 1u) << line;
     const Atom& atom = molecule.Atoms[0];
     EXPECT_EQ(atom.Position, (std::array<double, 3>{ 2004.905, 3004.355, -899.274 })) << line;
@@ -40,17 +40,17 @@ TEST(MacromoleculeReader, PQRDialectsSayTheSame)
 
 TEST(MacromoleculeReader, PQRNumbersThatFillTheirColumns)
 {
-  const Macromolecule molecule = Parsed(
+  const Macromolecule molecule = ParseMolecule(
     "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274 -0.021212.50000", MoleculeFormat::PQR);
   ASSERT_EQ(molecule.Atoms.size(), 1u);
   EXPECT_EQ(molecule.Atoms[0].Charge, -0.0212);
   EXPECT_EQ(molecule.Atoms[0].Radius, 12.5);
   // To the last column of both, and from the first.
-  const Macromolecule full = Parsed(
+  const Macromolecule full = ParseMolecule(
     "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274-10.021212.50009", MoleculeFormat::PQR);
   EXPECT_EQ(full.Atoms.at(0).Charge, -10.0212);
   EXPECT_EQ(full.Atoms.at(0).Radius, 12.50009);
-  const Macromolecule wide = Parsed(
+  const Macromolecule wide = ParseMolecule(
     "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274-10.0212112.5000", MoleculeFormat::PQR);
   EXPECT_EQ(wide.Atoms.at(0).Radius, 112.5);
 }
@@ -58,7 +58,7 @@ TEST(MacromoleculeReader, PQRNumbersThatFillTheirColumns)
 TEST(MacromoleculeReader, PQRChainsInsertionCodesAndLongNumbers)
 {
   const auto describe = [](const char* line)
-  { return Describe(Parsed(line, MoleculeFormat::PQR).Atoms.at(0)); };
+  { return Describe(ParseMolecule(line, MoleculeFormat::PQR).Atoms.at(0)); };
   EXPECT_EQ(describe("ATOM 1 CA ASP 1003A 1 2 3 0 1"), "CA of ASP 1003A");
   EXPECT_EQ(describe("ATOM 1 CA ASP B 1003A 1 2 3 0 1"), "CA of ASP 1003A B");
   EXPECT_EQ(describe("ATOM 1 CA ASP B 1003 A 1 2 3 0 1"), "CA of ASP 1003A B");
@@ -68,7 +68,8 @@ TEST(MacromoleculeReader, PQRChainsInsertionCodesAndLongNumbers)
   EXPECT_EQ(describe("HETATM123456 ZN ZN B1004 1 2 3 2 0"), "ZN of ZN 1004 B");
   EXPECT_EQ(describe("ATOM      1  N   GLNN   12      38.274 -43.881  53.562 -0.350 1.650"),
     "N of GLNN 12");
-  const Macromolecule zinc = Parsed("HETATM123456 ZN ZN B1004 1 2 3 2 0", MoleculeFormat::PQR);
+  const Macromolecule zinc =
+    ParseMolecule("HETATM123456 ZN ZN B1004 1 2 3 2 0", MoleculeFormat::PQR);
   EXPECT_EQ(zinc.Atoms[0].Element, 30);
   EXPECT_TRUE(zinc.Atoms[0].IsHetero);
   ASSERT_EQ(zinc.Notes.size(), 1u);
@@ -79,7 +80,7 @@ TEST(MacromoleculeReader, PQRChainsInsertionCodesAndLongNumbers)
 TEST(MacromoleculeReader, ElementsFromNames)
 {
   const auto symbol = [](const char* name, const char* residue)
-  { return std::string(ElementSymbol(ElementOfAtomName(name, residue))); };
+  { return std::string(ElementSymbol(ElementFromAtomName(name, residue))); };
   EXPECT_EQ(symbol("CA", "ALA"), "C");
   EXPECT_EQ(symbol("CA", "CA"), "Ca");
   EXPECT_EQ(symbol("NA", "HEM"), "N");
@@ -94,7 +95,7 @@ TEST(MacromoleculeReader, ElementsFromNames)
   EXPECT_EQ(symbol("*", "?"), "X");
   for (int element = 1; element < NumberOfElements; ++element)
   {
-    EXPECT_EQ(ElementOfSymbol(ElementSymbol(element)), element);
+    EXPECT_EQ(ElementFromSymbol(ElementSymbol(element)), element);
   }
 }
 
@@ -111,11 +112,11 @@ TEST(MacromoleculeReader, RadiiOfTheNamedTables)
   EXPECT_TRUE(std::isnan(VanDerWaalsRadius(-3, RadiusTable::Bondi)));
 }
 
-TEST(MacromoleculeReader, PDBValuesAndWhatIsUnknown)
+TEST(MacromoleculeReader, PDBKnownAndUnknownValues)
 {
-  const Macromolecule molecule = Parsed(SmallPDB, MoleculeFormat::PDB);
+  const Macromolecule molecule = ParseMolecule(SmallPDB, MoleculeFormat::PDB);
   EXPECT_EQ(molecule.NumberOfModels, 2);
-  EXPECT_EQ(NamesOf(molecule), "CA CBB OGB FE O ");
+  EXPECT_EQ(JoinNames(molecule), "CA CBB OGB FE O ");
   EXPECT_EQ(Describe(molecule.Atoms[0]), "CA of SER 10A A");
   EXPECT_EQ(molecule.Atoms[1].Occupancy, 0.6);
   EXPECT_EQ(molecule.Atoms[1].BFactor, 12.0);
@@ -134,25 +135,25 @@ TEST(MacromoleculeReader, PDBValuesAndWhatIsUnknown)
 
 // Found by FuzzMacromoleculeReader: gemmi adds up all ten digits of a DBREF2 record, beyond what an
 // int holds (undefined, which the sanitizers tell).
-TEST(MacromoleculeReader, ReferencesToDataBasesAreNotAskedForNumbers)
+TEST(MacromoleculeReader, DatabaseReferencesAreNotParsedAsNumbers)
 {
   const std::string references =
     "DBREF1 1ABC A    1     2  UNP                  A0A000_HUMAN\n"
     "DBREF2 1ABC A     A0A000                     9999999999  8888888888\n"
     "dbref  1ABC A    1     2  UNP    P12345   X_HUMAN      99999  99999\n";
-  const Macromolecule with = Parsed(references + SmallPDB, MoleculeFormat::PDB);
-  const Macromolecule without = Parsed(SmallPDB, MoleculeFormat::PDB);
-  EXPECT_EQ(NamesOf(with), NamesOf(without));
+  const Macromolecule with = ParseMolecule(references + SmallPDB, MoleculeFormat::PDB);
+  const Macromolecule without = ParseMolecule(SmallPDB, MoleculeFormat::PDB);
+  EXPECT_EQ(JoinNames(with), JoinNames(without));
   EXPECT_EQ(with.Bonds.size(), without.Bonds.size());
   EXPECT_EQ(with.Warnings, without.Warnings);
 }
 
-TEST(MacromoleculeReader, OldColumnsAreLeftOutWithAWarning)
+TEST(MacromoleculeReader, OldColumnsAreDroppedWithAWarning)
 {
   const std::string old =
     "ATOM      1  C   FOR A   0      -1.409   0.501   0.859  1.00  1.00      1GRM 125\n"
     "ATOM      2  O   FOR A   0      -1.445   1.720   0.692  1.00  1.00      1GRM 126\n";
-  const Macromolecule molecule = Parsed(old, MoleculeFormat::PDB);
+  const Macromolecule molecule = ParseMolecule(old, MoleculeFormat::PDB);
   ASSERT_EQ(molecule.Atoms.size(), 2u);
   EXPECT_EQ(molecule.Atoms[1].Element, 8);
   EXPECT_TRUE(std::isnan(molecule.Atoms[1].Charge));
@@ -160,14 +161,15 @@ TEST(MacromoleculeReader, OldColumnsAreLeftOutWithAWarning)
   const std::string charged =
     "ATOM      1 ZN    ZN A   0      -1.409   0.501   0.859  1.00  1.00          ZN2+\n"
     "ATOM      2 ZN    ZN A   1      -1.445   1.720   0.692  1.00  1.00          ZN2+\n";
-  EXPECT_EQ(Parsed(charged + old, MoleculeFormat::PDB).Atoms.at(0).Charge, 2.0);
-  EXPECT_TRUE(std::isnan(Parsed(charged + old + old, MoleculeFormat::PDB).Atoms.at(2).Charge));
+  EXPECT_EQ(ParseMolecule(charged + old, MoleculeFormat::PDB).Atoms.at(0).Charge, 2.0);
+  EXPECT_TRUE(
+    std::isnan(ParseMolecule(charged + old + old, MoleculeFormat::PDB).Atoms.at(2).Charge));
   ASSERT_EQ(molecule.Warnings.size(), 1u);
   EXPECT_NE(molecule.Warnings[0].find("Columns 73-80"), std::string::npos);
   // One digit would pass for a charge.
-  const Macromolecule five =
-    Parsed("ATOM      1  C   FOR A   0      -1.409   0.501   0.859  1.00  1.00      1GRM   5\n",
-      MoleculeFormat::PDB);
+  const Macromolecule five = ParseMolecule(
+    "ATOM      1  C   FOR A   0      -1.409   0.501   0.859  1.00  1.00      1GRM   5\n",
+    MoleculeFormat::PDB);
   EXPECT_TRUE(std::isnan(five.Atoms.at(0).Charge));
 }
 
@@ -175,26 +177,26 @@ TEST(MacromoleculeReader, XYZFrames)
 {
   const std::string text =
     "3\nwater\nO 0 0 0 7 8\nH 0.96 0 0\n1 -0.24 0.93 0\n2\n\nC 0 0 0\nFe 0 0 2\n";
-  const Macromolecule water = Parsed(text, MoleculeFormat::XYZ);
-  EXPECT_EQ(NamesOf(water), "O H H ");
+  const Macromolecule water = ParseMolecule(text, MoleculeFormat::XYZ);
+  EXPECT_EQ(JoinNames(water), "O H H ");
   EXPECT_EQ(water.NumberOfModels, 2);
   EXPECT_EQ(water.Bonds.size(), 2u);
   EXPECT_EQ(water.Atoms[2].Position[1], 0.93);
   MoleculeOptions second;
   second.ModelIndex = 1;
-  EXPECT_EQ(NamesOf(Parsed(text, MoleculeFormat::XYZ, second)), "C Fe ");
-  EXPECT_EQ(
-    Parsed("1\nProperties=species:S:1:pos:R:3:forces:R:3\nC 0 0 0 1 1 1\n", MoleculeFormat::XYZ)
-      .Atoms.size(),
+  EXPECT_EQ(JoinNames(ParseMolecule(text, MoleculeFormat::XYZ, second)), "C Fe ");
+  EXPECT_EQ(ParseMolecule(
+              "1\nProperties=species:S:1:pos:R:3:forces:R:3\nC 0 0 0 1 1 1\n", MoleculeFormat::XYZ)
+              .Atoms.size(),
     1u);
   // Columns in another order were refused once.
   const Macromolecule other =
-    Parsed("1\nProperties=pos:R:3:species:S:1\n0 2 0 C\n", MoleculeFormat::XYZ);
-  ASSERT_EQ(NamesOf(other), "C ");
+    ParseMolecule("1\nProperties=pos:R:3:species:S:1\n0 2 0 C\n", MoleculeFormat::XYZ);
+  ASSERT_EQ(JoinNames(other), "C ");
   EXPECT_EQ(other.Atoms[0].Position[1], 2.0);
 }
 
-TEST(MacromoleculeReader, BadFilesEndInASentence)
+TEST(MacromoleculeReader, BadFilesAreReported)
 {
   const struct
   {
@@ -234,11 +236,11 @@ TEST(MacromoleculeReader, BadFilesEndInASentence)
   };
   for (const auto& c : cases)
   {
-    EXPECT_NE(WhyRefused(c.Text, c.Format).find(c.Words), std::string::npos)
-      << c.Text << "\nsaid: " << WhyRefused(c.Text, c.Format);
+    EXPECT_NE(CatchMessage(c.Text, c.Format).find(c.Words), std::string::npos)
+      << c.Text << "\nsaid: " << CatchMessage(c.Text, c.Format);
   }
   // gemmi takes small letters as well, and would make 0 of what is no number.
-  EXPECT_NE(WhyRefused("atom      1  ca  ser a  10       0.000   0.000     nan  1.00 10.00\n",
+  EXPECT_NE(CatchMessage("atom      1  ca  ser a  10       0.000   0.000     nan  1.00 10.00\n",
               MoleculeFormat::PDB)
               .find("columns 47 to 54"),
     std::string::npos);
@@ -246,6 +248,6 @@ TEST(MacromoleculeReader, BadFilesEndInASentence)
   const std::string whole = "ATOM 1 CA SER 1 1.5 2.5 3.5 0.1 1.8\n";
   for (std::size_t size = 1; size + 4 < whole.size(); ++size)
   {
-    EXPECT_NE(WhyRefused(whole.substr(0, size), MoleculeFormat::PQR), "") << size;
+    EXPECT_NE(CatchMessage(whole.substr(0, size), MoleculeFormat::PQR), "") << size;
   }
 }

@@ -103,7 +103,7 @@ Macromolecule SameInPieces(const std::string& text, const std::string& what)
   return whole;
 }
 
-TEST(PDBPieces, AreWhatTheWholeFileIs)
+TEST(PDBPieces, MatchTheWholeFile)
 {
   for (unsigned seed = 1; seed <= 5; ++seed)
   {
@@ -114,7 +114,7 @@ TEST(PDBPieces, AreWhatTheWholeFileIs)
   }
 }
 
-TEST(PDBPieces, AreTakenForLargeFilesByThemselves)
+TEST(PDBPieces, AreUsedForLargeFilesAutomatically)
 {
   std::string text;
   for (unsigned seed = 1; text.size() < (std::size_t{ 9 } << 20); ++seed)
@@ -188,7 +188,7 @@ TEST(PDBRecords, DisulfidesAreBetweenSulfurs)
   EXPECT_EQ(Everything(molecule.Bonds[0]), std::tuple(std::int64_t{ 1 }, std::int64_t{ 3 }, true));
 }
 
-TEST(PDBRecords, SerialsThatComeMoreThanOnceBondNothing)
+TEST(PDBRecords, AmbiguousSerialsMakeNoBonds)
 {
   std::string text;
   for (const int serial : { 1, 2, 3, 2 })
@@ -221,7 +221,7 @@ TEST(PDBPieces, AtomsOfAResidueComeTogether)
   EXPECT_EQ(hetero, "001111");
 }
 
-TEST(PDBPieces, StopWhenAsked)
+TEST(PDBPieces, StopOnRequest)
 {
   EXPECT_THROW(ParsePDB(
                  RandomFile(1), "test", {}, [](double) { return false; }, 100),
@@ -302,7 +302,7 @@ TEST(PDBColumns, ChainsOfTwoLettersStay)
     "CA of ALA 1 B2, CA of HIS 2 B2, CA of LYS 3 HA, CA of GLY 4 HA, P of DA 5 AA, CA of VAL 6 AA");
 }
 
-std::vector<int> NumbersOf(const Macromolecule& molecule)
+std::vector<int> CollectResidueNumbers(const Macromolecule& molecule)
 {
   std::vector<int> numbers;
   for (const Atom& atom : molecule.Atoms)
@@ -336,7 +336,7 @@ TEST(PDBColumns, ResidueNumbersFrom10000On)
       { "9998 ", "9999 ", "   0 ", "   1 " }, { "9998 ", "9999 ", "**** ", "**** " } })
   {
     const Macromolecule molecule = FromPDB(WaterLines(file));
-    EXPECT_EQ(NumbersOf(molecule), five) << file[2];
+    EXPECT_EQ(CollectResidueNumbers(molecule), five) << file[2];
     for (const Atom& atom : molecule.Atoms)
     {
       EXPECT_EQ(atom.InsertionCode, ' ') << file[2];
@@ -347,17 +347,17 @@ TEST(PDBColumns, ResidueNumbersFrom10000On)
   std::string wide = WaterLines({ "9998 ", "9999 " });
   wide += WaterLines({ "0000 ", "0001 " }, "SOL 1");
   const Macromolecule molecule = FromPDB(wide);
-  EXPECT_EQ(NumbersOf(molecule), five);
+  EXPECT_EQ(CollectResidueNumbers(molecule), five);
   EXPECT_EQ(molecule.Atoms.back().Chain, "");
   // All numbers one column to the right, as "%5d" writes them.
-  EXPECT_EQ(NumbersOf(FromPDB(WaterLines({ "    7", "  120", " 9999", "10000" }))),
+  EXPECT_EQ(CollectResidueNumbers(FromPDB(WaterLines({ "    7", "  120", " 9999", "10000" }))),
     (std::vector<int>{ 7, 7, 120, 120, 9999, 9999, 10000, 10000 }));
   // Letters in hexadecimal numbers.
-  EXPECT_EQ(NumbersOf(FromPDB(WaterLines({ "2719 ", "271a ", "271b " }))),
+  EXPECT_EQ(CollectResidueNumbers(FromPDB(WaterLines({ "2719 ", "271a ", "271b " }))),
     (std::vector<int>{ 2719, 2719, 10010, 10010, 10011, 10011 }));
 }
 
-TEST(PDBColumns, NumbersThatMeanWhatTheySay)
+TEST(PDBColumns, NumbersAreTakenLiterally)
 {
   // Insertion codes are letters; a chain may begin with 0; another chain is not counted on.
   const Macromolecule codes =
@@ -432,7 +432,7 @@ TEST(PDBColumns, CoordinatesWiderThanTheirColumns)
   EXPECT_EQ(molecule.Atoms[1].Position, (std::array<double, 3>{ 10.0, 10000.125, -2000.25 }));
   EXPECT_EQ(molecule.Atoms[1].Occupancy, 0.5);
   EXPECT_EQ(molecule.Atoms[1].BFactor, 30.0);
-  EXPECT_EQ(ElementsOf(molecule), "C C C ");
+  EXPECT_EQ(JoinElements(molecule), "C C C ");
   EXPECT_TRUE(Mention(molecule.Notes, "wider than their columns, which shift what follows: 2."));
   // Without a chain, the segment is found where it has been moved to.
   const Macromolecule segment =
@@ -447,7 +447,7 @@ TEST(PDBColumns, CoordinatesWiderThanTheirColumns)
   EXPECT_TRUE(Mention(lost.Warnings, "line 1"));
 }
 
-TEST(PDBColumns, SegmentsAreChainsWhereThereAreNone)
+TEST(PDBColumns, SegmentsReplaceMissingChains)
 {
   const auto line = [](const char* chain, const char* segment)
   {
@@ -461,7 +461,8 @@ TEST(PDBColumns, SegmentsAreChainsWhereThereAreNone)
   MoleculeOptions options;
   options.Chains = "PROB";
   EXPECT_EQ(
-    Parsed(line(" ", "PROA") + line(" ", "PROB"), MoleculeFormat::PDB, options).Atoms.size(), 1u);
+    ParseMolecule(line(" ", "PROA") + line(" ", "PROB"), MoleculeFormat::PDB, options).Atoms.size(),
+    1u);
 }
 
 // ------------------------------------------------------------------------------------------
@@ -472,7 +473,7 @@ TEST(PDBRecords, ReportedFile)
   EXPECT_EQ(FromReport("vermouth_tests_data_2dn2.pdb.gz").Atoms.size(), 4384u);
 }
 
-TEST(PDBRecords, StrayOnesCostNoAtom)
+TEST(PDBRecords, StrayRecordsDropNoAtoms)
 {
   std::vector<std::string> lines;
   for (int i = 1; i <= 4; ++i)
@@ -507,7 +508,7 @@ TEST(PDBRecords, StrayOnesCostNoAtom)
   }
 }
 
-TEST(PDBRecords, WhatIsDroppedIsCounted)
+TEST(PDBRecords, DroppedRecordsAreCounted)
 {
   const std::string atoms = AtomLine("1", " N", "ALA A   1 ", 0, 0, 0, "  1.00 10.00           N") +
     AtomLine("2", " CA", "ALA A   1 ", 9, 0, 0, "  1.00 10.00           C") +
@@ -532,7 +533,7 @@ TEST(PDBRecords, WhatIsDroppedIsCounted)
   EXPECT_EQ(molecule.Atoms[3].Element, 8);
 }
 
-TEST(PDBRecords, ReportsAddUpEqualCounts)
+TEST(PDBRecords, ReportsSumEqualCounts)
 {
   ReadingReport report;
   report.Count("Lines, dropped", "line 2");

@@ -104,7 +104,7 @@ TEST(PDBModels, ReportedFiles)
   }
 }
 
-TEST(PDBModels, ModelRecordsWhateverTheirNumbers)
+TEST(PDBModels, ModelRecordsWithAnyNumbers)
 {
   // wwPDB; Vina and other programs; elNemo's amplitudes; from 10000 on; none, and all the same.
   const std::string atoms[] = { Chain('A', 0), Chain('A', 1), Chain('A', 2) };
@@ -161,7 +161,7 @@ TEST(PDBModels, RecordsMayBeWrittenInSmallLetters)
   EXPECT_EQ(Reading(Chain('A', 0) + "END\n" + small).Sizes(), (Sizes{ 2, 30, 30 }));
 }
 
-TEST(PDBModels, AtomsOutsideOfModelsBelongToThoseBesideThem)
+TEST(PDBModels, AtomsOutsideOfModelsJoinAnAdjacentModel)
 {
   const std::string ligand =
     AtomLine("1", " C1", "LIG A 500 ", 3, 3, 3, "  1.00  0.00           C", true);
@@ -275,7 +275,7 @@ TEST(PDBModels, OfPQRAndPDBQT)
            std::tuple(MoleculeFormat::PDBQT, "m.pdbqt", true) })
     {
       const std::string text = As(format, pdb, inWords);
-      const Macromolecule molecule = Parsed(text, format, {});
+      const Macromolecule molecule = ParseMolecule(text, format, {});
       EXPECT_EQ(molecule.NumberOfModels, models) << name << pdb;
       EXPECT_EQ(molecule.Atoms.size(), atoms) << name << pdb;
       std::string found;
@@ -289,15 +289,15 @@ TEST(PDBModels, OfPQRAndPDBQT)
       EXPECT_EQ(CountModels(packed.Path(), format), models) << name << pdb;
       MoleculeOptions last;
       last.ModelIndex = models - 1;
-      EXPECT_EQ(Parsed(text, format, last).Atoms.size(), atoms) << name << pdb;
+      EXPECT_EQ(ParseMolecule(text, format, last).Atoms.size(), atoms) << name << pdb;
     }
   }
   // Messages name the line, of a later model too; faults of other models cost nothing.
   const std::string damaged =
     As(MoleculeFormat::PQR, first + "END\n" + second) + "ATOM 31 C ALA A 11 x 0 0 0 1\n";
   EXPECT_NE(
-    WhyRefused(damaged, MoleculeFormat::PQR).find("line 62: this is no atom"), std::string::npos)
-    << WhyRefused(damaged, MoleculeFormat::PQR);
+    CatchMessage(damaged, MoleculeFormat::PQR).find("line 62: this is no atom"), std::string::npos)
+    << CatchMessage(damaged, MoleculeFormat::PQR);
 }
 
 TEST(PDBModels, MoleculesBetweenEND)

@@ -28,7 +28,7 @@ Macromolecule Read(const std::string& text, MoleculeFormat format)
 {
   MoleculeOptions options;
   options.BondsByDistance = false;
-  return Parsed(text, format, options);
+  return ParseMolecule(text, format, options);
 }
 
 /// Each of `counts` is in the notes and in the one warning of the reader.
@@ -65,7 +65,7 @@ TEST(ReadingReport, PDBQT)
       "ATOM      4  W1  LIG A   2      17.607 -11.551  25.793  1.00 30.50     0.127 W \n" +
       "ATOM      5  DU  LIG A   2      18.607 -11.551  25.793  1.00 30.50     0.127 X \n",
     MoleculeFormat::PDBQT);
-  EXPECT_EQ(ElementsOf(molecule), "C C X X X ");
+  EXPECT_EQ(JoinElements(molecule), "C C X X X ");
   EXPECT_EQ(Charges(molecule), "0 ? 0 0 0 ");
   ExpectCounts(molecule,
     { "Residue numbers that are not integers, taken as 0: 1 (first: line 2).",
@@ -95,7 +95,7 @@ TEST(ReadingReport, GRO)
         line("    xSOL", "OW", 1) + line("    2SOL", "MW", 1.1) + line("    3CAL", "CAL", 2) +
         line("    4LIG", "??", 3) + line("    5ALA", "QB", 4) + " 9 9 9\n",
       MoleculeFormat::GRO);
-  EXPECT_EQ(ElementsOf(molecule), "C N O X Ca X X ");
+  EXPECT_EQ(JoinElements(molecule), "C N O X Ca X X ");
   ExpectCounts(molecule,
     { "Residue numbers that are not integers, taken as 0: 1 (first: line 5).",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1.",
@@ -107,7 +107,7 @@ TEST(ReadingReport, GRO)
   const Macromolecule beads = Read("t\n3\n" + line("    1ALA", "BB", 0) + line("    2W", "W", 1) +
       line("    3ION", "NA", 2) + " 9 9 9\n",
     MoleculeFormat::GRO);
-  EXPECT_EQ(ElementsOf(beads), "X X X ");
+  EXPECT_EQ(JoinElements(beads), "X X X ");
   ExpectCounts(beads,
     { "Beads of a coarse-grained model (Martini), without element (0) and "
       "radius: 3." });
@@ -121,7 +121,7 @@ TEST(ReadingReport, MOL2)
     "1 1 2 1\n2 1 9 1\n3 a b 1\n4 2 2 1\n@<TRIPOS>CRYSIN\n1 2 3 90 90 90 1 1\n"
     "@<TRIPOS>SUBSTRUCTURE\n1 LIG 1\n@<TRIPOS>SET\n",
     MoleculeFormat::MOL2);
-  EXPECT_EQ(ElementsOf(molecule), "C C X X ");
+  EXPECT_EQ(JoinElements(molecule), "C C X X ");
   EXPECT_EQ(Charges(molecule), "-1 ? 0 0 ");
   EXPECT_EQ(molecule.Bonds.size(), 1u);
   ExpectCounts(molecule,
@@ -157,12 +157,12 @@ TEST(ReadingReport, TypesOfForceFieldsInMOL2AreNoElements)
   for (const char* types : { "os nb ca ho cl", "OS NB CA HO CL" })
   {
     const Macromolecule molecule = file(types);
-    EXPECT_EQ(ElementsOf(molecule), "O N C H Cl ") << types;
+    EXPECT_EQ(JoinElements(molecule), "O N C H Cl ") << types;
     EXPECT_TRUE(Mention(molecule.Notes, "are those of a force field, not SYBYL's")) << types;
     EXPECT_TRUE(molecule.Warnings.empty());
   }
   // SYBYL's types win over the names.
-  EXPECT_EQ(ElementsOf(file("Os N.ar Ca H.spc Cl")), "Os N Ca H Cl ");
+  EXPECT_EQ(JoinElements(file("Os N.ar Ca H.spc Cl")), "Os N Ca H Cl ");
 }
 
 TEST(ReadingReport, SDF)
@@ -174,7 +174,7 @@ TEST(ReadingReport, SDF)
     atom("C  ", "  z") + "  1  2  1\n  1  9  1\n  u  2  1\n";
   const Macromolecule codes =
     Read(atoms + "M  END\n>  <ID>\n42\n\n> <LOGP>\n2\n\n$$$$\n", MoleculeFormat::SDF);
-  EXPECT_EQ(ElementsOf(codes), "N O X Fe C ");
+  EXPECT_EQ(JoinElements(codes), "N O X Fe C ");
   EXPECT_EQ(Charges(codes), "1 -1 ? 3 ? "); // codes 3, 5 and 1 of the format
   EXPECT_EQ(codes.Bonds.size(), 1u);
   ExpectCounts(codes,
@@ -198,7 +198,7 @@ TEST(ReadingReport, XYZAndTinker)
   const Macromolecule ghosts = Read("8\n\nBq 0 0 0\nH-Bq 1 0 0\nGh(He) 2 0 0\n@O 3 0 0\nbqC 4 0 0\n"
                                     "X 5 0 0\nB 6 0 0\nQq 7 0 0\n",
     MoleculeFormat::XYZ);
-  EXPECT_EQ(ElementsOf(ghosts), "X X X X X X B X ");
+  EXPECT_EQ(JoinElements(ghosts), "X X X X X X B X ");
   ExpectCounts(ghosts,
     { "Ghost or dummy atoms and virtual sites, without element (0) and radius: 6.",
       "Atoms whose types or symbols match no element (Element is 0): 1 (first: Qq)." });
@@ -215,7 +215,7 @@ TEST(ReadingReport, PQR)
          "ATOM 3 Bq LIG 2 9 0 0 0.0 1.5\nATOM 4 CO 3CO 3 19 0 0 3.0 1.0\n"
          "ATOM 5 NA HEM 4 29 0 0 0.0 1.5\n",
       MoleculeFormat::PQR);
-  EXPECT_EQ(ElementsOf(molecule), "O X X Co N ");
+  EXPECT_EQ(JoinElements(molecule), "O X X Co N ");
   EXPECT_EQ(molecule.Atoms[2].Radius, 1.5); // the file's
   EXPECT_TRUE(Mention(molecule.Notes,
     "Ghost or dummy atoms and virtual sites, with the radii of the file and without element (0): "
@@ -232,7 +232,7 @@ TEST(ReadingReport, MMCIF)
       "OG SER A 1 0 0 0\nHG SER A 1 5 0 0\nCA CA B . 10 0 0\nEPW WAT C . 15 0 0\nCLA CLA D . 20 0 "
       "0\n",
     MoleculeFormat::MMCIF);
-  EXPECT_EQ(ElementsOf(names), "O H Ca X Cl ");
+  EXPECT_EQ(JoinElements(names), "O H Ca X Cl ");
   ExpectCounts(names,
     { "Atoms without a usable element in the file: 4; decided 4 by residue and atom name.",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1." });
@@ -246,11 +246,11 @@ TEST(ReadingReport, MMCIF)
       Read(columns + "CB SER A 1 " + id("7") + " C 0 0 0\nUNK UNX B . " + id("9") +
           " X 5 0 0\nC1 LIG C . " + id("12") + " Bq 9 0 0\nSE MSE D 2 " + id("15") + " ? 15 0 0\n",
         MoleculeFormat::MMCIF);
-    EXPECT_EQ(ElementsOf(some), "C X X Se ");
+    EXPECT_EQ(JoinElements(some), "C X X Se ");
     ExpectCounts(some,
       { "Atoms without a usable element in the file: 1; decided 1 by residue and atom name.",
         "Ghost or dummy atoms and virtual sites, without element (0) and radius: 2." });
-    EXPECT_EQ(ElementsOf(Read(columns + "CB SER A 1 " + id("7") + " X 0 0 0\nC1 LIG C . " +
+    EXPECT_EQ(JoinElements(Read(columns + "CB SER A 1 " + id("7") + " X 0 0 0\nC1 LIG C . " +
                   id("9") + " X 9 0 0\n",
                 MoleculeFormat::MMCIF)),
       "C C ");
@@ -259,7 +259,7 @@ TEST(ReadingReport, MMCIF)
   const Macromolecule absurd = Read(head + "_atom_site.type_symbol\n" + place +
       "OG SER A 1 OG 0 0 0\nCB SER A 1 C 5 0 0\nCA LIG B . CA 10 0 0\nD1 DOD C . D 15 0 0\n",
     MoleculeFormat::MMCIF);
-  EXPECT_EQ(ElementsOf(absurd), "O C Ca H ");
+  EXPECT_EQ(JoinElements(absurd), "O C Ca H ");
   ExpectCounts(absurd,
     { "Elements in the file that the residue does not contain: 1 (first: Og for OG of SER 1 A)." });
   const Macromolecule bonds = Read(head + "_atom_site.type_symbol\n" + place +

@@ -32,7 +32,7 @@ std::string Traces(int last)
 }
 
 /// One digit for each atom, "-" where there is none.
-std::string StructureOf(const Macromolecule& molecule)
+std::string FindStructure(const Macromolecule& molecule)
 {
   std::string digits;
   for (const Atom& atom : molecule.Atoms)
@@ -42,34 +42,34 @@ std::string StructureOf(const Macromolecule& molecule)
   return digits;
 }
 
-std::string StructureOf(const std::string& records)
+std::string FindStructure(const std::string& records)
 {
-  return StructureOf(FromPDB(records + Traces(6)));
+  return FindStructure(FromPDB(records + Traces(6)));
 }
 
 }
 
 TEST(StructureRecords, HelicesAndStrandsOfPDB)
 {
-  EXPECT_EQ(StructureOf(""), "------------");
+  EXPECT_EQ(FindStructure(""), "------------");
   EXPECT_EQ(
-    StructureOf("HELIX    1  H1 ALA A    2  ALA A    4  1                                   3\n"
-                "SHEET    1   A 2 ALA B   1  ALA B   2  0\n"),
+    FindStructure("HELIX    1  H1 ALA A    2  ALA A    4  1                                   3\n"
+                  "SHEET    1   A 2 ALA B   1  ALA B   2  0\n"),
     "011100220000");
   // 3-10, pi and polyproline; a helix comes before a strand.
-  EXPECT_EQ(StructureOf("HELIX    1  H1 ALA A    1  ALA A    2  5\n"
-                        "HELIX    2  H2 ALA A    3  ALA A    3  3\n"
-                        "HELIX    3  H3 ALA B    1  ALA B    2 10\n"
-                        "SHEET    1   A 2 ALA A   1  ALA A   4  0\r\n"),
+  EXPECT_EQ(FindStructure("HELIX    1  H1 ALA A    1  ALA A    2  5\n"
+                          "HELIX    2  H2 ALA A    3  ALA A    3  3\n"
+                          "HELIX    3  H3 ALA B    1  ALA B    2 10\n"
+                          "SHEET    1   A 2 ALA A   1  ALA A   4  0\r\n"),
     "334200000000");
 }
 
 TEST(StructureRecords, RecordsThatCannotBeReadAreIgnored)
 {
   EXPECT_EQ(
-    StructureOf("HELIX\nHELIX    1  H1 ALA A  two  ALA A    4  1\nSHEET    1   A 2 ALA A\n"),
+    FindStructure("HELIX\nHELIX    1  H1 ALA A  two  ALA A    4  1\nSHEET    1   A 2 ALA A\n"),
     "------------");
-  EXPECT_EQ(StructureOf("HELIX    1  H1 ALA C    2  ALA C    4  1\n"), "------------");
+  EXPECT_EQ(FindStructure("HELIX    1  H1 ALA C    2  ALA C    4  1\n"), "------------");
 }
 
 TEST(StructureRecords, HelicesAndStrandsOfMMCIF)
@@ -91,7 +91,7 @@ TEST(StructureRecords, HelicesAndStrandsOfMMCIF)
                               "_struct_conf.beg_auth_seq_id\n_struct_conf.end_auth_seq_id\n"
                               "_struct_conf.pdbx_PDB_helix_class\n";
   const auto structure = [&](const std::string& rows)
-  { return StructureOf(Parsed(atoms + rows + "#\n", MoleculeFormat::MMCIF)); };
+  { return FindStructure(ParseMolecule(atoms + rows + "#\n", MoleculeFormat::MMCIF)); };
   EXPECT_EQ(structure(""), "------");
   EXPECT_EQ(structure(helices +
               "HELX_P Q 11 12 1\nHELX_P Q 13 13 5\nTURN_P Q 16 16 ?\n#\nloop_\n"

@@ -38,7 +38,7 @@ void ExpectFailure(const std::string& content, const char* words, unsigned long 
 
 }
 
-TEST(OpenDXReader, BadFilesEndInASentence)
+TEST(OpenDXReader, BadFilesAreReported)
 {
   using Code = vtkErrorCode::ErrorIds;
   const std::string values = "object 3 class array type double rank 0 items 12 data follows\n";
@@ -80,7 +80,7 @@ TEST(OpenDXReader, BadFilesEndInASentence)
   ExpectFailure("object 1 class product\nterm 2\n", "class product", Code::FileFormatError);
 }
 
-TEST(OpenDXReader, NoFileIsASentence)
+TEST(OpenDXReader, AMissingFileIsReported)
 {
   const Reading reading("no/such.dx");
   EXPECT_NE(reading.Observer->GetErrorMessage().find("no such file"), std::string::npos);
@@ -91,7 +91,7 @@ TEST(OpenDXReader, NoFileIsASentence)
   EXPECT_EQ(vtkOpenDXReader::CanReadFile(text.Path.c_str()), 0);
 }
 
-TEST(OpenDXReader, ProgressRisesAndAStopLeavesNothing)
+TEST(OpenDXReader, ReportsProgressAndAbortsEmpty)
 {
   const File file("", "large.dx");
   vtkNew<vtkImageData> image;
@@ -109,7 +109,7 @@ TEST(OpenDXReader, ProgressRisesAndAStopLeavesNothing)
   {
     vtkNew<vtkOpenDXReader> reader;
     reader->SetFileName(file.Path.c_str());
-    struct Seen
+    struct WatchState
     {
       std::vector<double> Fractions;
       bool Stop;
@@ -119,7 +119,7 @@ TEST(OpenDXReader, ProgressRisesAndAStopLeavesNothing)
     watch->SetCallback(
       [](vtkObject* caller, unsigned long, void* data, void* fraction)
       {
-        auto* all = static_cast<Seen*>(data);
+        auto* all = static_cast<WatchState*>(data);
         all->Fractions.push_back(*static_cast<double*>(fraction));
         if (all->Stop && all->Fractions.back() > 0.2)
         {
@@ -134,7 +134,7 @@ TEST(OpenDXReader, ProgressRisesAndAStopLeavesNothing)
   }
 }
 
-TEST(OpenDXReader, ValuesThatAreNotFiniteAreKeptAndTold)
+TEST(OpenDXReader, ValuesThatAreNotFiniteAreKeptAndReported)
 {
   const File file(head +
     "object 3 class array type double rank 0 items 12 data follows\n"

@@ -24,7 +24,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-std::string Shared(const char* name)
+std::string SharedFile(const char* name)
 {
   return (isthmus::testing::SharedDataFolder() / name).string();
 }
@@ -97,16 +97,16 @@ TEST(OpenDXReader, TakesEveryDialectOfTheSharedFiles)
   for (const char* name :
     { "maps/dx/esp.dx", "maps/dx/mapaligned.dx", "maps/dx/test.dx", "maps/dx/test.dx.gz" })
   {
-    const Reading reading(Shared(name));
+    const Reading reading(SharedFile(name));
     EXPECT_FALSE(reading.Observer->GetError()) << reading.Observer->GetErrorMessage();
-    ExpectFileOrder(reading, ValuesByStrtod(Shared(name)));
-    EXPECT_EQ(vtkOpenDXReader::CanReadFile(Shared(name).c_str()), 1);
+    ExpectFileOrder(reading, ValuesByStrtod(SharedFile(name)));
+    EXPECT_EQ(vtkOpenDXReader::CanReadFile(SharedFile(name).c_str()), 1);
   }
-  const Reading esp(Shared("maps/dx/esp.dx"));
+  const Reading esp(SharedFile("maps/dx/esp.dx"));
   EXPECT_EQ(esp.Image->GetDimensions()[1], 52);
   EXPECT_EQ(esp.Image->GetSpacing()[2], 0.264782);
   EXPECT_EQ(esp.Image->GetOrigin()[0], -4.24704);
-  const Reading packed(Shared("maps/dx/test.dx.gz"));
+  const Reading packed(SharedFile("maps/dx/test.dx.gz"));
   EXPECT_EQ(packed.Text("FieldName"), "density");
   EXPECT_EQ(packed.Text("Comments", 1),
     "File format: http://opendx.sdsc.edu/docs/html/pages/usrgu068.htm#HDREDF");
@@ -115,7 +115,7 @@ TEST(OpenDXReader, TakesEveryDialectOfTheSharedFiles)
 TEST(OpenDXReader, ThePotentialOf1HEWIsTheFilesAtEveryNode)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew_potential.dx.gz");
-  const std::string path = Shared("molecules/1hew/1hew_potential.dx.gz");
+  const std::string path = SharedFile("molecules/1hew/1hew_potential.dx.gz");
   const Reading reading(path);
   EXPECT_FALSE(reading.Observer->GetError()) << reading.Observer->GetErrorMessage();
   const std::vector<double> values = ValuesByStrtod(path);
@@ -188,10 +188,10 @@ TEST(OpenDXReader, TurnedGridsGetADirectionMatrix)
   EXPECT_DOUBLE_EQ(position[2], 5.0);
 }
 
-TEST(OpenDXReader, SkewedGridsAreResampledAndSayWhere)
+TEST(OpenDXReader, SkewedGridsAreResampledWithANote)
 {
   ISTHMUS_NEEDS_SHARED_DATA("maps/dx/mapskewed.dx");
-  const Reading reading(Shared("maps/dx/mapskewed.dx"));
+  const Reading reading(SharedFile("maps/dx/mapskewed.dx"));
   EXPECT_FALSE(reading.Observer->GetError()) << reading.Observer->GetErrorMessage();
   EXPECT_NE(reading.Observer->GetWarningMessage().find("skewed"), std::string::npos);
   vtkDataArray* inside = reading.Image->GetPointData()->GetArray("InsideMap");
@@ -261,7 +261,7 @@ TEST(OpenDXReader, APieceOfTheGridHasTheSameValues)
   EXPECT_EQ(image->GetScalarComponentAsDouble(1, 0, 1, 0), 7.0);
 }
 
-TEST(OpenDXReader, ALaterArrayIsFoundWhateverTheBytesBeforeItSpell)
+TEST(OpenDXReader, ALaterArrayIsFoundAfterArbitraryBytes)
 {
   std::string bytes = " object 9 class path of bytes that are numbers ";
   bytes.resize(48, ' ');

@@ -93,7 +93,7 @@ void ExpectSameBack(const char* name)
 
 }
 
-TEST(OpenDXWriter, EveryBitComesBack)
+TEST(OpenDXWriter, RoundTripIsBitwise)
 {
   ExpectSameBack<vtkDoubleArray>("double.dx");
   ExpectSameBack<vtkFloatArray>("float.dx");
@@ -114,7 +114,7 @@ TEST(OpenDXWriter, TheTypeIsDouble)
 }
 
 // APBS and VMD read lines of three values; z runs fastest, and numbers of a node stay together.
-TEST(OpenDXWriter, TextIsThatOfAPBS)
+TEST(OpenDXWriter, TextMatchesAPBS)
 {
   for (const int components : { 1, 2 })
   {
@@ -144,7 +144,7 @@ TEST(OpenDXWriter, TextIsThatOfAPBS)
   }
 }
 
-TEST(OpenDXWriter, TurnedGridsAndLabelsComeBack)
+TEST(OpenDXWriter, RotatedGridsAndLabelsComeBack)
 {
   const File file("# the unit is kT/e\nobject 1 class gridpositions counts 2 3 2\norigin 1 2 3\n"
                   "delta 0 -0.5 0\ndelta 0.25 0 0\ndelta 0 0 2\n" +
@@ -166,7 +166,7 @@ TEST(OpenDXWriter, TurnedGridsAndLabelsComeBack)
   ExpectFileOrder(again, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
 }
 
-TEST(OpenDXWriter, WhatCannotBeWrittenIsASentence)
+TEST(OpenDXWriter, WhatCannotBeWrittenIsReported)
 {
   const auto expect = [](
                         vtkImageData* image, const char* path, const char* array, const char* words)

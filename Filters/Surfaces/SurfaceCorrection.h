@@ -1,5 +1,5 @@
 /**
- * @file SurfaceMending.h
+ * @file SurfaceCorrection.h
  * @brief Corrects small defects of surfaces from files: cracks between facets, flipped patches, and
  * cavities that face the wrong way.
  *
@@ -19,7 +19,7 @@ namespace isthmus
 {
 
 /// What was done.
-struct SurfaceMending
+struct SurfaceCorrection
 {
   std::int64_t Joined = 0; ///< points merged with others, within Tolerance
   double Tolerance = 0.0;  ///< distance up to which points were merged
@@ -40,7 +40,7 @@ struct SurfaceMending
  * @pre coinciding points are merged (MergedCorners), corners exist and are finite.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> JoinCracks(
-  const SurfaceView& surface, SurfaceMending& done);
+  const SurfaceView& surface, SurfaceCorrection& done);
 
 /**
  * `surface` with neighbours oriented consistently: in each component, triangles that cover the
@@ -48,8 +48,8 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> JoinCracks(
  * are not changed. The orientation is not propagated across edges of more than two triangles. O(n
  * log n).
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
-  const SurfaceView& surface, SurfaceMending& done);
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> OrientAlike(
+  const SurfaceView& surface, SurfaceCorrection& done);
 
 /**
  * `surface` with closed shells facing as they must, given the outermost ones: a shell directly in
@@ -58,12 +58,12 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
  * the result. Shells that cross are not nested; shells around others are searched for among the
  * thousand largest. O(n log n), with winding numbers computed by a tree.
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnShells(
-  const SurfaceView& surface, SurfaceMending& done);
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> OrientShells(
+  const SurfaceView& surface, SurfaceCorrection& done);
 
 /// The same with the outermost shells facing outward, whichever way they faced. Open components are
 /// not changed.
-VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnOutward(const SurfaceView& surface);
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> OrientOutward(const SurfaceView& surface);
 
 }
 

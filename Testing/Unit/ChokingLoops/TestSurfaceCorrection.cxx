@@ -33,12 +33,12 @@ std::size_t Below(Random& random, std::size_t n)
   return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
 }
 
-Point3& PointOf(TriangleMesh& mesh, std::int64_t id)
+Point3& GetPoint(TriangleMesh& mesh, std::int64_t id)
 {
   return mesh.Points[static_cast<std::size_t>(id)];
 }
 
-vtkSmartPointer<vtkPolyData> DataOf(const TriangleMesh& mesh)
+vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   SetMesh(mesh, data);
@@ -83,49 +83,49 @@ void SplitEdge(TriangleMesh& mesh, std::size_t t, const Point3& middle)
 /// A needle: an edge split right beside its end. `area` is that of the two triangles there.
 void AddNeedle(TriangleMesh& mesh, std::size_t t, double area)
 {
-  const Point3 a = PointOf(mesh, mesh.Triangles[t][1]);
-  const Point3 b = PointOf(mesh, mesh.Triangles[t][2]);
+  const Point3 a = GetPoint(mesh, mesh.Triangles[t][1]);
+  const Point3 b = GetPoint(mesh, mesh.Triangles[t][2]);
   SplitEdge(mesh, t, a + area * (b - a));
 }
 
-void ExpectMended(const TriangleMesh& damaged, double handles, double tunnels)
+void ExpectCorrected(const TriangleMesh& damaged, double handles, double tunnels)
 {
-  RepairReport mending;
-  const TriangleMesh mended = CheckedSurface(damaged, false, {}, &mending);
+  RepairReport correction;
+  const TriangleMesh mended = CheckedSurface(damaged, false, {}, &correction);
   EXPECT_TRUE(FindDefects(mended).None());
   EXPECT_TRUE(ThinTriangles(mended).empty());
   EXPECT_TRUE(SelfIntersections(mended).empty());
-  EXPECT_GT(mending.Changed, 0);
-  EXPECT_EQ(mending.Message.find("genus"), std::string::npos) << mending.Message;
-  EXPECT_EQ(mending.Places.size(), static_cast<std::size_t>(mending.Changed));
-  FilterRun run(DataOf(damaged));
+  EXPECT_GT(correction.Changed, 0);
+  EXPECT_EQ(correction.Message.find("genus"), std::string::npos) << correction.Message;
+  EXPECT_EQ(correction.Places.size(), static_cast<std::size_t>(correction.Changed));
+  FilterRun run(ToPolyData(damaged));
   EXPECT_NE(run.Messages().find("It was repaired: "), std::string::npos) << run.Messages();
   auto* facts = run.Surface(0)->GetFieldData();
   ASSERT_TRUE(facts->GetArray("Repaired")) << run.Messages();
-  EXPECT_EQ(facts->GetArray("Repaired")->GetTuple1(0), static_cast<double>(mending.Changed));
-  EXPECT_EQ(facts->GetArray("RepairedPlaces")->GetNumberOfTuples(), mending.Changed);
+  EXPECT_EQ(facts->GetArray("Repaired")->GetTuple1(0), static_cast<double>(correction.Changed));
+  EXPECT_EQ(facts->GetArray("RepairedPlaces")->GetNumberOfTuples(), correction.Changed);
   EXPECT_EQ(facts->GetArray("NumberOfHandles")->GetTuple1(0), handles);
   EXPECT_EQ(facts->GetArray("NumberOfTunnels")->GetTuple1(0), tunnels);
 }
 
 // A torus whose inner side just crosses itself at the axis: as triangles of genus 1, as a solid of
 // genus 0, and so after the repair.
-TEST(RepairReport, TellsThatTheGenusChanged)
+TEST(RepairReport, ReportsAChangedGenus)
 {
-  FilterRun run(DataOf(Torus(0.297, 0.3, 60, 40)));
+  FilterRun run(ToPolyData(Torus(0.297, 0.3, 60, 40)));
   EXPECT_NE(run.Messages().find("the genus from 1 to 0."), std::string::npos) << run.Messages();
   EXPECT_EQ(run.Surface(0)->GetFieldData()->GetArray("NumberOfHandles")->GetTuple1(0), 0.0);
 }
 
 TEST(RepairReport, NothingToDo)
 {
-  RepairReport mending;
+  RepairReport correction;
   const TriangleMesh torus = Torus(1.0, 0.3, 30, 20);
-  const TriangleMesh checked = CheckedSurface(torus, false, {}, &mending);
+  const TriangleMesh checked = CheckedSurface(torus, false, {}, &correction);
   EXPECT_EQ(checked.Triangles, torus.Triangles);
-  EXPECT_EQ(mending.Changed, 0);
-  EXPECT_TRUE(mending.Message.empty());
-  FilterRun run(DataOf(torus));
+  EXPECT_EQ(correction.Changed, 0);
+  EXPECT_TRUE(correction.Message.empty());
+  FilterRun run(ToPolyData(torus));
   EXPECT_FALSE(run.Surface(0)->GetFieldData()->GetArray("Repaired"));
 }
 
@@ -137,7 +137,7 @@ TEST(RepairReport, Needles)
     TriangleMesh mesh = Torus(1.0, 0.3, 30, 20);
     AddNeedle(mesh, 17, area);
     AddNeedle(mesh, 630, area);
-    ExpectMended(mesh, 1.0, 1.0);
+    ExpectCorrected(mesh, 1.0, 1.0);
   }
 }
 
@@ -146,8 +146,8 @@ TEST(RepairReport, CapsAndPointsOnEdges)
   TriangleMesh mesh = Torus(1.0, 0.3, 30, 20);
   const Triangle t = mesh.Triangles[100];
   // The corner opposite to an edge moved onto it: two flat triangles, or next to.
-  PointOf(mesh, t[0]) = 0.5 * (PointOf(mesh, t[1]) + PointOf(mesh, t[2]));
-  ExpectMended(mesh, 1.0, 1.0);
+  GetPoint(mesh, t[0]) = 0.5 * (GetPoint(mesh, t[1]) + GetPoint(mesh, t[2]));
+  ExpectCorrected(mesh, 1.0, 1.0);
 }
 
 TEST(RepairReport, SheetsThatTouchInAPoint)
@@ -171,22 +171,23 @@ TEST(RepairReport, SheetsThatTouchInAPoint)
   const Point3 touch{ 1.3, 0.0, 0.0 };
   const std::size_t mine = near(0, half, touch);
   pair.Points[near(half, 2 * half, touch)] = pair.Points[mine];
-  ExpectMended(pair, 2.0, 2.0);
+  ExpectCorrected(pair, 2.0, 2.0);
 }
 
-TEST(RepairReport, TooMuchToMendIsRefused)
+TEST(RepairReport, TooMuchToRepairIsRefused)
 {
   TriangleMesh crossed = Torus(1.0, 0.3, 30, 20);
   Append(crossed, Torus(1.0, 0.3, 30, 20), { 0.5, 0.1, 0.2 });
-  FilterRun run(DataOf(crossed));
+  FilterRun run(ToPolyData(crossed));
   EXPECT_NE(run.Messages().find("crosses itself in"), std::string::npos) << run.Messages();
   EXPECT_NE(run.Messages().find("allow self-intersections"), std::string::npos) << run.Messages();
   EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
 }
 
-TEST(RepairReport, MemoryLimitEndsInASentence)
+TEST(RepairReport, MemoryLimitIsReported)
 {
-  FilterRun run(DataOf(Torus(1.0, 0.3, 30, 20)), [](vtkChokingLoops* f) { f->SetMemoryLimit(5); });
+  FilterRun run(
+    ToPolyData(Torus(1.0, 0.3, 30, 20)), [](vtkChokingLoops* f) { f->SetMemoryLimit(5); });
   EXPECT_NE(run.Messages().find("MemoryLimit is"), std::string::npos) << run.Messages();
   EXPECT_NE(
     run.Messages().find("raise SampleSpacing or simplify the surface, or raise MemoryLimit"),
@@ -200,7 +201,7 @@ void Damage(TriangleMesh& mesh, Random& random)
   const std::size_t t = Below(random, mesh.Triangles.size());
   const Triangle c = mesh.Triangles[t];
   const double edge = std::sqrt(
-    Dot(PointOf(mesh, c[0]) - PointOf(mesh, c[1]), PointOf(mesh, c[0]) - PointOf(mesh, c[1])));
+    Dot(GetPoint(mesh, c[0]) - GetPoint(mesh, c[1]), GetPoint(mesh, c[0]) - GetPoint(mesh, c[1])));
   const Point3 shift{ 0.1 * edge, -0.07 * edge, 0.05 * edge };
   switch (Below(random, 7))
   {
@@ -208,22 +209,22 @@ void Damage(TriangleMesh& mesh, Random& random)
       AddNeedle(mesh, t, std::pow(10.0, -10.0 - static_cast<double>(Below(random, 11))));
       break;
     case 1:
-      PointOf(mesh, c[0]) = 0.3 * PointOf(mesh, c[1]) + 0.7 * PointOf(mesh, c[2]);
+      GetPoint(mesh, c[0]) = 0.3 * GetPoint(mesh, c[1]) + 0.7 * GetPoint(mesh, c[2]);
       break;
     case 2:
       mesh.Triangles.push_back(c);
       break;
     case 3: // sheets that touch
-      PointOf(mesh, c[0]) = mesh.Points[Below(random, mesh.Points.size())];
+      GetPoint(mesh, c[0]) = mesh.Points[Below(random, mesh.Points.size())];
       break;
     case 4: // through the neighbour, by a tenth of an edge
-      PointOf(mesh, c[0]) = 1.1 * PointOf(mesh, c[1]) + -0.1 * PointOf(mesh, c[0]) + shift;
+      GetPoint(mesh, c[0]) = 1.1 * GetPoint(mesh, c[1]) + -0.1 * GetPoint(mesh, c[0]) + shift;
       break;
     case 5:
-      PointOf(mesh, c[0])[Below(random, 3)] = std::numeric_limits<double>::quiet_NaN();
+      GetPoint(mesh, c[0])[Below(random, 3)] = std::numeric_limits<double>::quiet_NaN();
       break;
     default:
-      PointOf(mesh, c[0])[Below(random, 3)] = Below(random, 2) ? 1e150 : 1e-150;
+      GetPoint(mesh, c[0])[Below(random, 3)] = Below(random, 2) ? 1e150 : 1e-150;
   }
 }
 
@@ -251,7 +252,7 @@ TEST(RepairReport, DamagedSurfaces)
       Damage(mesh, random);
     }
     const auto started = std::chrono::steady_clock::now();
-    FilterRun run(DataOf(mesh), [](vtkChokingLoops* f) { f->SetMemoryLimit(4096); });
+    FilterRun run(ToPolyData(mesh), [](vtkChokingLoops* f) { f->SetMemoryLimit(4096); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - started;
     longest = std::max(longest, took.count());
     vtkFieldData* facts = run.Surface(0)->GetFieldData();

@@ -1,4 +1,4 @@
-#include "Surfaces/SurfaceMending.h"
+#include "Surfaces/SurfaceCorrection.h"
 
 #include "Core/DisjointSets.h"
 #include "Core/Geometry.h"
@@ -23,12 +23,12 @@ namespace isthmus
 namespace
 {
 
-std::vector<Triangle> CornersOf(const SurfaceView& surface)
+std::vector<Triangle> GetCorners(const SurfaceView& surface)
 {
   return { surface.Triangles.begin(), surface.Triangles.end() };
 }
 
-double AreaOf(const SurfaceView& surface, const Triangle& t)
+double ComputeArea(const SurfaceView& surface, const Triangle& t)
 {
   const Point3& a = surface.Point(t[0]);
   return 0.5 * Length(Cross(surface.Point(t[1]) - a, surface.Point(t[2]) - a));
@@ -69,7 +69,7 @@ OpenEdges FindOpenEdges(const SurfaceView& surface)
   return open;
 }
 
-double DiagonalOf(const SurfaceView& surface)
+double BoundsDiagonal(const SurfaceView& surface)
 {
   Bounds3 box{ surface.Point(surface.Corners(0)[0]), surface.Point(surface.Corners(0)[0]) };
   for (const Triangle& t : surface.Triangles)
@@ -132,7 +132,7 @@ std::vector<vtkIdType> JoinNear(
   return stands;
 }
 
-std::vector<Triangle> Replaced(
+std::vector<Triangle> ReplacePoints(
   const SurfaceView& surface, const std::vector<vtkIdType>& stands, std::int64_t& joined)
 {
   joined = 0;
@@ -155,15 +155,15 @@ std::vector<Triangle> Replaced(
 
 }
 
-std::vector<Triangle> JoinCracks(const SurfaceView& surface, SurfaceMending& done)
+std::vector<Triangle> JoinCracks(const SurfaceView& surface, SurfaceCorrection& done)
 {
-  std::vector<Triangle> best = CornersOf(surface);
+  std::vector<Triangle> best = GetCorners(surface);
   if (best.empty())
   {
     return best;
   }
   const OpenEdges open = FindOpenEdges(surface);
-  const double diagonal = open.Points.empty() ? 0.0 : DiagonalOf(surface);
+  const double diagonal = open.Points.empty() ? 0.0 : BoundsDiagonal(surface);
   if (!(diagonal > 0.0))
   {
     return best;
@@ -180,7 +180,7 @@ std::vector<Triangle> JoinCracks(const SurfaceView& surface, SurfaceMending& don
     }
     std::int64_t joined = 0;
     std::vector<Triangle> tried =
-      Replaced(surface, JoinNear(surface, open.Points, tolerance), joined);
+      ReplacePoints(surface, JoinNear(surface, open.Points, tolerance), joined);
     if (joined == last)
     {
       continue;
@@ -212,7 +212,7 @@ struct Neighbour
   bool SameWay;
 };
 
-std::vector<std::vector<Neighbour>> NeighboursOf(const SurfaceView& surface)
+std::vector<std::vector<Neighbour>> FindNeighbours(const SurfaceView& surface)
 {
   std::vector<std::vector<Neighbour>> neighbours(surface.Triangles.size());
   ForEachEdge(SortedHalfEdges(surface, {}),
@@ -230,10 +230,10 @@ std::vector<std::vector<Neighbour>> NeighboursOf(const SurfaceView& surface)
 
 }
 
-std::vector<Triangle> TurnAlike(const SurfaceView& surface, SurfaceMending& done)
+std::vector<Triangle> OrientAlike(const SurfaceView& surface, SurfaceCorrection& done)
 {
-  std::vector<Triangle> triangles = CornersOf(surface);
-  const auto neighbours = NeighboursOf(surface);
+  std::vector<Triangle> triangles = GetCorners(surface);
+  const auto neighbours = FindNeighbours(surface);
   std::vector<int> way(triangles.size(), 0); // 1 unchanged, -1 flipped, 0 not visited
   std::vector<vtkIdType> component;
   for (std::size_t start = 0; start < triangles.size(); ++start)
@@ -249,7 +249,7 @@ std::vector<Triangle> TurnAlike(const SurfaceView& surface, SurfaceMending& done
     for (std::size_t next = 0; next < component.size(); ++next)
     {
       const vtkIdType t = component[next];
-      area[way[At(t)] > 0 ? 1 : 0] += AreaOf(surface, triangles[At(t)]);
+      area[way[At(t)] > 0 ? 1 : 0] += ComputeArea(surface, triangles[At(t)]);
       for (const Neighbour& other : neighbours[At(t)])
       {
         const int right = other.SameWay ? -way[At(t)] : way[At(t)];
@@ -295,7 +295,7 @@ struct Shell
   std::unique_ptr<TriangleTree> Tree;
 };
 
-std::vector<Shell> ShellsOf(const SurfaceView& surface)
+std::vector<Shell> FindShells(const SurfaceView& surface)
 {
   const std::vector<int> component = Components(surface);
   std::vector<Shell> shells(component.empty()
@@ -379,10 +379,11 @@ bool IsInside(const SurfaceView& surface, const Shell& inner, Shell& outer)
 }
 
 /// `outward`: whether to orient the outermost shells outward even if all of them face inward.
-std::vector<Triangle> TurnNested(const SurfaceView& surface, bool outward, SurfaceMending& done)
+std::vector<Triangle> OrientNested(
+  const SurfaceView& surface, bool outward, SurfaceCorrection& done)
 {
-  std::vector<Triangle> triangles = CornersOf(surface);
-  std::vector<Shell> shells = ShellsOf(surface);
+  std::vector<Triangle> triangles = GetCorners(surface);
+  std::vector<Shell> shells = FindShells(surface);
   if (shells.size() < 2 && !outward)
   {
     return triangles;
@@ -430,18 +431,18 @@ std::vector<Triangle> TurnNested(const SurfaceView& surface, bool outward, Surfa
 
 }
 
-std::vector<Triangle> TurnShells(const SurfaceView& surface, SurfaceMending& done)
+std::vector<Triangle> OrientShells(const SurfaceView& surface, SurfaceCorrection& done)
 {
-  return TurnNested(surface, false, done);
+  return OrientNested(surface, false, done);
 }
 
-std::vector<Triangle> TurnOutward(const SurfaceView& surface)
+std::vector<Triangle> OrientOutward(const SurfaceView& surface)
 {
-  SurfaceMending done;
-  return TurnNested(surface, true, done);
+  SurfaceCorrection done;
+  return OrientNested(surface, true, done);
 }
 
-std::string SurfaceMending::Message() const
+std::string SurfaceCorrection::Message() const
 {
   std::string text;
   const auto add = [&text](const std::string& sentence)

@@ -5,9 +5,9 @@
 #include "SharedData.h"
 #include "SurfaceModels.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMeasures.h"
-#include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/AutomaticMesher.h"
 #include "TopologyFilterRun.h"
@@ -39,12 +39,12 @@ using namespace isthmus::testing;
 namespace
 {
 
-TriangleMesh Sphere(double radius, const Point3& centre = { 0, 0, 0 })
+TriangleMesh Sphere(double radius, const Point3& center = { 0, 0, 0 })
 {
   TriangleMesh mesh = Icosphere(6, radius);
   for (Point3& p : mesh.Points)
   {
-    p = p + centre;
+    p = p + center;
   }
   return mesh;
 }
@@ -92,7 +92,7 @@ TriangleMesh Facets(const TriangleMesh& mesh, double noise)
   return facets;
 }
 
-vtkSmartPointer<vtkPolyData> DataOf(const TriangleMesh& mesh)
+vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   SetMesh(mesh, data);
@@ -111,7 +111,7 @@ Measured Measure(const TriangleMesh& mesh)
   vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkSurfaceMeasures> filter;
   filter->AddObserver(vtkCommand::WarningEvent, observer);
-  filter->SetInputData(DataOf(mesh));
+  filter->SetInputData(ToPolyData(mesh));
   filter->Update();
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
   return { fields->GetArray("Volume")->GetComponent(0, 0),
@@ -171,14 +171,14 @@ TriangleMesh ReadBinarySTL(const std::filesystem::path& path)
 
 }
 
-TEST(MendedSurfaces, CracksOfEverySizeThatRoundingLeavesAreClosed)
+TEST(CorrectedSurfaces, CracksOfEverySizeThatRoundingLeavesAreClosed)
 {
   for (const double noise : { 1e-7, 1e-6, 1e-5, 1e-4 })
   {
     for (const TriangleMesh& whole : { Sphere(5.0), TriangleMesh(Torus(40, 20, 3.0, 1.0)) })
     {
       const TriangleMesh facets = Facets(whole, noise);
-      SurfaceMending done;
+      SurfaceCorrection done;
       const TriangleMesh joined{ facets.Points, JoinCracks(facets, done) };
       EXPECT_EQ(joined.Triangles.size(), whole.Triangles.size()) << noise;
       EXPECT_TRUE(FindDefects(MergePoints(joined)).None()) << noise;
@@ -190,11 +190,11 @@ TEST(MendedSurfaces, CracksOfEverySizeThatRoundingLeavesAreClosed)
   }
 }
 
-TEST(MendedSurfaces, HolesAndCoarseCracksStay)
+TEST(CorrectedSurfaces, HolesAndCoarseCracksStay)
 {
   TriangleMesh open = Sphere(5.0);
   open.Triangles.resize(open.Triangles.size() - 4);
-  SurfaceMending done;
+  SurfaceCorrection done;
   EXPECT_EQ(JoinCracks(open, done), open.Triangles);
   EXPECT_EQ(done.Joined, 0);
   EXPECT_EQ(done.Message(), "");
@@ -209,19 +209,19 @@ TEST(MendedSurfaces, HolesAndCoarseCracksStay)
     FindDefects(joined).BoundaryTriangles.size(), FindDefects(open).BoundaryTriangles.size());
 }
 
-TEST(MendedSurfaces, CornersThatCloseNoCrackStayApart)
+TEST(CorrectedSurfaces, CornersThatCloseNoCrackStaySeparate)
 {
   // Two triangles whose corners nearly meet: joined, there would be as many open edges as before.
   TriangleMesh two;
   two.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1e-7, 0, 0 }, { -1, 0, 0 },
     { 0, -1, 0 } };
   two.Triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
-  SurfaceMending done;
+  SurfaceCorrection done;
   EXPECT_EQ(JoinCracks(two, done), two.Triangles);
   EXPECT_EQ(done.Joined, 0);
 }
 
-TEST(MendedSurfaces, PatchesAreTurnedAsTheirNeighbours)
+TEST(CorrectedSurfaces, PatchesAreOrientedLikeTheirNeighbours)
 {
   for (const TriangleMesh& right :
     { Sphere(2.0), InsideOut(Sphere(2.0)), TriangleMesh(Torus(40, 20, 3.0, 1.0)),
@@ -233,8 +233,8 @@ TEST(MendedSurfaces, PatchesAreTurnedAsTheirNeighbours)
       std::swap(turned.Triangles[t][0], turned.Triangles[t][1]);
     }
     ASSERT_FALSE(FindDefects(turned).FlippedTriangles.empty());
-    SurfaceMending done;
-    turned.Triangles = TurnAlike(turned, done);
+    SurfaceCorrection done;
+    turned.Triangles = OrientAlike(turned, done);
     EXPECT_TRUE(FindDefects(turned).None());
     EXPECT_NEAR(SignedVolume(turned), SignedVolume(right), 1e-9);
     EXPECT_GT(done.Turned, 10);
@@ -254,12 +254,12 @@ TEST(MendedSurfaces, PatchesAreTurnedAsTheirNeighbours)
     strip.Triangles.push_back({ p, q, r });
     strip.Triangles.push_back({ q, s, r });
   }
-  SurfaceMending done;
-  EXPECT_EQ(TurnAlike(strip, done), strip.Triangles);
+  SurfaceCorrection done;
+  EXPECT_EQ(OrientAlike(strip, done), strip.Triangles);
   EXPECT_EQ(done.Turned, 0);
 }
 
-TEST(MendedSurfaces, CavitiesCountAgainstTheBodyHoweverTheyFace)
+TEST(CorrectedSurfaces, CavitiesCountAgainstTheBodyHoweverTheyFace)
 {
   const double unit = SignedVolume(Sphere(1.0));
   const auto ball = [&unit](double r) { return r * r * r * unit; };
@@ -289,11 +289,11 @@ TEST(MendedSurfaces, CavitiesCountAgainstTheBodyHoweverTheyFace)
   EXPECT_EQ(Measure(InsideOut(outer)).Warning, "");
 }
 
-TEST(MendedSurfaces, ReportedFilesHaveTheVolumeOfTheirShape)
+TEST(CorrectedSurfaces, ReportedFilesHaveTheVolumeOfTheirShape)
 {
   ISTHMUS_NEEDS_SHARED_DATA("reports/s02_flipped_patch.obj");
   const auto folder = SharedDataFolder() / "reports";
-  // A torus of 72 x 16 quadrilaterals, radii 10 and 3; spheres of 10 and 4 around one centre.
+  // A torus of 72 x 16 quadrilaterals, radii 10 and 3; spheres of 10 and 4 around one center.
   const double torus = 2.0 * M_PI * M_PI * 10.0 * 9.0;
   const Measured flipped = Measure(ReadOBJ(folder / "s02_flipped_patch.obj"));
   EXPECT_NEAR(flipped.Volume, torus, 0.02 * torus);
@@ -309,7 +309,7 @@ TEST(MendedSurfaces, ReportedFilesHaveTheVolumeOfTheirShape)
 
 // The winding number, by which isosurface stuffing decides, is 2 in a cavity that faces the wrong
 // way.
-TEST(MendedSurfaces, StuffedSolidsHaveTheirCavities)
+TEST(CorrectedSurfaces, StuffedSolidsHaveTheirCavities)
 {
   for (const bool turned : { false, true })
   {
@@ -334,13 +334,13 @@ TEST(MendedSurfaces, StuffedSolidsHaveTheirCavities)
   }
 }
 
-TEST(MendedSurfaces, FiltersTakeFacetsWithCracks)
+TEST(CorrectedSurfaces, FiltersTakeFacetsWithCracks)
 {
   const TriangleMesh facets = Facets(Torus(40, 20, 1.0, 0.3), 1e-6);
   for (const bool capHoles : { false, true })
   {
     TopologyFilterRun<vtkChokingLoops> run(
-      DataOf(facets), [capHoles](vtkChokingLoops* filter) { filter->SetCapHoles(capHoles); });
+      ToPolyData(facets), [capHoles](vtkChokingLoops* filter) { filter->SetCapHoles(capHoles); });
     EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 2) << run.Messages();
     EXPECT_NE(run.Messages().find("merged with others within"), std::string::npos)
       << run.Messages();
@@ -349,31 +349,31 @@ TEST(MendedSurfaces, FiltersTakeFacetsWithCracks)
   vtkNew<vtkSurfaceToGrid> grid;
   grid->AddObserver(vtkCommand::WarningEvent, observer);
   grid->AddObserver(vtkCommand::ErrorEvent, observer);
-  grid->SetInputData(0, DataOf(facets));
+  grid->SetInputData(0, ToPolyData(facets));
   grid->Update();
   EXPECT_FALSE(observer->GetError());
   EXPECT_TRUE(observer->GetWarning());
   EXPECT_GT(vtkImageData::SafeDownCast(grid->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
   vtkNew<vtkSurfaceRemesh> remesh;
   remesh->AddObserver(vtkCommand::WarningEvent, observer);
-  remesh->SetInputData(DataOf(facets));
+  remesh->SetInputData(ToPolyData(facets));
   remesh->Update();
   EXPECT_TRUE(FindDefects(MeshOf(remesh->GetOutput())).None());
   TriangleMesh patch = Torus(40, 20, 1.0, 0.3);
   std::swap(patch.Triangles[7][0], patch.Triangles[7][1]);
-  remesh->SetInputData(DataOf(patch));
+  remesh->SetInputData(ToPolyData(patch));
   remesh->Update();
   EXPECT_GT(remesh->GetOutput()->GetNumberOfCells(), 100);
   EXPECT_TRUE(FindDefects(MeshOf(remesh->GetOutput())).None());
 }
 
 // Inside and outside of a surface are regions of space; which way a cavity faces does not matter.
-TEST(MendedSurfaces, LoopsDoNotDependOnHowACavityFaces)
+TEST(CorrectedSurfaces, LoopsDoNotDependOnHowACavityFaces)
 {
   const TriangleMesh outer = Sphere(3.0);
   const TriangleMesh cavity = Torus(40, 20, 1.0, 0.3);
-  TopologyFilterRun<vtkChokingLoops> same(DataOf(Together({ outer, cavity })));
-  TopologyFilterRun<vtkChokingLoops> opposite(DataOf(Together({ outer, InsideOut(cavity) })));
+  TopologyFilterRun<vtkChokingLoops> same(ToPolyData(Together({ outer, cavity })));
+  TopologyFilterRun<vtkChokingLoops> opposite(ToPolyData(Together({ outer, InsideOut(cavity) })));
   EXPECT_EQ(same.Surface(0)->GetNumberOfCells(), opposite.Surface(0)->GetNumberOfCells());
   EXPECT_EQ(same.Surface(0)->GetNumberOfPoints(), opposite.Surface(0)->GetNumberOfPoints());
   EXPECT_GT(same.Surface(0)->GetNumberOfCells(), 1);
