@@ -87,7 +87,7 @@ SILENT = {
         "the ring's loops rank alike by radius and length: TestChokingLoopsFilter has a slotted plate",
     ("ChokingLoops", "MemoryLimit"): LIMIT,
     ("ChokingLoops", "TrustedOnly"):
-        "all loops of the ring are trusted, 205 of 244 of Map Choking Loops are: SignificantLoops.py has a noisy map",
+        "all loops of the ring are trusted, 205 of 244 of a noisy map are: SignificantLoops.py has a noisy map",
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("ForceFieldCharges", "ForceField"): "the atoms have charges: TestProteinCharges has some without",

@@ -91,7 +91,7 @@ if simple and not any(getattr(finder, "MODULE", None) == _ScriptColours.MODULE f
 
 
 def show(source):
-    """The persistence diagram of Choking Loops, Map Choking Loops or Scalar Persistence in a chart view beside the
+    """The persistence diagram of Choking Loops or Scalar Persistence in a chart view beside the
     active view, which is returned."""
     name = source.SMProxy.GetXMLName()
     if name not in DIAGRAMS:
