@@ -72,4 +72,12 @@ with tempfile.TemporaryDirectory() as folder:
         assert again.GetOrigin() == image.GetPoint(image.ComputePointId([10, 20, 30]))
         copied = vtk_to_numpy(again.GetPointData().GetArray("Potential"))
         assert (copied == read[10:61, 20:51, 30:91].ravel(order="F")).all()
+# APBS' binary files have an ending of their own.
+binary = simple.OpenDataFile(str(shared_data("reports/n01_apbs.dxbin")))
+assert binary.GetXMLName() == "OpenDXReader", binary.GetXMLName()
+image = servermanager.Fetch(binary)
+assert image.GetDimensions() == (3, 3, 3)
+# z runs fastest in the file, x in the image.
+values = vtk_to_numpy(image.GetPointData().GetArray("Potential")).reshape((3, 3, 3), order="F")
+assert (values.ravel() == numpy.arange(27)).all(), values
 print("the potential is the file's")
