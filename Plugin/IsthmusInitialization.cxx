@@ -74,6 +74,22 @@ void ForEachAutomatic(vtkSMProxy* proxy, Take&& take)
   }
 }
 
+/// Whether `hint` is the first hint of the proxy for this helper, which handles all of them at
+/// once: what it proposes would count as given for the next one.
+bool IsFirst(vtkSMProxy* proxy, vtkPVXMLElement* hint)
+{
+  vtkPVXMLElement* const hints = proxy->GetHints();
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* const other = hints->GetNestedElement(i);
+    if (std::string(other->GetAttributeOrEmpty("class")) == HelperName)
+    {
+      return other == hint;
+    }
+  }
+  return true;
+}
+
 /// A number has been set: it is not automatic any more. Resetting it to its default does not count.
 void SwitchOff(vtkObject* caller, unsigned long, void*, void*)
 {
@@ -213,8 +229,12 @@ public:
   static vtkSMIsthmusInitialization* New();
   vtkTypeMacro(vtkSMIsthmusInitialization, vtkSMProxyInitializationHelper);
 
-  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement*, vtkMTimeType made) override
+  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* hint, vtkMTimeType made) override
   {
+    if (!IsFirst(proxy, hint))
+    {
+      return;
+    }
     ForEachAutomatic(proxy,
       [made](vtkSMProperty* number, vtkSMProperty* automatic)
       {
