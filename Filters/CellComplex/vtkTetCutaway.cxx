@@ -144,7 +144,8 @@ public:
       const int type = this->Input->GetCellType(id);
       if (type == VTK_POLYHEDRON)
       {
-        this->Input->GetFaceStream(id, points); // with the number of faces first, as is inserted
+        this->Input->GetFaceStream(
+          id, points); // starting with the number of faces, as for insertion
       }
       else
       {

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
 PlaceInWorld MakeWorldTransform(vtkImageData* grid);
 
 /// Box of the points that polygons of `surface` use: minimum and maximum of x, y and z. Points that
-/// no polygon uses, e.g. what other filters left over, do not count. @return false if there are
+/// no polygon uses, e.g. leftovers of other filters, do not count. @return false if there are
 /// none.
 bool ComputePolygonBounds(vtkPolyData* surface, double box[6]);
 

@@ -98,7 +98,7 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
     throw std::invalid_argument(
       "The surface is a single point, or its coordinates are too large: choose another unit.");
   }
-  // Of a cavity that faces as the shell around it, the winding number would be 2.
+  // The winding number in a cavity with the orientation of the shell around it would be 2.
   SurfaceCorrection correction;
   const std::vector<Triangle> turned = OrientShells(soup, correction);
   const SolidField field(SurfaceView(soup.Points, turned));

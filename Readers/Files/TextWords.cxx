@@ -225,7 +225,7 @@ T TextWords::SlowNumber(const char* what)
   const auto result = std::from_chars(SkipPlus(word.data(), end), end, value);
   if (result.ec == std::errc::result_out_of_range && result.ptr == end)
   {
-    // Too small is zero, as strtod has it; too large has no value.
+    // Numbers that are too small are zero, as for strtod; those that are too large have no value.
     if (word.find("e-") != word.npos || word.find("E-") != word.npos)
     {
       return T(0);

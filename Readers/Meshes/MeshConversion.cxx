@@ -100,7 +100,7 @@ void ReadCells(vtkPointSet* data, CellMesh& mesh)
   }
 }
 
-/// The file's type for a type of VTK's: a number of the same size and kind.
+/// The number type of a file for a VTK type: of the same size and kind.
 template <typename T>
 using FileNumber = std::conditional_t<std::is_floating_point_v<T>, T,
   std::conditional_t<std::is_signed_v<T>,

@@ -1,6 +1,6 @@
 /**
  * @class vtkMeshFileReader
- * @brief What readers of mesh files share: a file's name, its points, cells and arrays as a grid.
+ * @brief Base class of readers of mesh files: a file name, and points, cells and arrays as a grid.
  */
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h

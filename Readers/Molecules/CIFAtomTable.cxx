@@ -712,7 +712,7 @@ void KeepFirstLetter(AtomTable& table, const char* name)
     });
 }
 
-/// gemmi refuses the file for one value that is no number: such values become unknown, counted.
+/// gemmi refuses a file with a single malformed number: such values become unknown and are counted.
 void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
 {
   const int insertion = table.Find("pdbx_PDB_ins_code");

@@ -543,7 +543,7 @@ bool EndsWithinRecord(std::string_view text, const PDBLines& lines)
   const std::string_view line = UnfinishedLine(text);
   if (line.substr(0, 6) == "CONECT")
   {
-    constexpr std::size_t first = 11; // behind the first serial number; one is five columns wide
+    constexpr std::size_t first = 11; // after the first serial number; each is five columns wide
     return line.size() > first && (line.size() - first) % 5 != 0;
   }
   if (lines.Atoms.empty() || line.empty() || lines.Atoms.back().data() != line.data())
