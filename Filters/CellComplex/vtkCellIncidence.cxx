@@ -188,7 +188,7 @@ int vtkCellIncidence::RequestData(
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");
-      isthmus::RequirePlaces(input, "the cells");
+      isthmus::RequireFinitePositions(input, "the cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.5),
         [&](const auto& map, const isthmus::GridCells& cells)
         {

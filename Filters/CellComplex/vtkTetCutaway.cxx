@@ -237,7 +237,7 @@ int vtkTetCutaway::RequestData(
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");
-      isthmus::RequirePlaces(input, "the cells");
+      isthmus::RequireFinitePositions(input, "the cells");
       isthmus::Check(this->Parameters);
       isthmus::RequireChoice<int>("SeedMode", this->SeedMode, AtFace);
       for (const double coordinate : this->SeedPoint)

@@ -233,7 +233,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
 std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseSurface(
   vtkPolyData* surface, vtkDataObject* grid)
 {
-  isthmus::RequirePlaces(vtkPointSet::SafeDownCast(grid), "the mesh");
+  isthmus::RequireFinitePositions(vtkPointSet::SafeDownCast(grid), "the mesh");
   std::fill_n(this->StageTimes, 5, 0.0);
   const auto progress = isthmus::Between(isthmus::MakeProgress(this), 0.0, AnalysisPart);
   isthmus::TriangleMesh triangles = isthmus::ToTriangleMesh(surface);

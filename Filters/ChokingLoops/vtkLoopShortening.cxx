@@ -201,7 +201,7 @@ int vtkLoopShortening::RequestData(
   return isthmus::RunGuarded(this, output,
     [&]
     {
-      isthmus::RequirePlaces(loops, "the loops");
+      isthmus::RequireFinitePositions(loops, "the loops");
       isthmus::Check(this->Parameters);
       const auto whole =
         isthmus::GatherSurface(this, vtkPolyData::GetData(input[1]), isthmus::GatherOn::EachRank);

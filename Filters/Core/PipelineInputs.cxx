@@ -156,7 +156,7 @@ std::vector<bool> UsedPoints(vtkPointSet* data)
 
 }
 
-void RequirePlaces(vtkPointSet* data, const std::string& name)
+void RequireFinitePositions(vtkPointSet* data, const std::string& name)
 {
   vtkDataArray* const values = data && data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
   const vtkIdType count = values ? values->GetNumberOfValues() : 0;

@@ -31,7 +31,8 @@ VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 /// @throws std::invalid_argument, naming the point, if one is at a position that is not finite;
 /// points that no cell uses are not looked at where there are cells. `name`: "the surface". This is
 /// for filters whose algorithm has no such message of its own. O(points).
-VTKISTHMUSFILTERSCORE_EXPORT void RequirePlaces(vtkPointSet* data, const std::string& name);
+VTKISTHMUSFILTERSCORE_EXPORT void RequireFinitePositions(
+  vtkPointSet* data, const std::string& name);
 
 /**
  * Updates an input from RequestInformation, which filters normally do not do. It is for filters

@@ -491,7 +491,7 @@ int vtkHessianCurvature::RequestData(
         if (pointsInfo)
         {
           vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
-          isthmus::RequirePlaces(surface, "the surface");
+          isthmus::RequireFinitePositions(surface, "the surface");
           output->ShallowCopy(surface);
           points = surface->GetPoints();
         }

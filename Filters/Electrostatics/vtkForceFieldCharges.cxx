@@ -37,7 +37,7 @@ int vtkForceFieldCharges::RequestData(
       {
         return;
       }
-      isthmus::RequirePlaces(atoms, "the atoms");
+      isthmus::RequireFinitePositions(atoms, "the atoms");
       const isthmus::ChargeArrays arrays{ "Charge", "Radius" };
       if (!isthmus::LacksCharges(atoms, arrays))
       {

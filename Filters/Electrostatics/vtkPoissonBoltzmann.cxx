@@ -272,7 +272,7 @@ int vtkPoissonBoltzmann::RequestData(
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
       this->Advance->RequireOneRank(0, "atoms");
       this->Advance->RequireOneRank(1, "points of the surface");
-      isthmus::RequirePlaces(vtkPointSet::GetData(inputVector[1], 0), "the surface");
+      isthmus::RequireFinitePositions(vtkPointSet::GetData(inputVector[1], 0), "the surface");
       if (atoms && atoms->GetNumberOfPoints() > 0)
       {
         this->Solve(inputVector, outputVector);

@@ -322,10 +322,10 @@ std::vector<InputFeature> ReadFeatures(vtkDataObject* input, vtkTable* lining)
   {
     vtkNew<vtkPolyData> all; // all points count, including those that no cell uses
     all->SetPoints(points->GetPoints());
-    RequirePlaces(all, "the features");
+    RequireFinitePositions(all, "the features");
     return ReadPoints(points);
   }
-  RequirePlaces(points, "the features");
+  RequireFinitePositions(points, "the features");
   auto features = ReadGroups(points, owner);
   if (lining && !owner.Part)
   {

@@ -175,7 +175,7 @@ int vtkPolarizedCurvature::RequestData(
     {
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
-      isthmus::RequirePlaces(surface, "the surface");
+      isthmus::RequireFinitePositions(surface, "the surface");
       isthmus::RequireRange("ClassThreshold", this->ClassThreshold, 0.0, isthmus::Unlimited,
         "It is in kT/(e angstrom).");
       output->ShallowCopy(surface);

@@ -38,7 +38,7 @@ class Failing : public vtkPolyDataAlgorithm
 public:
   static Failing* New();
   vtkTypeMacro(Failing, vtkPolyDataAlgorithm);
-  std::string Sentence;
+  std::string Message;
 
 protected:
   int RequestInformation(
@@ -58,9 +58,9 @@ protected:
 private:
   void Fail() const
   {
-    if (!this->Sentence.empty())
+    if (!this->Message.empty())
     {
-      throw std::runtime_error(this->Sentence);
+      throw std::runtime_error(this->Message);
     }
   }
 };
@@ -73,7 +73,7 @@ class FailingTwice : public vtkPolyDataAlgorithm
 public:
   static FailingTwice* New();
   vtkTypeMacro(FailingTwice, vtkPolyDataAlgorithm);
-  std::string Sentence;
+  std::string Message;
   bool Sound = false;
 
 protected:
@@ -91,11 +91,11 @@ protected:
         }
         if (!this->Sound)
         {
-          if (this->Sentence.empty())
+          if (this->Message.empty())
           {
             throw isthmus::Cancelled();
           }
-          throw std::runtime_error(this->Sentence);
+          throw std::runtime_error(this->Message);
         }
       });
   }
@@ -112,7 +112,7 @@ public:
     for (vtkObject* who : std::initializer_list<vtkObject*>{ algorithm, algorithm->GetExecutive() })
     {
       vtkNew<vtkCallbackCommand> listener;
-      listener->SetClientData(&this->Said);
+      listener->SetClientData(&this->Messages);
       listener->SetCallback(
         [](vtkObject*, unsigned long, void* said, void* words) {
           static_cast<std::vector<std::string>*>(said)->emplace_back(
@@ -122,7 +122,7 @@ public:
     }
   }
 
-  std::vector<std::string> Said;
+  std::vector<std::string> Messages;
 };
 
 }
@@ -133,13 +133,13 @@ TEST(AlgorithmGuard, EachMessageIsReportedOnce)
   vtkNew<Failing> failing;
   const Ear ear(failing);
   failing->SetInputConnection(sphere->GetOutputPort());
-  failing->Sentence = "The sky is down: lift it.";
+  failing->Message = "The sky is down: lift it.";
   failing->UpdateInformation();
-  ASSERT_EQ(ear.Said.size(), 1U);
-  EXPECT_NE(ear.Said[0].find(failing->Sentence), std::string::npos);
+  ASSERT_EQ(ear.Messages.size(), 1U);
+  EXPECT_NE(ear.Messages[0].find(failing->Message), std::string::npos);
   failing->Update(); // fails again, for the data
   failing->Update();
-  EXPECT_EQ(ear.Said.size(), 1U);
+  EXPECT_EQ(ear.Messages.size(), 1U);
   EXPECT_EQ(failing->GetOutput()->GetNumberOfPoints(), 0);
 }
 
@@ -149,19 +149,19 @@ TEST(AlgorithmGuard, IsReportedAgainAfterAnyChange)
   vtkNew<Failing> failing;
   const Ear ear(failing);
   failing->SetInputConnection(sphere->GetOutputPort());
-  failing->Sentence = "The sky is down: lift it.";
+  failing->Message = "The sky is down: lift it.";
   failing->Update();
   failing->Modified();
   failing->Update();
-  EXPECT_EQ(ear.Said.size(), 2U) << "the filter was changed";
+  EXPECT_EQ(ear.Messages.size(), 2U) << "the filter was changed";
   sphere->SetRadius(3.0);
   failing->Update();
-  EXPECT_EQ(ear.Said.size(), 3U) << "its input was";
-  failing->Sentence = "The sea is up.";
+  EXPECT_EQ(ear.Messages.size(), 3U) << "its input was";
+  failing->Message = "The sea is up.";
   failing->Modified();
   failing->Update();
-  ASSERT_EQ(ear.Said.size(), 4U);
-  EXPECT_NE(ear.Said[3].find("The sea is up."), std::string::npos);
+  ASSERT_EQ(ear.Messages.size(), 4U);
+  EXPECT_NE(ear.Messages[3].find("The sea is up."), std::string::npos);
 }
 
 TEST(AlgorithmGuard, DownstreamOutputsAreEmptiedAndComeBack)
@@ -175,15 +175,15 @@ TEST(AlgorithmGuard, DownstreamOutputsAreEmptiedAndComeBack)
   after->Update();
   const vtkIdType points = after->GetOutput()->GetNumberOfPoints();
   EXPECT_GT(points, 0);
-  failing->Sentence = "The sky is down: lift it.";
+  failing->Message = "The sky is down: lift it.";
   failing->Modified();
   after->Update();
   EXPECT_EQ(after->GetOutput()->GetNumberOfPoints(), 0);
-  failing->Sentence.clear();
+  failing->Message.clear();
   failing->Modified();
   after->Update();
   EXPECT_EQ(after->GetOutput()->GetNumberOfPoints(), points);
-  EXPECT_EQ(ear.Said.size(), 1U);
+  EXPECT_EQ(ear.Messages.size(), 1U);
 }
 
 TEST(AlgorithmGuard, AllOutputsAreEmptyAfterAnErrorAndAfterAnAbort)
@@ -201,13 +201,13 @@ TEST(AlgorithmGuard, AllOutputsAreEmptyAfterAnErrorAndAfterAnAbort)
   for (const char* sentence : { "The sky is down: lift it.", "" })
   {
     failing->Sound = false;
-    failing->Sentence = sentence;
+    failing->Message = sentence;
     failing->Modified();
     failing->Update();
     EXPECT_EQ(pointsOf(0), 0) << sentence;
     EXPECT_EQ(pointsOf(1), 0) << sentence;
   }
-  EXPECT_EQ(ear.Said.size(), 1U); // an abort is no error
+  EXPECT_EQ(ear.Messages.size(), 1U); // an abort is no error
 }
 
 TEST(AlgorithmGuard, AnUpdateInRequestInformationReportsOnce)
@@ -219,7 +219,7 @@ TEST(AlgorithmGuard, AnUpdateInRequestInformationReportsOnce)
   grid->SetSpacing(-1.0);
   grid->Update();
   grid->Update();
-  EXPECT_EQ(ear.Said.size(), 1U) << (ear.Said.size() > 1 ? ear.Said[1] : "");
+  EXPECT_EQ(ear.Messages.size(), 1U) << (ear.Messages.size() > 1 ? ear.Messages[1] : "");
   EXPECT_EQ(grid->GetOutput()->GetNumberOfPoints(), 0);
 }
 
@@ -251,7 +251,7 @@ TEST(AlgorithmGuard, AnAbortUpstreamIsNoticedAndReset)
   sphere->Modified();
   after->Update();
   EXPECT_GT(after->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-  EXPECT_TRUE(ear.Said.empty()) << ear.Said[0];
+  EXPECT_TRUE(ear.Messages.empty()) << ear.Messages[0];
 }
 
 TEST(AlgorithmGuard, ATruncatedFileIsReportedOnceWithItsCode)
@@ -268,5 +268,5 @@ TEST(AlgorithmGuard, ATruncatedFileIsReportedOnceWithItsCode)
     reader->Update();
     EXPECT_NE(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   }
-  EXPECT_EQ(ear.Said.size(), 1U) << (ear.Said.size() > 1 ? ear.Said[1] : "");
+  EXPECT_EQ(ear.Messages.size(), 1U) << (ear.Messages.size() > 1 ? ear.Messages[1] : "");
 }

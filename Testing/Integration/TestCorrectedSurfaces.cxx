@@ -358,13 +358,13 @@ TEST(CorrectedSurfaces, FiltersTakeFacetsWithCracks)
   remesh->AddObserver(vtkCommand::WarningEvent, observer);
   remesh->SetInputData(ToPolyData(facets));
   remesh->Update();
-  EXPECT_TRUE(FindDefects(MeshOf(remesh->GetOutput())).None());
+  EXPECT_TRUE(FindDefects(ToTriangleMesh(remesh->GetOutput())).None());
   TriangleMesh patch = Torus(40, 20, 1.0, 0.3);
   std::swap(patch.Triangles[7][0], patch.Triangles[7][1]);
   remesh->SetInputData(ToPolyData(patch));
   remesh->Update();
   EXPECT_GT(remesh->GetOutput()->GetNumberOfCells(), 100);
-  EXPECT_TRUE(FindDefects(MeshOf(remesh->GetOutput())).None());
+  EXPECT_TRUE(FindDefects(ToTriangleMesh(remesh->GetOutput())).None());
 }
 
 // Inside and outside of a surface are regions of space; which way a cavity faces does not matter.

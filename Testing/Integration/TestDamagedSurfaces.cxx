@@ -41,7 +41,7 @@ TriangleMesh SharedSurface(Chance& chance)
   }
   if (read.count(name) == 0)
   {
-    const TriangleMesh whole = MeshOf(ReadSurface(path));
+    const TriangleMesh whole = ToTriangleMesh(ReadSurface(path));
     vtkNew<vtkPolyData> triangulated;
     SetMesh(whole, triangulated);
     vtkNew<vtkQuadricDecimation> decimation;
@@ -49,7 +49,7 @@ TriangleMesh SharedSurface(Chance& chance)
     const auto triangles = static_cast<double>(whole.Triangles.size());
     decimation->SetTargetReduction(std::max(0.0, 1.0 - 800.0 / triangles));
     decimation->Update();
-    const TriangleMesh mesh = MeshOf(decimation->GetOutput());
+    const TriangleMesh mesh = ToTriangleMesh(decimation->GetOutput());
     const Bounds3 box = ComputeBounds(mesh);
     const Point3 middle = 0.5 * (box.Min + box.Max);
     const double scale = 2.0 / box.Diagonal();
@@ -64,7 +64,7 @@ struct Row
   std::array<int, 4> Backends{};
 };
 
-double AreaOf(const TriangleMesh& mesh)
+double ComputeArea(const TriangleMesh& mesh)
 {
   double sum = 0.0;
   for (const Triangle& t : mesh.Triangles)
@@ -111,7 +111,7 @@ void Fill(const DamagedSurface& surface, Row& row)
   // A surface that moves by no more than this sweeps no more than that; what is enclosed by one
   // that crosses itself is a matter of reading, which the report says.
   EXPECT_TRUE(surface.Volume >= 0.0 || made.IsDoubtful) << made.Report;
-  const double swept = 1.5 * AreaOf(BoundarySurface(made.Mesh)) * made.Hausdorff;
+  const double swept = 1.5 * ComputeArea(BoundarySurface(made.Mesh)) * made.Hausdorff;
   EXPECT_LE(surface.Volume >= 0.0 ? off : 0.0, 0.01 * truth + swept) << made.Report;
 }
 
@@ -164,7 +164,7 @@ std::vector<std::uint64_t> SeedsAnd(std::vector<std::uint64_t> known, std::uint6
 
 /// How many of the seeds `make` made a mesh of; the others ended in a sentence.
 template <typename Make>
-int MadeOf(const std::vector<std::uint64_t>& seeds, Make&& make)
+int MakeDamaged(const std::vector<std::uint64_t>& seeds, Make&& make)
 {
   int made = 0;
   for (const std::uint64_t seed : seeds)
@@ -193,7 +193,7 @@ int MadeOf(const std::vector<std::uint64_t>& seeds, Make&& make)
 TEST(SurfaceRepair, OddCoordinatesGiveASurfaceOrAMessage)
 {
   const auto seeds = SeedsAnd({ 2014, 2042, 2908, 3099, 3717, 4209 }, 200);
-  const int made = MadeOf(seeds,
+  const int made = MakeDamaged(seeds,
     [](std::uint64_t seed)
     {
       const TriangleMesh mesh = RepairSurface(WithCoordinates(seed, Odd)).Mesh;
@@ -211,7 +211,7 @@ TEST(SurfaceRemesh, TinyValuesGiveASurfaceOrAMessage)
   parameters.EdgeLength = 0.1;
   parameters.NumberOfIterations = 3;
   const auto seeds = SeedsAnd({}, 100);
-  const int made = MadeOf(seeds,
+  const int made = MakeDamaged(seeds,
     [&](std::uint64_t seed)
     { return RemeshSurface(WithCoordinates(seed, Traces), parameters).Mesh.Points; });
   EXPECT_GE(4 * static_cast<std::size_t>(made), 3 * seeds.size());
@@ -224,7 +224,7 @@ TEST(TetrahedralMesher, TinyValuesGiveAMeshOrAMessage)
   parameters.Library = TetrahedralLibrary::CGAL;
   parameters.CGAL.MaximumPoints = 5000;
   const std::vector<std::uint64_t> seeds{ 304, 364, 572, 1470 };
-  const int made = MadeOf(seeds,
+  const int made = MakeDamaged(seeds,
     [&](std::uint64_t seed)
     {
       const TriangleMesh repaired = RepairSurface(WithCoordinates(seed, Odd)).Mesh;

@@ -61,14 +61,14 @@ vtkSmartPointer<vtkImageData> Density()
   return image;
 }
 
-struct Said
+struct Outcome
 {
   std::string Error, Warning;
   vtkIdType Points;
 };
 
 /// What Hessian Curvature says of points beside that density.
-Said SaidOf(vtkPolyData* points)
+Outcome RecordWarning(vtkPolyData* points)
 {
   vtkNew<vtkHessianCurvature> filter;
   vtkNew<vtkTest::ErrorObserver> said;
@@ -155,24 +155,24 @@ TEST(InputOverlap, InputsWithAndWithoutPositions)
 
 TEST(InputOverlap, FiltersRefuseOrWarn)
 {
-  const auto on = SaidOf(Lattice({ -4.0, -4.0, -4.0 }, 8.0, 5));
+  const auto on = RecordWarning(Lattice({ -4.0, -4.0, -4.0 }, 8.0, 5));
   EXPECT_EQ(on.Error + on.Warning, "");
-  const auto off = SaidOf(Lattice({ 996.0, -4.0, -4.0 }, 8.0, 5));
+  const auto off = RecordWarning(Lattice({ 996.0, -4.0, -4.0 }, 8.0, 5));
   EXPECT_NE(off.Error.find("Inputs 0 and 1 do not overlap"), std::string::npos) << off.Error;
   EXPECT_NE(off.Error.find("from (996, -4, -4)"), std::string::npos) << off.Error;
   EXPECT_EQ(off.Error.find("nanometres"), std::string::npos) << off.Error;
   EXPECT_EQ(off.Points, 0);
   // Of five layers of points, two are within the box, which ends at 13.5, one of them in the
   // volume.
-  const auto partly = SaidOf(Lattice({ 9.0, -4.0, -4.0 }, 12.0, 5));
+  const auto partly = RecordWarning(Lattice({ 9.0, -4.0, -4.0 }, 12.0, 5));
   EXPECT_EQ(partly.Error, "");
   EXPECT_NE(partly.Warning.find("Only 40 %"), std::string::npos) << partly.Warning;
   EXPECT_EQ(partly.Points, 125);
-  const auto small = SaidOf(Lattice({ -1.0, -1.0, -1.0 }, 2.0, 5));
+  const auto small = RecordWarning(Lattice({ -1.0, -1.0, -1.0 }, 2.0, 5));
   EXPECT_EQ(small.Error, "");
   EXPECT_NE(small.Warning.find("10 times as large"), std::string::npos) << small.Warning;
   EXPECT_NE(small.Warning.find("nanometres"), std::string::npos) << small.Warning;
-  const auto smallAndOff = SaidOf(Lattice({ 99.0, -1.0, -1.0 }, 2.0, 5));
+  const auto smallAndOff = RecordWarning(Lattice({ 99.0, -1.0, -1.0 }, 2.0, 5));
   EXPECT_NE(smallAndOff.Error.find("nanometres"), std::string::npos) << smallAndOff.Error;
 }
 

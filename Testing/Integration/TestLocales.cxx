@@ -98,7 +98,7 @@ std::string Content(const std::string& path)
 
 /// All points and point values of what a reader or filter gives, to the last bit, and what it says.
 template <typename Algorithm>
-std::string ResultOf(Algorithm* algorithm)
+std::string FormatResult(Algorithm* algorithm)
 {
   vtkNew<vtkTest::ErrorObserver> told;
   algorithm->AddObserver(vtkCommand::ErrorEvent, told);
@@ -162,7 +162,7 @@ void ExpectSameFiles(
       }
       vtkNew<Reader> reader;
       reader->SetFileName(place.Path());
-      std::string read = ResultOf(reader.Get());
+      std::string read = FormatResult(reader.Get());
       for (std::size_t at; (at = read.find(folder.string())) != std::string::npos;)
       {
         read.erase(at, folder.string().size());
@@ -226,7 +226,7 @@ TEST(Locales, ReadersOfMolecules)
       {
         vtkNew<vtkMacromoleculeReader> reader;
         reader->SetFileName(file.Path());
-        std::string result = ResultOf(reader.Get());
+        std::string result = FormatResult(reader.Get());
         EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 1) << result;
         return result;
       });
@@ -244,7 +244,7 @@ TEST(Locales, SurfacesOfMSMS)
     {
       vtkNew<vtkMSMSReader> reader;
       reader->SetFileName(vertices.Path());
-      std::string result = ResultOf(reader.Get());
+      std::string result = FormatResult(reader.Get());
       EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 1) << result;
       return result;
     });
@@ -268,7 +268,7 @@ TEST(Locales, TetGen)
       mesher->SetMinimumDihedralAngle(12.5);
       mesher->SetMaximumVolume(0.25);
       mesher->SetTimeLimit(30.0);
-      std::string result = ResultOf(mesher.Get());
+      std::string result = FormatResult(mesher.Get());
       EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100) << result.substr(0, 300);
       return result;
     });
@@ -283,7 +283,7 @@ TEST(Locales, Messages)
       vtkNew<vtkHighOrderDiffusion> filter;
       filter->SetInputDataObject(Image());
       filter->SetTime(-1.5);
-      std::string said = ResultOf(filter.Get());
+      std::string said = FormatResult(filter.Get());
       EXPECT_NE(said.find("-1.5"), std::string::npos) << said;
       return said;
     });
@@ -292,7 +292,7 @@ TEST(Locales, Messages)
     {
       vtkNew<vtkMapSurface> filter;
       filter->SetInputDataObject(Image(-1.0));
-      std::string said = ResultOf(filter.Get());
+      std::string said = FormatResult(filter.Get());
       EXPECT_NE(said.find("(skewness -"), std::string::npos) << said;
       return said;
     });
@@ -316,7 +316,7 @@ TEST(Locales, Messages)
         separate->InsertNextCell(VTK_TRIANGLE, 3, corners);
       }
       filter->SetInputDataObject(separate);
-      std::string said = ResultOf(filter.Get());
+      std::string said = FormatResult(filter.Get());
       EXPECT_NE(said.find("not closed, so Volume is not a number: 7"), std::string::npos)
         << said.substr(0, 500);
       return said;

@@ -33,7 +33,7 @@ std::string CatchMessage(vtkPointSet* data)
 {
   try
   {
-    isthmus::RequirePlaces(data, "the surface");
+    isthmus::RequireFinitePositions(data, "the surface");
   }
   catch (const std::invalid_argument& error)
   {

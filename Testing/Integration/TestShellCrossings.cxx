@@ -34,14 +34,14 @@ namespace
 {
 
 /// The place where two shells cross, or nothing.
-std::optional<ShellCrossing> CrossingOf(const TriangleMesh& a, const TriangleMesh& b)
+std::optional<ShellCrossing> FindCrossing(const TriangleMesh& a, const TriangleMesh& b)
 {
   TriangleMesh both = a;
   Append(both, b);
   return FindShellCrossing(both);
 }
 
-TriangleMesh Moved(TriangleMesh mesh, const Point3& by)
+TriangleMesh Translate(TriangleMesh mesh, const Point3& by)
 {
   for (Point3& p : mesh.Points)
   {
@@ -105,8 +105,8 @@ TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiSay)
     }
     const TriangleMesh a = Sphere({ 0.0, 0.0, 0.0 }, r, 32);
     TriangleMesh b = TurnedByOneRadian(Sphere({ 0.0, 0.0, 0.0 }, s, 32));
-    b = Moved(trial % 2 ? b : InsideOut(b), { 0.6 * distance, 0.0, 0.8 * distance });
-    const auto crossing = CrossingOf(a, b);
+    b = Translate(trial % 2 ? b : InsideOut(b), { 0.6 * distance, 0.0, 0.8 * distance });
+    const auto crossing = FindCrossing(a, b);
     const bool expected = distance < r + s && distance > std::abs(r - s);
     ASSERT_EQ(crossing.has_value(), expected) << trial << ": " << r << " " << s << " " << distance;
     if (crossing)
@@ -147,9 +147,10 @@ TEST(ShellCrossings, BoxesWithCoplanarFacesAreDecidedByContainment)
   for (const Case& c : cases)
   {
     const TriangleMesh other = Cube(c.Low, c.Side);
-    EXPECT_EQ(CrossingOf(cube, other).has_value(), c.Crosses) << c.Name;
-    EXPECT_EQ(CrossingOf(InsideOut(other), cube).has_value(), c.Crosses) << c.Name;
-    EXPECT_EQ(CrossingOf(TurnedByOneRadian(cube), TurnedByOneRadian(other)).has_value(), c.Crosses)
+    EXPECT_EQ(FindCrossing(cube, other).has_value(), c.Crosses) << c.Name;
+    EXPECT_EQ(FindCrossing(InsideOut(other), cube).has_value(), c.Crosses) << c.Name;
+    EXPECT_EQ(
+      FindCrossing(TurnedByOneRadian(cube), TurnedByOneRadian(other)).has_value(), c.Crosses)
       << c.Name << ", turned";
   }
 }
@@ -157,18 +158,18 @@ TEST(ShellCrossings, BoxesWithCoplanarFacesAreDecidedByContainment)
 TEST(ShellCrossings, TheSameShellTwiceIsFound)
 {
   const TriangleMesh sphere = Sphere({ 0.1, 0.2, 0.3 }, 2.0);
-  const auto twice = CrossingOf(sphere, sphere);
+  const auto twice = FindCrossing(sphere, sphere);
   ASSERT_TRUE(twice.has_value());
   EXPECT_TRUE(twice->Coincide);
   EXPECT_NE(twice->Message().find("coincide"), std::string::npos);
-  const auto turned = CrossingOf(InsideOut(sphere), sphere);
+  const auto turned = FindCrossing(InsideOut(sphere), sphere);
   ASSERT_TRUE(turned.has_value());
   EXPECT_TRUE(turned->Coincide);
   // Whole cubes that face each other by a face, and a sheet with two sides, are no such shells.
-  EXPECT_FALSE(CrossingOf(Cube({ 0, 0, 0 }, 1.0), Cube({ 1.0, 0.0, 0.0 }, 1.0)).has_value());
+  EXPECT_FALSE(FindCrossing(Cube({ 0, 0, 0 }, 1.0), Cube({ 1.0, 0.0, 0.0 }, 1.0)).has_value());
   TriangleMesh sheet = sphere;
   sheet.Triangles.resize(sheet.Triangles.size() / 3);
-  EXPECT_FALSE(CrossingOf(sheet, InsideOut(sheet)).has_value());
+  EXPECT_FALSE(FindCrossing(sheet, InsideOut(sheet)).has_value());
 }
 
 TEST(ShellCrossings, NestedAndOpenShellsAreSkipped)
@@ -183,7 +184,7 @@ TEST(ShellCrossings, NestedAndOpenShellsAreSkipped)
   EXPECT_FALSE(FindShellCrossing(nested).has_value());
   TriangleMesh open = Sphere({ 4.0, 0.0, 0.0 }, 5.0);
   open.Triangles.pop_back();
-  EXPECT_FALSE(CrossingOf(Sphere({ 0.0, 0.0, 0.0 }, 5.0), open).has_value());
+  EXPECT_FALSE(FindCrossing(Sphere({ 0.0, 0.0, 0.0 }, 5.0), open).has_value());
   EXPECT_FALSE(FindShellCrossing(TriangleMesh{}).has_value());
 }
 
@@ -220,7 +221,7 @@ TEST(ShellCrossings, CavitiesThatTouchTheirWallCountAlike)
         measures->GetOutputDataObject(0)->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
       EXPECT_NEAR(volume, expected, 1e-9 * expected) << &c - cases << turned;
       const GridShape shape{ { 64, 64, 64 }, { 0.1, 0.1, 0.1 } };
-      const auto inside = NodesInside(Moved(mesh, { 3.03, 3.01, 3.07 }), shape);
+      const auto inside = NodesInside(Translate(mesh, { 3.03, 3.01, 3.07 }), shape);
       const auto count = std::count(inside.begin(), inside.end(), 1);
       EXPECT_NEAR(0.001 * static_cast<double>(count), expected, 0.03 * expected) << &c - cases;
     }
@@ -252,7 +253,7 @@ TEST(ShellCrossings, NestedShellsCountAlikeWhicheverWayTheyFace)
       measures->GetOutputDataObject(0)->GetFieldData()->GetArray("Volume")->GetComponent(0, 0);
     EXPECT_NEAR(std::abs(volume), expected, 1e-9 * expected) << turned;
     const GridShape shape{ { 60, 60, 60 }, { 0.2, 0.2, 0.2 } };
-    const TriangleMesh placed = Moved(mesh, { 5.93, 5.91, 5.87 });
+    const TriangleMesh placed = Translate(mesh, { 5.93, 5.91, 5.87 });
     const auto inside = NodesInside(placed, shape);
     const auto count = std::count(inside.begin(), inside.end(), 1);
     EXPECT_NEAR(0.008 * static_cast<double>(count), expected, 0.02 * expected) << turned;
@@ -314,7 +315,7 @@ TEST(ShellCrossings, TheAdviceOfTheMessageWorks)
   TetrahedralParameters parameters = LimitedParameters();
   parameters.CGAL.CellSize = 0.7;
   const TriangleMesh united =
-    BoundarySurface(AutomaticTetrahedra(MeshOf(CrossingSpheres()), parameters).Mesh);
+    BoundarySurface(AutomaticTetrahedra(ToTriangleMesh(CrossingSpheres()), parameters).Mesh);
   EXPECT_FALSE(FindShellCrossing(united).has_value());
   const double expected = 2.0 * 4.0 / 3.0 * Pi * r * r * r - lens;
   std::cout << "united " << MeasureSurface(united).Whole.Volume << ", two balls " << expected

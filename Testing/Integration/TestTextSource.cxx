@@ -243,7 +243,7 @@ TEST(TextSource, LinesAreCountedAcrossQuotesAndRemainders)
   EXPECT_EQ(words.Word(), "f");
   try
   {
-    words.Refuse("enough.");
+    words.Reject("enough.");
   }
   catch (const ReaderError& refusal)
   {

@@ -122,7 +122,7 @@ struct Format
 };
 
 /// Where the last number that is read begins; the file may have text behind it.
-std::size_t LastNumberOf(const std::string& text, std::size_t end)
+std::size_t FindLastNumber(const std::string& text, std::size_t end)
 {
   return text.find_last_of(" \n\t", end - 1) + 1;
 }
@@ -249,7 +249,7 @@ std::vector<Format> Formats()
 /// Is `size` within a number that is the last one of its line, where the file may end?
 bool IsWithinLastNumber(const std::string& text, std::size_t size)
 {
-  return size > LastNumberOf(text, size) &&
+  return size > FindLastNumber(text, size) &&
     text.find_first_of(" \n", size) == text.find('\n', size);
 }
 

@@ -290,7 +290,7 @@ double Apart(const std::vector<Point3>& a, const std::vector<Point3>& b)
 }
 
 /// Of those drawn, no two coincide; what is shared is another's, and belongs to both.
-void ExpectSharedRightly(const FeatureLoops& analysed)
+void ExpectConsistentSharing(const FeatureLoops& analysed)
 {
   for (const ShownFeature& shown : analysed.Shown)
   {
@@ -322,7 +322,7 @@ TEST(ChokingNecks, ClosedWindows)
 {
   const FeatureLoops analysed(ClosedWindows());
   ExpectTight(analysed);
-  ExpectSharedRightly(analysed);
+  ExpectConsistentSharing(analysed);
   std::vector<double> sections;
   std::ptrdiff_t annular = 0;
   std::ptrdiff_t shared = 0;

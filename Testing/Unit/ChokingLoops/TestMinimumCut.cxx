@@ -124,7 +124,7 @@ TEST(MinimumCut, OfUnlinkedNodesCostsNothing)
   EXPECT_EQ(reached, (std::vector<char>{ 1, 0, 1, 0, 0 }));
 }
 
-TEST(MinimumCut, StopsWhenItIsToStop)
+TEST(MinimumCut, StopsOnRequest)
 {
   EXPECT_THROW(
     MinimumCut(2, { { { 0, 1 }, 1 } }, { 0 }, { 1 }, [](double) { return false; }), Cancelled);

@@ -64,8 +64,7 @@ TEST(TriangleTree, FindsTheNearestOfAnyNumber)
     for (int n = 0; n < 200; ++n)
     {
       const Point3 x{ place(random), place(random), place(random) };
-      EXPECT_NEAR(
-        std::sqrt(tree.Find(x, -1).SquaredDistance), std::sqrt(soup.SquaredDistance(x)), 1e-12)
+      EXPECT_NEAR(std::sqrt(tree.Find(x, -1).Squared), std::sqrt(soup.SquaredDistance(x)), 1e-12)
         << count << " triangles";
     }
   }
@@ -78,7 +77,7 @@ TEST(TriangleTree, PointsOnTheSurfaceAreAtZero)
   const TriangleTree tree(soup.Surface);
   for (const Point3& corner : soup.Surface.Points)
   {
-    EXPECT_LT(tree.Find(corner, -1).SquaredDistance, 1e-30);
+    EXPECT_LT(tree.Find(corner, -1).Squared, 1e-30);
   }
 }
 
@@ -94,7 +93,7 @@ TEST(TriangleTree, AnyGuessGivesIdenticalResults)
     const Point3 x{ place(random), place(random), place(random) };
     const TriangleTree::Nearest alone = tree.Find(x, -1);
     const TriangleTree::Nearest guessed = tree.Find(x, guess);
-    EXPECT_EQ(alone.SquaredDistance, guessed.SquaredDistance);
+    EXPECT_EQ(alone.Squared, guessed.Squared);
     guess = guessed.Guess;
     EXPECT_GE(guess, 0);
   }
@@ -122,7 +121,7 @@ TEST(TriangleTree, IsExactAtAnySizeAndPlace)
         const double reach = size * std::pow(10.0, n % 30 - 6);
         const Point3 x = shift + reach * Point3{ place(random), place(random), place(random) };
         const double expected = std::sqrt(soup.SquaredDistance(x));
-        EXPECT_NEAR(std::sqrt(tree.Find(x, -1).SquaredDistance), expected,
+        EXPECT_NEAR(std::sqrt(tree.Find(x, -1).Squared), expected,
           1e-12 * expected + 1e-15 * size * (1.0 + offset))
           << "size " << size << ", offset " << offset << ", reach " << reach;
       }
@@ -133,8 +132,7 @@ TEST(TriangleTree, IsExactAtAnySizeAndPlace)
 TEST(TriangleTree, EmptyIsInfinitelyFar)
 {
   const TriangleTree tree(SurfaceView{});
-  EXPECT_EQ(
-    tree.Find({ 0.0, 0.0, 0.0 }, -1).SquaredDistance, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(tree.Find({ 0.0, 0.0, 0.0 }, -1).Squared, std::numeric_limits<double>::infinity());
   EXPECT_EQ(tree.Find({ 0.0, 0.0, 0.0 }, -1).Guess, -1);
 }
 

@@ -100,7 +100,7 @@ TEST(MSMSReader, LysozymeHasAShellAndThreeCavities)
   EXPECT_EQ(surface->GetNumberOfPoints(), 7201 + 35 + 158 + 37);
   EXPECT_EQ(surface->GetNumberOfCells(), 14398 + 66 + 312 + 70);
   EXPECT_EQ(surface->GetCellData()->GetArray("Component")->GetRange()[1], 3.0);
-  const TriangleMesh mesh = ToCombinatorialMesh(surface);
+  const TriangleMesh mesh = ToTriangleMesh(surface);
   EXPECT_EQ(FindDefects(mesh).Message(), "");
   // Four spheres: Euler number 8; normals point as the triangles do.
   EXPECT_EQ(EulerCharacteristic(mesh), 8);

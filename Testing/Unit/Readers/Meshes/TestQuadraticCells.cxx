@@ -227,7 +227,7 @@ TEST(QuadraticCells, EachLayoutOfAFaceFileIsRecognised)
 
 /// Alone, the bent cell would have two of its nodes changed over; the straight one, a thousandth of
 /// its size, counts as much.
-TEST(QuadraticCells, SmallCellsDecideAsMuchAsLargeOnes)
+TEST(QuadraticCells, SmallAndLargeCellsCountEqually)
 {
   const TemporaryFile file(
     "MeshVersionFormatted 2\nDimension 3\nVertices\n12\n"
