@@ -30,7 +30,7 @@ TEST(Extremes, CGALMesherAtAnyScale)
 {
   for (const double factor : { 1e-38, 1e-20, 1e50, 1e99 })
   {
-    TopologyFilterRun<vtkTetrahedralMesher> run(Scaled(Torus(12, 8, 1.0, 0.4), factor),
+    TopologyFilterRun<vtkTetrahedralMesher> run(Scale(Torus(12, 8, 1.0, 0.4), factor),
       [factor](vtkTetrahedralMesher* filter)
       {
         filter->SetLibrary(vtkTetrahedralMesher::CGAL);
@@ -126,7 +126,7 @@ TEST(Extremes, OffsetSurfaceIsFinite)
   {
     for (const double distance : { 1e-12, 0.1, 1e3, 1e12, 1e300 })
     {
-      TopologyFilterRun<vtkOffsetSurface> run(Scaled(Icosphere(3, 1.0), factor),
+      TopologyFilterRun<vtkOffsetSurface> run(Scale(Icosphere(3, 1.0), factor),
         [&](vtkOffsetSurface* filter)
         {
           filter->SetDistance(distance * factor);

@@ -79,7 +79,7 @@ TEST(Extremes, ChokingLoopsCapHolesAtHugeCoordinates)
   for (const double factor : { 1e150, 1e300 })
   {
     TopologyFilterRun<vtkChokingLoops> run(
-      Scaled(model, factor), [](vtkChokingLoops* filter) { filter->SetCapHoles(true); });
+      Scale(model, factor), [](vtkChokingLoops* filter) { filter->SetCapHoles(true); });
     EXPECT_NE(run.Messages().find("unit of length"), std::string::npos) << run.Messages();
   }
 }
@@ -113,7 +113,7 @@ TEST(Extremes, MeshQualityAtAnyScale)
   double usual = 0.0;
   for (const double factor : { 1.0, 1e-99, 1e-50, 1e50, 1e99 })
   {
-    TopologyFilterRun<vtkMeshQualityReport> run(Scaled(Icosphere(3, 1.0), factor));
+    TopologyFilterRun<vtkMeshQualityReport> run(Scale(Icosphere(3, 1.0), factor));
     vtkDataArray* ratio = run.Surface(0)->GetCellData()->GetArray("RadiusEdgeRatio");
     ASSERT_NE(ratio, nullptr) << factor << run.Messages();
     EXPECT_TRUE(AllFinite(ratio)) << factor;
