@@ -12,6 +12,7 @@
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
+#include "Imaging/HalfMapAgreement.h"
 #include "Persistence/PersistenceCache.h"
 #include "vtkChokingLoops.h"
 
@@ -199,74 +200,6 @@ vtkSmartPointer<vtkImageData> ComputeMean(
   return image;
 }
 
-/// Pearson's correlation of two maps, averaged over blocks of 4^3 nodes, which halves of one object
-/// have in common even where the noise of single nodes is higher. Nodes where the maps are equal
-/// (outside of a mask) or not finite do not count, nor blocks with fewer than half of their nodes.
-/// NaN with fewer than three blocks, or if one map is the same everywhere.
-double ComputeCorrelation(vtkImageData* image, vtkDataArray* one, vtkDataArray* other)
-{
-  constexpr int side = 4;
-  int n[3];
-  image->GetDimensions(n);
-  const std::array<int, 3> blocks{ (n[0] + side - 1) / side, (n[1] + side - 1) / side,
-    (n[2] + side - 1) / side };
-  struct Sum
-  {
-    double One = 0.0, Other = 0.0;
-    int Count = 0, Nodes = 0;
-  };
-  std::vector<Sum> sums(static_cast<std::size_t>(blocks[0]) * static_cast<std::size_t>(blocks[1]) *
-    static_cast<std::size_t>(blocks[2]));
-  vtkIdType node = 0;
-  for (int k = 0; k < n[2]; ++k)
-  {
-    for (int j = 0; j < n[1]; ++j)
-    {
-      const std::size_t row = static_cast<std::size_t>(blocks[0]) *
-        (static_cast<std::size_t>(j / side) +
-          static_cast<std::size_t>(blocks[1]) * static_cast<std::size_t>(k / side));
-      for (int i = 0; i < n[0]; ++i, ++node)
-      {
-        Sum& sum = sums[row + static_cast<std::size_t>(i / side)];
-        const double a = one->GetComponent(node, 0), b = other->GetComponent(node, 0);
-        ++sum.Nodes;
-        if (a != b && std::isfinite(a) && std::isfinite(b))
-        {
-          sum.One += a;
-          sum.Other += b;
-          ++sum.Count;
-        }
-      }
-    }
-  }
-  std::vector<std::array<double, 2>> means;
-  std::array<double, 2> middle{ 0.0, 0.0 };
-  for (const Sum& sum : sums)
-  {
-    if (2 * sum.Count >= sum.Nodes)
-    {
-      means.push_back({ sum.One / sum.Count, sum.Other / sum.Count });
-      middle[0] += means.back()[0];
-      middle[1] += means.back()[1];
-    }
-  }
-  const auto count = static_cast<double>(means.size());
-  double squares[] = { 0.0, 0.0 }, products = 0.0;
-  for (const auto& mean : means)
-  {
-    const double a = mean[0] - middle[0] / count, b = mean[1] - middle[1] / count;
-    squares[0] += a * a;
-    squares[1] += b * b;
-    products += a * b;
-  }
-  const double scale = std::sqrt(squares[0]) * std::sqrt(squares[1]);
-  return count < 3.0 || !(scale > 0.0) ? NotANumber : products / scale;
-}
-
-/// Half maps that correlate by less have nothing in common. Of independent noise, a map of 32^3
-/// nodes has 0.00 +- 0.04.
-constexpr double LeastCorrelation = 0.1;
-
 }
 
 /// Data of one run.
@@ -345,17 +278,17 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
     }
     isthmus::RequireUsualValues(others);
     isthmus::RequireSameNodes(work.Image, other);
-    work.Mean = ComputeMean(work.Image, work.Scalars, others, work.Noise);
-    work.Correlation = ComputeCorrelation(work.Image, work.Scalars, others);
-    if (work.Correlation < LeastCorrelation)
+    int n[3];
+    work.Image->GetDimensions(n);
+    const isthmus::HalfMapAgreement agreement =
+      isthmus::CompareHalfMaps({ n[0], n[1], n[2] }, work.Scalars, others);
+    if (!agreement.Message().empty())
     {
-      vtkWarningMacro(<< isthmus::JoinText("The half maps have a correlation of only ",
-                        isthmus::FixedNumber(work.Correlation, 2),
-                        " (of means over 4 x 4 x 4 nodes), so they have nothing in common: the "
-                        "handles of their "
-                        "mean are those of noise. Check that both are halves of one map, with the "
-                        "same contrast."));
+      vtkWarningMacro(<< agreement.Message());
     }
+    work.Correlation = agreement.Correlation;
+    work.Mean = ComputeMean(
+      work.Image, work.Scalars, isthmus::RemoveLinearDifference(agreement, others), work.Noise);
     work.Image = work.Mean;
     work.Scalars = work.Mean->GetPointData()->GetScalars();
   }

@@ -7,10 +7,12 @@
 #include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
+#include "Imaging/HalfMapAgreement.h"
 #include "Imaging/LocalResolution.h"
 #include "vtkDenoiseMap.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -137,6 +139,15 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   vtkDataArray* others = CheckedScalars(other, "second");
   isthmus::RequireSameNodes(one, other);
   isthmus::Check(this->Parameters);
+  const int* n = one->GetDimensions();
+  const isthmus::HalfMapAgreement agreement =
+    isthmus::CompareHalfMaps({ n[0], n[1], n[2] }, scalars, others);
+  if (!agreement.Message().empty())
+  {
+    vtkWarningMacro(<< agreement.Message());
+  }
+  const vtkSmartPointer<vtkDataArray> alike = isthmus::RemoveLinearDifference(agreement, others);
+  others = alike;
   constexpr char differenceName[] = "IsthmusHalfDifference";
   const bool fitsFloat = isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others);
   const int type = fitsFloat ? VTK_FLOAT : VTK_DOUBLE;
@@ -162,7 +173,6 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   isthmus::Report(isthmus::MakeProgress(this), 0.7); // throws if it was aborted
   const auto resolution = isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", size);
-  const int* n = one->GetDimensions();
   const double* spacing = one->GetSpacing();
   isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
     CenteredValues(scalars), CenteredValues(others),
@@ -172,6 +182,8 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   output->ShallowCopy(denoising->GetOutput());
   output->GetPointData()->RemoveArray(differenceName);
   output->GetPointData()->AddArray(resolution);
+  isthmus::AddColumn<vtkDoubleArray>(
+    output->GetFieldData(), "HalfMapCorrelation", { agreement.Correlation });
 }
 
 int vtkDenoiseFromHalfMaps::RequestData(

@@ -16,7 +16,10 @@
  * of the first half's array, and `LocalResolution` (angstrom, if that is the spacing's unit): the
  * wavelength at which the halves' correlation in a window of 24 nodes falls below 0.5
  * (LocalResolution.h); it does not depend on the unit of the density. Equal half maps are refused
- * with an error, since they have no noise. Both are needed whole.
+ * with an error, since they have no noise. Both are needed whole. Halves that do not belong
+ * together (HalfMapAgreement.h) give a warning with the factor, offset or shift found; a linear
+ * difference of the second one is removed first. Field data `HalfMapCorrelation`: Pearson's, of
+ * means over blocks of 4^3 nodes.
  *
  * @sa vtkDenoiseMap
  */

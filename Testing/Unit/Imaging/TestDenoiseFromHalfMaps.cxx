@@ -120,6 +120,105 @@ TEST(DenoiseFromHalfMaps, WideIntegersAreNotRounded)
   EXPECT_EQ(Distance(denoised(true)->GetOutput(), denoised(false)->GetOutput()), 0.0);
 }
 
+namespace
+{
+
+struct HalvesRun
+{
+  double Error;
+  double Correlation;
+  std::string Warning;
+};
+
+/// Denoises Half(0.2, 2) with Half(0.2, 3), whose values are changed by factor * value + offset and
+/// displaced by `shift` nodes along x.
+HalvesRun RunHalves(double factor, double offset, int shift)
+{
+  const auto changed = Half(0.2, 3);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Density");
+  values->SetNumberOfTuples(N * N * N);
+  for (int n = 0; n < N * N * N; ++n)
+  {
+    const int from = n - n % N + std::clamp(n % N - shift, 0, N - 1);
+    values->SetValue(
+      n, factor * changed->GetPointData()->GetScalars()->GetComponent(from, 0) + offset);
+  }
+  changed->GetPointData()->SetScalars(values);
+  vtkNew<vtkDenoiseFromHalfMaps> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->SetInputData(Half(0.2, 2));
+  filter->SetOtherHalfData(changed);
+  filter->Update();
+  auto* output = filter->GetOutput();
+  return { Distance(output, Half(0.0, 1)),
+    output->GetFieldData()->GetArray("HalfMapCorrelation")->GetComponent(0, 0),
+    observer->GetWarning() ? observer->GetWarningMessage() : "" };
+}
+
+}
+
+// A linear difference of the halves is found, said and removed.
+TEST(DenoiseFromHalfMaps, HalvesOfOtherScaleOrSignAreBroughtTogether)
+{
+  const HalvesRun alike = RunHalves(1.0, 0.0, 0);
+  EXPECT_EQ(alike.Warning, "");
+  EXPECT_GT(alike.Correlation, 0.9);
+  struct Case
+  {
+    double Factor, Offset;
+    std::string Says;
+  };
+  for (const Case& kind :
+    { Case{ 3.0, 0.0, "3" }, Case{ 0.25, -0.1, "0.2" }, Case{ -1.0, 0.0, "inverted contrast" },
+      Case{ 1.0, 5.0, "plus 5" }, Case{ -40.0, 1000.0, "inverted contrast" } })
+  {
+    const HalvesRun run = RunHalves(kind.Factor, kind.Offset, 0);
+    EXPECT_NE(run.Warning.find("times those of the first"), std::string::npos) << run.Warning;
+    EXPECT_NE(run.Warning.find(kind.Says), std::string::npos) << run.Warning;
+    EXPECT_EQ(run.Warning.find("shifted"), std::string::npos) << run.Warning;
+    EXPECT_LT(run.Error, 1.1 * alike.Error) << kind.Factor;
+    EXPECT_EQ(std::signbit(run.Correlation), kind.Factor < 0.0);
+  }
+}
+
+TEST(DenoiseFromHalfMaps, ShiftedHalvesAreTold)
+{
+  for (const int shift : { -7, -2, 1, 4, 12 })
+  {
+    const HalvesRun run = RunHalves(1.0, 0.0, shift);
+    EXPECT_NE(
+      run.Warning.find("shifted by " + std::to_string(shift) + ", 0, 0 nodes"), std::string::npos)
+      << shift << ": " << run.Warning;
+  }
+  const HalvesRun both = RunHalves(-2.0, 0.0, 4);
+  EXPECT_NE(both.Warning.find("shifted by 4, 0, 0 nodes"), std::string::npos) << both.Warning;
+}
+
+TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreTold)
+{
+  vtkNew<vtkDenoiseFromHalfMaps> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  const auto noise = [](unsigned int seed)
+  {
+    auto image = Half(0.0, seed, -1.0);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    for (vtkIdType n = 0; n < N * N * N; ++n)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(n, 0, normal(random));
+    }
+    return image;
+  };
+  filter->SetInputData(noise(4));
+  filter->SetOtherHalfData(noise(5));
+  filter->Update();
+  EXPECT_NE(observer->GetWarningMessage().find("nothing in common"), std::string::npos)
+    << observer->GetWarningMessage();
+}
+
 TEST(DenoiseFromHalfMaps, GivesTheLocalResolution)
 {
   double last = 4.0; // twice the spacing

@@ -1,0 +1,334 @@
+#include "Imaging/HalfMapAgreement.h"
+
+#include "Core/NamedColumns.h"
+#include "Core/NumberText.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr int BlockSide = 4;
+constexpr int FarthestBlocks = 4; // a shift of up to 16 nodes
+
+/// Halves that correlate by less have nothing in common. Of independent noise, a map of 32^3 nodes
+/// has 0.00 +- 0.04.
+constexpr double LeastCorrelation = 0.1;
+/// Below this correlation the line through the blocks is not well determined.
+constexpr double LinearCorrelation = 0.5;
+constexpr double LinearTolerance = 0.1;
+/// How much higher the correlation must be after a shift. The samples have 2^17 nodes, so chance
+/// changes it by 0.003.
+constexpr double ShiftGain = 0.03;
+constexpr std::int64_t SampledNodes = std::int64_t{ 1 } << 17;
+constexpr std::int64_t SampledBlocks = std::int64_t{ 1 } << 14;
+
+using Indices = std::array<int, 3>;
+
+/// Sums of the moments of pairs of numbers.
+struct Moments
+{
+  double Count = 0.0, One = 0.0, Other = 0.0, OneOne = 0.0, OtherOther = 0.0, OneOther = 0.0;
+
+  void Add(double one, double other)
+  {
+    this->Count += 1.0;
+    this->One += one;
+    this->Other += other;
+    this->OneOne += one * one;
+    this->OtherOther += other * other;
+    this->OneOther += one * other;
+  }
+
+  double OneVariance() const { return this->OneOne - this->One * this->One / this->Count; }
+  double OtherVariance() const
+  {
+    return this->OtherOther - this->Other * this->Other / this->Count;
+  }
+
+  /// NaN for fewer than three pairs, or if one number is always the same.
+  double Correlation() const
+  {
+    const double scale = std::sqrt(this->OneVariance()) * std::sqrt(this->OtherVariance());
+    return this->Count < 3.0 || !(scale > 0.0)
+      ? std::numeric_limits<double>::quiet_NaN()
+      : (this->OneOther - this->One * this->Other / this->Count) / scale;
+  }
+};
+
+/// Two maps on one grid, with values that do not count as NaN.
+struct MapPair
+{
+  Indices Size{ 0, 0, 0 };
+  std::function<double(std::int64_t)> One, Other;
+
+  std::int64_t Count() const { return std::int64_t{ 1 } * Size[0] * Size[1] * Size[2]; }
+
+  /// Moments of a sample of about `sampled` nodes, the other map read at a distance of `shift`.
+  Moments Compare(const Indices& shift, std::int64_t sampled) const
+  {
+    // An odd step that has no factor in common with rows or layers visits all columns alike.
+    std::int64_t step = this->Count() / sampled + 1;
+    while (step > 1 && (step % 2 == 0 || std::gcd(step, std::int64_t{ Size[0] } * Size[1]) > 1))
+    {
+      ++step;
+    }
+    Moments moments;
+    for (std::int64_t n = 0; n < this->Count(); n += step)
+    {
+      const std::array<std::int64_t, 3> at{ n % Size[0], n / Size[0] % Size[1],
+        n / Size[0] / Size[1] };
+      std::int64_t there = 0, stride = 1;
+      bool inside = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const std::int64_t moved = at[axis] + shift[axis];
+        inside = inside && moved >= 0 && moved < Size[axis];
+        there += stride * moved;
+        stride *= Size[axis];
+      }
+      if (!inside)
+      {
+        continue;
+      }
+      const double a = this->One(n), b = this->Other(there);
+      if (std::isfinite(a) && std::isfinite(b))
+      {
+        moments.Add(a, b);
+      }
+    }
+    return moments;
+  }
+
+  double Strength(const Indices& shift, std::int64_t sampled) const
+  {
+    const double correlation = std::abs(this->Compare(shift, sampled).Correlation());
+    return std::isfinite(correlation) ? correlation : -1.0;
+  }
+};
+
+/// The finite values' mean.
+double FindMean(vtkDataArray* array)
+{
+  double sum = 0.0, count = 0.0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    sum += std::isfinite(value) ? value : 0.0;
+    count += std::isfinite(value) ? 1.0 : 0.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+/// Means over blocks with at least half of their nodes, of those of both maps that count.
+MapPair AverageBlocks(const MapPair& nodes)
+{
+  MapPair blocks;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    blocks.Size[axis] = (nodes.Size[axis] + BlockSide - 1) / BlockSide;
+  }
+  const auto count = static_cast<std::size_t>(blocks.Count());
+  std::vector<double> one(count, 0.0), other(count, 0.0);
+  std::vector<std::array<int, 2>> counts(count, { 0, 0 });
+  std::int64_t node = 0;
+  for (int k = 0; k < nodes.Size[2]; ++k)
+  {
+    for (int j = 0; j < nodes.Size[1]; ++j)
+    {
+      for (int i = 0; i < nodes.Size[0]; ++i, ++node)
+      {
+        const auto block = static_cast<std::size_t>(i / BlockSide +
+          blocks.Size[0] *
+            (std::int64_t{ j / BlockSide } + std::int64_t{ blocks.Size[1] } * (k / BlockSide)));
+        const double a = nodes.One(node), b = nodes.Other(node);
+        ++counts[block][0];
+        if (std::isfinite(a) && std::isfinite(b))
+        {
+          ++counts[block][1];
+          one[block] += a;
+          other[block] += b;
+        }
+      }
+    }
+  }
+  for (std::size_t block = 0; block < count; ++block)
+  {
+    const bool isEnough = 2 * counts[block][1] >= counts[block][0];
+    const double weight =
+      isEnough ? 1.0 / counts[block][1] : std::numeric_limits<double>::quiet_NaN();
+    one[block] *= weight;
+    other[block] *= weight;
+  }
+  blocks.One = [one](std::int64_t n) { return one[static_cast<std::size_t>(n)]; };
+  blocks.Other = [other](std::int64_t n) { return other[static_cast<std::size_t>(n)]; };
+  return blocks;
+}
+
+/// The shift of highest correlation: among the shifts by whole blocks, then up the hill by nodes.
+Indices FindShift(const MapPair& nodes, const MapPair& blocks)
+{
+  Indices best{ 0, 0, 0 };
+  double strength = blocks.Strength(best, SampledBlocks);
+  for (int k = -FarthestBlocks; k <= FarthestBlocks; ++k)
+  {
+    for (int j = -FarthestBlocks; j <= FarthestBlocks; ++j)
+    {
+      for (int i = -FarthestBlocks; i <= FarthestBlocks; ++i)
+      {
+        const Indices shift{ i, j, k };
+        const double here = blocks.Strength(shift, SampledBlocks);
+        if (here > strength)
+        {
+          best = shift;
+          strength = here;
+        }
+      }
+    }
+  }
+  for (int& steps : best)
+  {
+    steps *= BlockSide;
+  }
+  strength = nodes.Strength(best, SampledNodes);
+  for (int climbs = 0; climbs < 3 * BlockSide; ++climbs)
+  {
+    Indices next = best;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (const int step : { -1, 1 })
+      {
+        Indices near = best;
+        near[axis] += step;
+        const double here = nodes.Strength(near, SampledNodes);
+        if (here > strength)
+        {
+          next = near;
+          strength = here;
+        }
+      }
+    }
+    if (next == best)
+    {
+      break;
+    }
+    best = next;
+  }
+  return best;
+}
+
+std::string Correlations(double value)
+{
+  return FixedNumber(value, 2);
+}
+
+}
+
+HalfMapAgreement CompareHalfMaps(
+  const std::array<int, 3>& dimensions, vtkDataArray* one, vtkDataArray* other)
+{
+  // Less their means, so that no digits are lost where values are squared.
+  const double oneMean = FindMean(one), otherMean = FindMean(other);
+  const auto read = [one, other](vtkDataArray* from, double mean)
+  {
+    return [=](std::int64_t n)
+    {
+      const double value = from->GetComponent(n, 0);
+      const bool differs = one->GetComponent(n, 0) != other->GetComponent(n, 0);
+      return differs ? value - mean : std::numeric_limits<double>::quiet_NaN();
+    };
+  };
+  const MapPair nodes{ dimensions, read(one, oneMean), read(other, otherMean) };
+  const MapPair blocks = AverageBlocks(nodes);
+  const Indices none{ 0, 0, 0 };
+  const Moments line = blocks.Compare(none, blocks.Count());
+  HalfMapAgreement found;
+  found.Correlation = line.Correlation();
+  if (!std::isfinite(found.Correlation))
+  {
+    return found;
+  }
+  found.NodeCorrelation = nodes.Compare(none, SampledNodes).Correlation();
+  found.ShiftedCorrelation = found.NodeCorrelation;
+  const Indices shift = FindShift(nodes, blocks);
+  const double shifted = nodes.Compare(shift, SampledNodes).Correlation();
+  if (std::abs(shifted) > std::abs(found.NodeCorrelation) + ShiftGain)
+  {
+    found.Shift = shift;
+    found.ShiftedCorrelation = shifted;
+  }
+  if (std::abs(line.Correlation()) < LinearCorrelation)
+  {
+    return found;
+  }
+  const double deviation = std::sqrt(line.OneVariance() / line.Count);
+  const double factor =
+    std::copysign(std::sqrt(line.OtherVariance() / line.OneVariance()), line.Correlation());
+  const double offset =
+    (line.Other - factor * line.One) / line.Count + otherMean - factor * oneMean;
+  if (std::abs(factor - 1.0) > LinearTolerance ||
+    std::abs(offset) > LinearTolerance * deviation * std::abs(factor))
+  {
+    found.Factor = factor;
+    found.Offset = offset;
+  }
+  return found;
+}
+
+vtkSmartPointer<vtkDataArray> RemoveLinearDifference(
+  const HalfMapAgreement& agreement, vtkDataArray* other)
+{
+  if (!agreement.IsLinear())
+  {
+    return other;
+  }
+  const vtkIdType count = other->GetNumberOfTuples();
+  const auto values = NamedArray<vtkDoubleArray>(
+    other->GetName() ? other->GetName() : "", static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    values->SetValue(i, (other->GetComponent(i, 0) - agreement.Offset) / agreement.Factor);
+  }
+  return values.Get();
+}
+
+std::string HalfMapAgreement::Message() const
+{
+  std::string message;
+  if (std::isfinite(this->Correlation) && std::abs(this->Correlation) < LeastCorrelation &&
+    !this->IsShifted())
+  {
+    message = JoinText("The half maps have a correlation of only ", Correlations(this->Correlation),
+      " (of means over 4 x 4 x 4 nodes), so they have nothing in common: what is computed from "
+      "them is that of noise. Check that both are halves of one map.");
+  }
+  if (this->IsLinear())
+  {
+    message = JoinText("The values of the second half map are ", FormatNumber(this->Factor, 3),
+      " times those of the first", this->Offset < 0.0 ? " minus " : " plus ",
+      FormatNumber(std::abs(this->Offset), 3), this->Factor < 0.0 ? " (inverted contrast)" : "",
+      ", with a correlation of ", Correlations(this->Correlation),
+      ": this difference is removed first. Check that both are halves of one map.");
+  }
+  if (this->IsShifted())
+  {
+    message += JoinText(message.empty() ? "" : " ", "The second half map is shifted by ",
+      this->Shift[0], ", ", this->Shift[1], ", ", this->Shift[2],
+      " nodes along x, y, z: the correlation is ", Correlations(this->NodeCorrelation),
+      " as they are and ", Correlations(this->ShiftedCorrelation),
+      " without the shift, which counts as noise here. Align the halves first.");
+  }
+  return message;
+}
+
+}
