@@ -56,7 +56,7 @@ TEST(SurfaceCrossings, Table51)
       low = std::min(low, p[0]);
     }
     const double center = 1.0 - low;
-    sphere = Moved(sphere, center, center, center);
+    sphere = Translate(sphere, center, center, center);
     const auto nodes = static_cast<std::int64_t>(std::lround(6.0 / row.Spacing)) + 1;
     const GridShape grid{ { nodes, nodes, nodes }, { row.Spacing, row.Spacing, row.Spacing } };
     const auto crossings = SurfaceCrossings(sphere.View(), grid, CrossingNormal::Points);
@@ -79,7 +79,7 @@ TEST(SurfaceCrossings, Table51)
 
 TEST(SurfaceCrossings, OrderedAndOnTheSurface)
 {
-  const Model torus = Moved(Torus(60, 40, 2.0, 0.8), 3.01, 3.02, 1.03);
+  const Model torus = Translate(Torus(60, 40, 2.0, 0.8), 3.01, 3.02, 1.03);
   const GridShape grid{ { 40, 31, 25 }, { 0.17, 0.2, 0.1 } };
   const auto crossings = SurfaceCrossings(torus.View(), grid, CrossingNormal::Triangles);
   double area = 0.0;
@@ -135,8 +135,8 @@ TEST(SurfaceCrossings, ParityHoldsWhereLinesMeetCornersAndEdges)
 
 TEST(SurfaceCrossings, InsideAgreesWithSolidAngles)
 {
-  Model model = Moved(Torus(24, 14, 2.0, 0.8), 3.0, 3.0, 1.5);
-  Model cavity = Moved(Icosphere(2, 0.4), 5.0, 3.0, 1.5);
+  Model model = Translate(Torus(24, 14, 2.0, 0.8), 3.0, 3.0, 1.5);
+  Model cavity = Translate(Icosphere(2, 0.4), 5.0, 3.0, 1.5);
   TurnInsideOut(cavity);
   Append(model, cavity, { 0, 0, 0 });
   const GridShape grid{ { 30, 25, 15 }, { 0.2, 0.25, 0.2 } };
@@ -152,6 +152,7 @@ TEST(SurfaceCrossings, InsideAgreesWithSolidAngles)
 
   model.Triangles.erase(model.Triangles.begin(), model.Triangles.begin() + 28);
   EXPECT_THROW(NodesInside(model.View(), grid), std::invalid_argument);
-  EXPECT_THROW(SurfaceCrossings(Moved(model, 1e9, 0, 0).View(), grid, CrossingNormal::Triangles),
+  EXPECT_THROW(
+    SurfaceCrossings(Translate(model, 1e9, 0, 0).View(), grid, CrossingNormal::Triangles),
     std::invalid_argument);
 }

@@ -37,7 +37,7 @@ vtkDataArray* Nodes(vtkSurfaceToGrid* filter, const char* name)
 TEST(vtkSurfaceToGrid, SurfaceOnItsOwnGrid)
 {
   vtkNew<vtkSurfaceToGrid> filter;
-  filter->SetInputData(ToPolyData(Moved(Icosphere(20, 2.0), 10.0, -20.0, 30.0)));
+  filter->SetInputData(ToPolyData(Translate(Icosphere(20, 2.0), 10.0, -20.0, 30.0)));
   filter->SetSpacing(0.1);
   filter->Update();
   vtkImageData* image = filter->GetOutput();
@@ -73,7 +73,8 @@ TEST(vtkSurfaceToGrid, SurfaceOnAGivenGrid)
   double center[3];
   double index[3] = { 13.0, 22.0, 16.0 };
   grid->TransformContinuousIndexToPhysicalPoint(index, center);
-  filter->SetInputData(0, ToPolyData(Moved(Icosphere(20, 1.5), center[0], center[1], center[2])));
+  filter->SetInputData(
+    0, ToPolyData(Translate(Icosphere(20, 1.5), center[0], center[1], center[2])));
   filter->SetInputData(1, grid);
   filter->SetNormalMode(vtkSurfaceToGrid::PointNormals);
   filter->ExactEverywhereOn();

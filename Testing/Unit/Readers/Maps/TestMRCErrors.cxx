@@ -111,8 +111,8 @@ TEST(MRCErrors, CompressedAsMRCZ)
     MRCTestFile map({ 8, 8, 8 }, 2);
     map.SetInt(4, mode);
     const TemporaryFile file(map.Bytes());
-    EXPECT_EQ(vtkMRCMapReader::CanReadFile(file.Path()), 1); // so that its error is seen
     MRCTestReading reading;
+    EXPECT_EQ(reading->CanReadFile(file.Path()), 1); // so that its error is seen
     ExpectFailure(
       reading, "this is an MRCZ file", vtkErrorCode::UnrecognizedFileTypeError, file.Path());
     EXPECT_NE(reading.Error().find("compressor=None"), std::string::npos) << reading.Error();

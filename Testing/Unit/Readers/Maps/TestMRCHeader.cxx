@@ -191,11 +191,11 @@ TEST(MRCHeader, WithoutASamplingTheCellIsTheMap)
     ASSERT_FALSE(reading.HasFailed()) << reading.Error();
     const std::array<int, 3> nodes =
       turned ? std::array<int, 3>{ 3, 2, 4 } : std::array<int, 3>{ 4, 3, 2 };
-    for (int axis = 0; axis < 3; ++axis)
+    const std::array<double, 3> cell{ 6.0, 12.0, 24.0 };
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(image->GetDimensions()[axis], nodes[axis]);
-      EXPECT_DOUBLE_EQ(
-        image->GetSpacing()[axis], std::array{ 6.0, 12.0, 24.0 }[axis] / nodes[axis]);
+      EXPECT_DOUBLE_EQ(image->GetSpacing()[axis], cell[axis] / nodes[axis]);
     }
     EXPECT_EQ(reading.Count("Repairs"), 3);
   }
