@@ -15,7 +15,8 @@ void RunPipelines(const QString& call)
   }
   // The package lies beside the plugin (IsthmusInitialization.cxx).
   const QString statement =
-    "import paraview.simple\nimport isthmus_pipelines\nisthmus_pipelines." + call + '\n';
+    "import paraview.simple\nimport isthmus_plugin.pipelines\nisthmus_plugin.pipelines." + call +
+    '\n';
   // Undoing a script's steps one by one breaks its pipeline, and undoing the creation of a table's
   // view crashes ParaView 5.11.
   SCOPED_UNDO_EXCLUDE();

@@ -1,6 +1,7 @@
 /**
  * @file RunPython.h
- * @brief From the window's signals to isthmus_pipelines, the only place that defines the actions.
+ * @brief From the window's signals to isthmus_plugin.pipelines, the only place that defines the
+ * actions.
  */
 #ifndef isthmus_RunPython_h
 #define isthmus_RunPython_h

@@ -52,8 +52,9 @@ std::string InvertedCells::Message() const
   return std::to_string(inverted.Count) + " of " +
     std::to_string(this->Positive.Count + this->Negative.Count) + " cells " +
     (one ? "is inverted (cell " : "are inverted (cells ") + ids +
-    "): the mesh overlaps itself there, and their volume counts as negative. Untangle or remesh it "
-    "before computing on it.";
+    "): their corners are ordered opposite to those of the others, as where a mesh overlaps "
+    "itself, "
+    "and their volume counts as negative. Untangle or remesh it before computing on it.";
 }
 
 }

@@ -27,8 +27,8 @@ constexpr double LeastCorrelation = 0.1;
 /// Below this correlation the line through the blocks is not well determined.
 constexpr double LinearCorrelation = 0.5;
 constexpr double LinearTolerance = 0.1;
-/// How much higher the correlation must be after a shift. The samples have 2^17 nodes, so chance
-/// changes it by 0.003.
+/// How much higher the correlation must be after a shift, at least: chance changes that of n nodes
+/// by about 1 / sqrt(n).
 constexpr double ShiftGain = 0.03;
 constexpr std::int64_t SampledNodes = std::int64_t{ 1 } << 17;
 constexpr std::int64_t SampledBlocks = std::int64_t{ 1 } << 14;
@@ -110,10 +110,22 @@ struct MapPair
     return moments;
   }
 
-  double Strength(const Indices& shift, std::int64_t sampled) const
+  /// The sum of the products over the overlap, over that of the squares of each map without a
+  /// shift: values beyond the border count as the mean. (A coefficient of the overlap alone grows
+  /// as the background is cut off.) 0 for shifts by more than a quarter of the grid, whose overlaps
+  /// are so small that chance decides.
+  double Overlap(const Indices& shift, std::int64_t sampled) const
   {
-    const double correlation = std::abs(this->Compare(shift, sampled).Correlation());
-    return std::isfinite(correlation) ? correlation : -1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (4 * std::abs(shift[axis]) > this->Size[axis])
+      {
+        return 0.0;
+      }
+    }
+    const Moments whole = this->Compare({ 0, 0, 0 }, sampled);
+    const double scale = std::sqrt(whole.OneOne) * std::sqrt(whole.OtherOther);
+    return scale > 0.0 ? this->Compare(shift, sampled).OneOther / scale : 0.0;
   }
 };
 
@@ -179,7 +191,7 @@ MapPair AverageBlocks(const MapPair& nodes)
 Indices FindShift(const MapPair& nodes, const MapPair& blocks)
 {
   Indices best{ 0, 0, 0 };
-  double strength = blocks.Strength(best, SampledBlocks);
+  double strength = std::abs(blocks.Overlap(best, SampledBlocks));
   for (int k = -FarthestBlocks; k <= FarthestBlocks; ++k)
   {
     for (int j = -FarthestBlocks; j <= FarthestBlocks; ++j)
@@ -187,7 +199,7 @@ Indices FindShift(const MapPair& nodes, const MapPair& blocks)
       for (int i = -FarthestBlocks; i <= FarthestBlocks; ++i)
       {
         const Indices shift{ i, j, k };
-        const double here = blocks.Strength(shift, SampledBlocks);
+        const double here = std::abs(blocks.Overlap(shift, SampledBlocks));
         if (here > strength)
         {
           best = shift;
@@ -200,7 +212,7 @@ Indices FindShift(const MapPair& nodes, const MapPair& blocks)
   {
     steps *= BlockSide;
   }
-  strength = nodes.Strength(best, SampledNodes);
+  strength = std::abs(nodes.Overlap(best, SampledNodes));
   for (int climbs = 0; climbs < 3 * BlockSide; ++climbs)
   {
     Indices next = best;
@@ -210,7 +222,7 @@ Indices FindShift(const MapPair& nodes, const MapPair& blocks)
       {
         Indices near = best;
         near[axis] += step;
-        const double here = nodes.Strength(near, SampledNodes);
+        const double here = std::abs(nodes.Overlap(near, SampledNodes));
         if (here > strength)
         {
           next = near;
@@ -258,11 +270,13 @@ HalfMapAgreement CompareHalfMaps(
   {
     return found;
   }
-  found.NodeCorrelation = nodes.Compare(none, SampledNodes).Correlation();
+  found.NodeCorrelation = nodes.Overlap(none, SampledNodes);
   found.ShiftedCorrelation = found.NodeCorrelation;
   const Indices shift = FindShift(nodes, blocks);
-  const double shifted = nodes.Compare(shift, SampledNodes).Correlation();
-  if (std::abs(shifted) > std::abs(found.NodeCorrelation) + ShiftGain)
+  const double shifted = nodes.Overlap(shift, SampledNodes);
+  const auto sampled = static_cast<double>(std::min(nodes.Count(), SampledNodes));
+  const double gain = std::max(ShiftGain, 6.0 / std::sqrt(sampled));
+  if (std::abs(shifted) > std::abs(found.NodeCorrelation) + gain)
   {
     found.Shift = shift;
     found.ShiftedCorrelation = shifted;
@@ -272,12 +286,13 @@ HalfMapAgreement CompareHalfMaps(
     return found;
   }
   const double deviation = std::sqrt(line.OneVariance() / line.Count);
-  const double factor =
+  double factor =
     std::copysign(std::sqrt(line.OtherVariance() / line.OneVariance()), line.Correlation());
+  const bool isScaled = std::abs(factor - 1.0) > LinearTolerance;
+  factor = isScaled ? factor : 1.0;
   const double offset =
     (line.Other - factor * line.One) / line.Count + otherMean - factor * oneMean;
-  if (std::abs(factor - 1.0) > LinearTolerance ||
-    std::abs(offset) > LinearTolerance * deviation * std::abs(factor))
+  if (isScaled || std::abs(offset) > LinearTolerance * deviation)
   {
     found.Factor = factor;
     found.Offset = offset;

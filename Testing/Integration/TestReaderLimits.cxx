@@ -160,10 +160,10 @@ TEST(ReaderLimits, MSMSCountsMustMatchTheHeader)
 {
   EXPECT_EQ(Complaint<vtkMSMSReader>(MSMSPair(4, 4)).first, "");
   const auto [faces, code] = Complaint<vtkMSMSReader>(MSMSPair(4, 3));
-  EXPECT_NE(faces.find("promises 4 faces, but there are 3"), std::string::npos) << faces;
+  EXPECT_NE(faces.find("states 4 faces, but there are 3"), std::string::npos) << faces;
   EXPECT_EQ(code, static_cast<unsigned long>(vtkErrorCode::PrematureEndOfFileError));
   const auto vertices = Complaint<vtkMSMSReader>(MSMSPair(3, 4)).first;
-  EXPECT_NE(vertices.find("promises 4 vertices, but there are 3"), std::string::npos) << vertices;
+  EXPECT_NE(vertices.find("states 4 vertices, but there are 3"), std::string::npos) << vertices;
 }
 
 TEST(ReaderLimits, DecompressionBombsAreRefusedEarly)

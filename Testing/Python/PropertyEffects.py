@@ -24,9 +24,7 @@ SECONDS = 30.0
 ION_TRANSPORT = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSurface")
 # Properties that have to be set before this one can show itself: {(proxy, property): {name: value}}.
 NEEDS = {
-    ("HighOrderDiffusion", "LowerOrders"): {"Order": 1, "Automatic": 0, "Time": 1},
-    **{("HighOrderDiffusion", name): {"Automatic": 0, "Time": 1}
-       for name in ("EdgeStopping", "Integrator", "Order", "Steps")},
+    ("HighOrderDiffusion", "LowerOrders"): {"Order": 1},
     **{("HandleFilling", name): {"FillHandlesBelow": 3.0} for name in ("Side", "SampleSpacing", "Thickness")},
     # Just below the saddle between the two balls: noise decides whether there is a bridge.
     **{("MapHandles", name): {"AutomaticLevel": 0, "Level": 0.155} for name in ("NumberOfResamples", "Seed")},

@@ -180,9 +180,9 @@ ION_TRANSPORT = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSur
 SPECIAL = {("LoopShortening", "Input"): loop,
            **{(name, port): make for name in ION_TRANSPORT
               for port, make in (("Input", channel), ("Surface", channel_surface))}}
-# Properties of filters whose defaults are for more than small data.
-COARSE = {name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0}
-          for name in ION_TRANSPORT}
+# Properties of filters that must be given, or whose defaults are for more than small data.
+COARSE = {"HighOrderDiffusion": {"Time": 1.0},
+          **{name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0} for name in ION_TRANSPORT}}
 INPUTS = ports_of_filters()
 
 

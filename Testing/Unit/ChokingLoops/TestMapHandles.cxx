@@ -589,9 +589,7 @@ TEST(MapHandles, WarnsAboutUnrelatedHalfMaps)
   }
   const double correlation = correlationOf(noises[0], noises[1], said);
   EXPECT_NEAR(correlation, 0.0, 0.1);
-  EXPECT_NE(said.find("correlation of only " + std::string(correlation < -0.005 ? "-0.0" : "0.0")),
-    std::string::npos)
-    << said;
+  EXPECT_NE(said.find("have nothing in common"), std::string::npos) << said;
   // Outside of a mask both are 0, inside they have a mean: that is nothing in common either.
   for (vtkIdType node = 0; node < noises[0]->GetNumberOfPoints(); ++node)
   {

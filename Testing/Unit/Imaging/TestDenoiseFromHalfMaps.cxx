@@ -170,9 +170,9 @@ TEST(DenoiseFromHalfMaps, HalvesOfOtherScaleOrSignAreBroughtTogether)
     double Factor, Offset;
     std::string Says;
   };
-  for (const Case& kind :
-    { Case{ 3.0, 0.0, "3" }, Case{ 0.25, -0.1, "0.2" }, Case{ -1.0, 0.0, "inverted contrast" },
-      Case{ 1.0, 5.0, "plus 5" }, Case{ -40.0, 1000.0, "inverted contrast" } })
+  for (const Case& kind : { Case{ 3.0, 0.0, "halves" }, Case{ 0.25, -0.1, "minus 0" },
+         Case{ -1.0, 0.0, "inverted contrast" }, Case{ 1.0, 5.0, "plus 5" },
+         Case{ -40.0, 1000.0, "inverted contrast" } })
   {
     const HalvesRun run = RunHalves(kind.Factor, kind.Offset, 0);
     EXPECT_NE(run.Warning.find("times those of the first"), std::string::npos) << run.Warning;
@@ -185,7 +185,7 @@ TEST(DenoiseFromHalfMaps, HalvesOfOtherScaleOrSignAreBroughtTogether)
 
 TEST(DenoiseFromHalfMaps, ShiftedHalvesAreTold)
 {
-  for (const int shift : { -7, -2, 1, 4, 12 })
+  for (const int shift : { -7, -3, 4, 8 })
   {
     const HalvesRun run = RunHalves(1.0, 0.0, shift);
     EXPECT_NE(

@@ -236,7 +236,7 @@ TEST(CombinatorialMeshReader, RoundTripsAreExact)
 TEST(CombinatorialMeshReader, RefusesBadFilesWithTheLine)
 {
   ExpectRefusal("", "ends where the file's name should be");
-  ExpectRefusal("nonsense 1 text", "line 1: this is no combinatorial mesh");
+  ExpectRefusal("nonsense 1 text", "line 1: this is not a combinatorial mesh");
   ExpectRefusal(
     ReplaceInSample("mesh 1 text", "mesh 2 text"), "the version of the format should be");
   ExpectRefusal(ReplaceInSample(" text", " words"), "'text' or 'binary' should follow");

@@ -177,7 +177,7 @@ TEST(MeshFiles, WritersReportWhatTheyOmit)
   writer->SetInputData(grid);
   writer->SetFileName(file.Path());
   writer->Write();
-  EXPECT_SAYS(observer->GetWarningMessage(), "left out: 'Potential'");
+  EXPECT_SAYS(observer->GetWarningMessage(), "dropped: 'Potential'");
   EXPECT_FALSE(observer->GetError());
   writer->SetInputData(RandomMesh(VTK_QUADRATIC_TETRA, 10, 1));
   writer->Write();

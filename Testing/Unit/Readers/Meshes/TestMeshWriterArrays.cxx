@@ -231,11 +231,11 @@ TEST(MeshWriterArrays, WhatCannotBeWrittenIsNamedWithItsReason)
   ExpectValues(
     tetgen(both, Array(VTK_FLOAT, "BoundaryMarker", { 0, 0, 4 }), true, "x.face"), { 4 });
   const Trip some = tetgen(both, Array(VTK_FLOAT, "BoundaryMarker", { 0.5, 0, 4 }), true, "x.face");
-  EXPECT_SAYS(some.Warning, "Values of 'BoundaryMarker' of cells are left out where");
+  EXPECT_SAYS(some.Warning, "Values of 'BoundaryMarker' of cells are dropped where");
   ASSERT_NE(some.Array, nullptr);
   EXPECT_EQ(some.Array->GetComponent(0, 0), 4.0);
   const Trip other = tetgen(both, Array(VTK_DOUBLE, "Attribute", { 0.5, nan, 4 }), true, "x.ele");
-  EXPECT_SAYS(other.Warning, "Values of 'Attribute' of cells are left out where");
+  EXPECT_SAYS(other.Warning, "Values of 'Attribute' of cells are dropped where");
   ASSERT_NE(other.Array, nullptr);
   EXPECT_TRUE(std::isnan(other.Array->GetComponent(1, 0)));
 

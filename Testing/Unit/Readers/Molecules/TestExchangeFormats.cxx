@@ -284,7 +284,7 @@ TEST(ExchangeFormats, SDFOfBothVersions)
       MoleculeFormat::SDF, 0);
   EXPECT_EQ(odd.Atoms.size() + odd.Bonds.size(), 1u);
   ASSERT_EQ(odd.Warnings.size(), 1u);
-  EXPECT_PART(odd.Warnings[0], "which are not there, dropped: 1 (first: line 6)");
+  EXPECT_PART(odd.Warnings[0], "missing atoms, dropped: 1 (first: line 6)");
 }
 
 TEST(ExchangeFormats, SDFWithoutItsEndIsReadWithAWarning)

@@ -296,7 +296,7 @@ TEST(PDBModels, OfPQRAndPDBQT)
   const std::string damaged =
     As(MoleculeFormat::PQR, first + "END\n" + second) + "ATOM 31 C ALA A 11 x 0 0 0 1\n";
   EXPECT_NE(
-    CatchMessage(damaged, MoleculeFormat::PQR).find("line 62: this is no atom"), std::string::npos)
+    CatchMessage(damaged, MoleculeFormat::PQR).find("line 62: this is not an atom"), std::string::npos)
     << CatchMessage(damaged, MoleculeFormat::PQR);
 }
 
