@@ -70,9 +70,14 @@ say "Testing"
 use_build_tree
 cd "$build_dir"
 select_tests "$build_dir" "${choice[@]}" $quick $all --write "$build_dir/chosen_tests.txt"
+# With -R or -L the user chooses: ctest would apply the numbers of -I to what is left.
+chosen=(-I "$build_dir/chosen_tests.txt")
+for argument in "$@"; do
+  case $argument in -R* | -L*) chosen=() ;; esac
+done
 # ctest's summary comes last, after the causes of failures.
 status=0
-ctest -I "$build_dir/chosen_tests.txt" --no-tests=error --parallel "$jobs" --output-junit "$build_dir/tests.xml" "$@" |
+ctest "${chosen[@]}" --no-tests=error --parallel "$jobs" --output-junit "$build_dir/tests.xml" "$@" |
   tee "$build_dir/ctest.txt" | sed -u '/% tests passed/,$d' || status=$?
 python3 -B "$source_dir/Testing/report_tests.py" "$build_dir/tests.xml" "$build_dir/failed"
 sed -n '/% tests passed/,$p' "$build_dir/ctest.txt"

@@ -110,8 +110,9 @@ void AddRun(LevelMeasure& sum, const FlowField& field, const ChunkRun& run)
   const std::int64_t i = run.First % n[0];
   const std::int64_t j = run.First / n[0] % n[1];
   const std::int64_t k = run.First / field.Grid.Plane();
-  Point3 place{ static_cast<double>(i - n[0] / 2), static_cast<double>(j - n[1] / 2),
-    static_cast<double>(k - n[2] / 2) };
+  const std::array<std::int64_t, 3> middle{ n[0] / 2, n[1] / 2, n[2] / 2 };
+  Point3 place{ static_cast<double>(i - middle[0]), static_cast<double>(j - middle[1]),
+    static_cast<double>(k - middle[2]) };
   for (std::int64_t node = run.First; node < run.First + run.Nodes; ++node)
   {
     // Distances change by about one from node to node.

@@ -129,6 +129,7 @@ std::vector<std::array<std::int64_t, 2>> BoundaryEdges(const SurfaceView& part)
     }
   }
   std::vector<std::array<std::int64_t, 2>> edges;
+  edges.reserve(once.size());
   for (const auto& [a, b] : once)
   {
     edges.push_back({ a, b });

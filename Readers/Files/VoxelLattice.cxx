@@ -210,8 +210,9 @@ void ResampleValues(int components, const VoxelLattice& lattice, const T* nodes,
     for (std::int64_t node = first * nx; node < last * nx; ++node)
     {
       const std::int64_t row = node / nx;
-      const Point at = map(static_cast<double>(region[0] + node % nx),
-        static_cast<double>(region[2] + row % ny), static_cast<double>(region[4] + row / ny));
+      const std::int64_t i = region[0] + node % nx, j = region[2] + row % ny;
+      const std::int64_t k = region[4] + row / ny;
+      const Point at = map(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
       T* const value = out + node * components;
       const bool within = Locate(at[0], lattice.Dimensions[0], where[0]) &&
         Locate(at[1], lattice.Dimensions[1], where[1]) &&

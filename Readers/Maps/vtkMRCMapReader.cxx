@@ -353,11 +353,11 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
   map.Read(box, density->GetVoidPointer(0),
     inside ? static_cast<unsigned char*>(inside->GetVoidPointer(0)) : nullptr,
     isthmus::Between(progress, counted ? 0.5 : 0.0, 1.0));
+  output->GetPointData()->SetScalars(density);
   if (voxel.Components == 1)
   {
     MarkNoData(density, output);
   }
-  output->GetPointData()->SetScalars(density);
   if (inside)
   {
     output->GetPointData()->AddArray(inside);

@@ -27,8 +27,8 @@
  *
  * **No data.** A value far from all others that stands for "no data", such as -9999 or 1e35
  * (NoData.h), is replaced by 0, as outside the mask of masked maps, and the point array `NoData` is
- * 1 there and 0 elsewhere; the field data `NoDataValue` has the value, and a note says so. A piece
- * of a map is judged by itself.
+ * 1 there and 0 elsewhere; the field data `NoDataValue` has the value, and a note says so. Where
+ * only a piece of a map is read, the decision is made on this piece.
  *
  * **Stacks.** Space groups 401-630 are stacks of volumes of MZ sections. A file is a stack of
  * images if it has space group 0 and MZ 1, is named .mrcs, or is named .st or .ali and has space

@@ -129,12 +129,13 @@ bool IsExactly(From value, To& result)
   {
     result = static_cast<To>(value);
     // The largest integers round up to a number outside the range of their type.
-    constexpr To limit = To(std::numeric_limits<From>::max() / 2 + 1) * 2;
+    constexpr From half = std::numeric_limits<From>::max() / 2 + 1;
+    constexpr To limit = static_cast<To>(half) * 2;
     return result < limit && static_cast<From>(result) == value;
   }
   else
   {
-    result = static_cast<To>(value);
+    result = static_cast<To>(+value); // as int where it is a char, which is a number here
     return !std::is_integral_v<To> ||
       (static_cast<From>(result) == value && (result < 0) == (value < 0));
   }

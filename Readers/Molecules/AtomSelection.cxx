@@ -1,6 +1,7 @@
 #include "Molecules/AtomSelection.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void CheckChains(const Macromolecule& molecule, const std::set<std::string>& wan
       {
         list += " " + other;
       }
-      throw std::runtime_error("There is no chain " + name + "; there are:" + list + ".");
+      throw std::runtime_error(JoinText("There is no chain ", name, "; there are:", list, "."));
     }
   }
 }

@@ -298,7 +298,8 @@ TEST(CorrectedSurfaces, ReportedFilesHaveTheVolumeOfTheirShape)
   const Measured flipped = Measure(ReadOBJ(folder / "s02_flipped_patch.obj"));
   EXPECT_NEAR(flipped.Volume, torus, 0.02 * torus);
   EXPECT_EQ(flipped.Genus, 1);
-  EXPECT_NE(flipped.Warning.find("30 triangles were flipped"), std::string::npos) << flipped.Warning;
+  EXPECT_NE(flipped.Warning.find("30 triangles were flipped"), std::string::npos)
+    << flipped.Warning;
   const Measured cracks = Measure(ReadBinarySTL(folder / "s04_jitter_cracks.stl"));
   EXPECT_NEAR(cracks.Volume, flipped.Volume, 1e-6 * torus);
   EXPECT_EQ(cracks.Genus, 1);

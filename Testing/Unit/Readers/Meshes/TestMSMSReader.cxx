@@ -77,8 +77,7 @@ TEST(MSMSReader, DamagedFilesReportTheLine)
 {
   EXPECT_NE(
     CatchMessage(Pair(Three, "1 2 4 1 12\n").File).find("names vertex 4"), std::string::npos);
-  EXPECT_NE(
-    CatchMessage(Pair(Three, "1 2 1.5 1 12\n").File).find("integer"), std::string::npos);
+  EXPECT_NE(CatchMessage(Pair(Three, "1 2 1.5 1 12\n").File).find("integer"), std::string::npos);
   EXPECT_NE(CatchMessage(Pair(Three, "1 2 3 1 12\n1 2\n").File).find("Line 2"), std::string::npos);
   EXPECT_NE(
     CatchMessage(Pair("0 0 nan 0 0 1 0 7 2\n", "").File).find("not a finite"), std::string::npos);

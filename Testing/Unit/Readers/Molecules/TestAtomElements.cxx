@@ -254,7 +254,8 @@ TEST(AtomElements, RecognisesDummies)
   }
   const Macromolecule pseudo = with("QB", "ALA A   1 ", "  ");
   EXPECT_EQ(JoinElements(pseudo), "X ");
-  EXPECT_TRUE(Mention(pseudo.Warnings, "match no element (Element is 0): 1 (first: QB of ALA 1 A)"));
+  EXPECT_TRUE(
+    Mention(pseudo.Warnings, "match no element (Element is 0): 1 (first: QB of ALA 1 A)"));
 }
 
 TEST(AtomElements, BeadsOfMartini)

@@ -199,8 +199,7 @@ TEST(PDBRecords, AmbiguousSerialsMakeNoBonds)
   const Macromolecule molecule = FromPDB(text + "CONECT    1    2    3\nCONECT    2    3\n");
   ASSERT_EQ(molecule.Bonds.size(), 1u);
   EXPECT_EQ(Everything(molecule.Bonds[0]), std::tuple(std::int64_t{ 0 }, std::int64_t{ 2 }, true));
-  EXPECT_TRUE(
-    Mention(molecule.Warnings, "with ambiguous serial numbers, dropped: 2"));
+  EXPECT_TRUE(Mention(molecule.Warnings, "with ambiguous serial numbers, dropped: 2"));
 }
 
 /// As in gemmi: the first atom of a residue says whether it is a HETATM.

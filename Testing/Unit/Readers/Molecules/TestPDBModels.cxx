@@ -295,8 +295,8 @@ TEST(PDBModels, OfPQRAndPDBQT)
   // Messages name the line, of a later model too; faults of other models cost nothing.
   const std::string damaged =
     As(MoleculeFormat::PQR, first + "END\n" + second) + "ATOM 31 C ALA A 11 x 0 0 0 1\n";
-  EXPECT_NE(
-    CatchMessage(damaged, MoleculeFormat::PQR).find("line 62: this is not an atom"), std::string::npos)
+  EXPECT_NE(CatchMessage(damaged, MoleculeFormat::PQR).find("line 62: this is not an atom"),
+    std::string::npos)
     << CatchMessage(damaged, MoleculeFormat::PQR);
 }
 

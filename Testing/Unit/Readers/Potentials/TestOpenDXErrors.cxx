@@ -59,8 +59,7 @@ TEST(OpenDXReader, BadFilesAreReported)
     "type string", Code::FileFormatError);
   ExpectFailure(head + "object 3 class array type float rank 0 items 12 data file x,0\n", "'file'",
     Code::FileFormatError);
-  ExpectFailure(
-    "object 1 class gridpositions counts 2 nan 2\n", "integer", Code::FileFormatError);
+  ExpectFailure("object 1 class gridpositions counts 2 nan 2\n", "integer", Code::FileFormatError);
   ExpectFailure("object 1 class gridpositions counts 2 0 2\n", "between 1", Code::FileFormatError);
   ExpectFailure("object 1 class gridpositions counts 2 2 2\norigin 0 0 nan\ndelta 1 0 0\n"
                 "delta 0 1 0\ndelta 0 0 1\n",
