@@ -42,9 +42,11 @@ struct BrickBox
 
 }
 
-BallBricks::BallBricks(std::vector<Ball> balls, double reach, const Index3& gridDimensions)
+BallBricks::BallBricks(
+  std::vector<Ball> balls, double reach, const Index3& gridDimensions, double margin)
   : Balls(std::move(balls))
   , Reach(reach)
+  , Margin(margin)
   , Dimensions(gridDimensions)
 {
   std::sort(this->Balls.begin(), this->Balls.end(),
@@ -88,7 +90,8 @@ void BallBricks::ForEachEntry(Use use) const
   std::int64_t entries = 0;
   for (std::size_t ball = 0; ball < this->Balls.size(); ++ball)
   {
-    const BrickBox box(this->Balls[ball], this->Reach * this->Balls[ball].Radius, this->Dimensions);
+    const BrickBox box(
+      this->Balls[ball], this->Reach * this->Balls[ball].Radius + this->Margin, this->Dimensions);
     if (box.Empty)
     {
       continue;

@@ -83,8 +83,10 @@ public:
   static constexpr Index3 BrickSize{ 64, 32, 16 };
 
   /// `balls` are in units of the spacing, relative to the first node of the grid; `reach` times the
-  /// radius is covered. Throws std::invalid_argument for more than 2^31 pairs of ball and brick.
-  BallBricks(std::vector<Ball> balls, double reach, const Index3& gridDimensions);
+  /// radius plus `margin` is covered. Throws std::invalid_argument for more than 2^31 pairs of ball
+  /// and brick.
+  BallBricks(
+    std::vector<Ball> balls, double reach, const Index3& gridDimensions, double margin = 0.0);
 
   std::int64_t Size() const { return this->Counts[0] * this->Counts[1] * this->Counts[2]; }
 
@@ -117,6 +119,7 @@ private:
 
   std::vector<Ball> Balls;
   double Reach;
+  double Margin;
   Index3 Dimensions;
   Index3 Counts{ 0, 0, 0 };
   std::vector<std::int64_t> Start;

@@ -125,7 +125,9 @@ void AddBall(const Ball& ball, const Brick& brick, double* values)
     });
 }
 
-void Store(const BrickValues& values, const Brick& brick, const GridView<float>& to)
+template <typename Convert>
+void Store(
+  const BrickValues& values, const Brick& brick, const GridView<float>& to, const Convert& convert)
 {
   for (std::int64_t k = brick.First[2]; k < brick.Last[2]; ++k)
   {
@@ -133,7 +135,7 @@ void Store(const BrickValues& values, const Brick& brick, const GridView<float>&
     {
       const double* from = values.data() + IndexInBrick(0, j - brick.First[1], k - brick.First[2]);
       std::transform(from, from + (brick.Last[0] - brick.First[0]), &to(brick.First[0], j, k),
-        [](double value) { return static_cast<float>(value); });
+        [&](double value) { return static_cast<float>(convert(value)); });
     }
   }
 }
@@ -153,10 +155,21 @@ void CheckBalls(const std::vector<Ball>& balls)
   }
 }
 
-/// Calls `add(ball, brick, values)` for the balls of each brick and stores the brick.
-template <typename Add>
-void Fill(const std::vector<Ball>& balls, double reach, const std::array<double, 3>& origin,
-  const GridView<float>& to, const ProgressCallback& progress, Add add)
+/// How far balls have an effect: `Factor` times the radius plus `Margin` spacings.
+struct BallReach
+{
+  double Factor;
+  double Margin;
+
+  double Of(const Ball& ball) const { return this->Factor * ball.Radius + this->Margin; }
+};
+
+/// Calls `add(ball, brick, values)` for the balls of each brick and stores the brick's values,
+/// converted.
+template <typename Add, typename Convert>
+void Fill(const std::vector<Ball>& balls, const BallReach& reach,
+  const std::array<double, 3>& origin, const GridView<float>& to, const ProgressCallback& progress,
+  Add add, Convert convert)
 {
   CheckBalls(balls);
   const double h = to.Spacing[0];
@@ -171,7 +184,7 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
         ball.Radius / h });
     }
   }
-  const BallBricks bricks(std::move(inSpacings), reach, to.Dimensions);
+  const BallBricks bricks(std::move(inSpacings), reach.Factor, to.Dimensions, reach.Margin);
   Report(progress, 0.1);
   constexpr std::int64_t bricksAtOnce = 4; // their memory is allocated once
   ParallelFor(
@@ -186,10 +199,26 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
           0.0);
         const Brick brick = bricks.At(b);
         bricks.ForEachBall(b, [&](const Ball& ball) { add(ball, brick, values.data()); });
-        Store(values, brick, to);
+        Store(values, brick, to, convert);
       }
     },
     Between(progress, 0.1, 1.0));
+}
+
+template <typename Convert>
+void SumGaussians(const std::vector<Ball>& balls, double decay, double margin,
+  const std::array<double, 3>& origin, const GridView<float>& to, const ProgressCallback& progress,
+  Convert convert)
+{
+  constexpr double steepest = 500.0; // exp(709) is the largest double
+  RequireAbove("Decay", decay, 0.0, steepest);
+  // exp(-d (factor^2 - 1)) is the smallest term.
+  const BallReach reach{ std::sqrt(1.0 - std::log(SmallestTerm) / decay), margin };
+  Fill(
+    balls, reach, origin, to, progress,
+    [=](const Ball& ball, const Brick& brick, double* values)
+    { AddGaussian(ball, decay, reach.Of(ball), brick, values); },
+    convert);
 }
 
 }
@@ -228,20 +257,24 @@ DensityGrid GridAroundBalls(
 void UnionOfBalls(const std::vector<Ball>& balls, const std::array<double, 3>& origin,
   GridView<float> to, const ProgressCallback& progress)
 {
-  Fill(balls, 1.0, origin, to, progress,
-    [](const Ball& ball, const Brick& brick, double* values) { AddBall(ball, brick, values); });
+  Fill(
+    balls, { 1.0, 0.0 }, origin, to, progress,
+    [](const Ball& ball, const Brick& brick, double* values) { AddBall(ball, brick, values); },
+    [](double value) { return value; });
 }
 
 void GaussianSum(const std::vector<Ball>& balls, double decay, const std::array<double, 3>& origin,
   GridView<float> to, const ProgressCallback& progress)
 {
-  constexpr double steepest = 500.0; // exp(709) is the largest double
-  RequireAbove("Decay", decay, 0.0, steepest);
-  // exp(-d (reach^2 - 1)) is the smallest term, with reach in radii.
-  const double reach = std::sqrt(1.0 - std::log(SmallestTerm) / decay);
-  Fill(balls, reach, origin, to, progress,
-    [=](const Ball& ball, const Brick& brick, double* values)
-    { AddGaussian(ball, decay, reach * ball.Radius, brick, values); });
+  SumGaussians(balls, decay, 0.0, origin, to, progress, [](double value) { return value; });
+}
+
+void GaussianLevel(const std::vector<Ball>& balls, double decay, double margin,
+  const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress)
+{
+  SumGaussians(balls, decay, margin, origin, to, progress,
+    [](double value)
+    { return value > 0.0 ? -std::log(value) : static_cast<double>(FarFromBalls); });
 }
 
 }

@@ -64,6 +64,15 @@ void UnionOfBalls(const std::vector<Ball>& balls, const std::array<double, 3>& o
 VTKISTHMUSFILTERSATOMS_EXPORT void GaussianSum(const std::vector<Ball>& balls, double decay,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 
+/// -log of that sum: 0 on the surface, below 0 inside, a quadratic around a single atom. All terms
+/// that matter within `margin` spacings of the level are summed, however small; where there are
+/// none, the value is FarFromBalls.
+VTKISTHMUSFILTERSATOMS_EXPORT void GaussianLevel(const std::vector<Ball>& balls, double decay,
+  double margin, const std::array<double, 3>& origin, GridView<float> to,
+  const ProgressCallback& progress = {});
+
+constexpr float FarFromBalls = 700.0F;
+
 }
 
 #endif

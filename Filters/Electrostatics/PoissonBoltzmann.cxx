@@ -4,7 +4,9 @@
 
 #include "Electrostatics/ElectrostaticUnits.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +14,10 @@ namespace isthmus
 {
 namespace
 {
+
+/// Nodes of solvent around the surface, at least: stencils at the surface reach three, the border's
+/// function two.
+constexpr std::int64_t FewestNodesAround = 6;
 
 /// First and last nodes of the volume inside the level.
 BoxNodes LevelNodeRange(const LevelFunction& level)
@@ -49,12 +55,21 @@ PotentialFunction DebyeHueckel(
 }
 
 /// The grid for the border's values: twice the spacing where that still shows the surface, half an
-/// angstrom where it is very fine.
-std::int64_t StrideForBorder(const SolverBox& box)
+/// angstrom where it is very fine. The box that radiates lies half-way in the solvent and needs two
+/// nodes on each side of its faces.
+std::int64_t StrideForBorder(const LevelFunction& level, const SolverBox& box)
 {
   const double h = *std::max_element(box.Spacing.begin(), box.Spacing.end());
-  std::int64_t stride = 2.0 * h <= 1.1 ? 2 : 1;
-  while (2.0 * static_cast<double>(stride) * h <= 0.51)
+  const BoxNodes inside = LevelNodeRange(level);
+  std::int64_t gap = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::int64_t end = box.First[a] + box.Dimensions[a] - 1;
+    gap = std::min({ gap, inside.First[a] - box.First[a], end - inside.Last[a] });
+  }
+  const auto suits = [&](std::int64_t stride) { return gap / stride >= FewestNodesAround; };
+  std::int64_t stride = 2.0 * h <= 1.1 && suits(2) ? 2 : 1;
+  while (2.0 * static_cast<double>(stride) * h <= 0.51 && suits(2 * stride))
   {
     stride *= 2;
   }
@@ -121,9 +136,8 @@ SolverBox BoxAround(const LevelFunction& level, double padding)
         ", so it is not closed: choose another Level, switch InsideIsHigher, or make the volume "
         "larger.");
     }
-    // At least six nodes: stencils at the surface reach three, the border's function two.
-    const auto wanted = std::max<std::int64_t>(
-      6, static_cast<std::int64_t>(std::ceil(padding / box.Spacing[a] - 1e-9)));
+    const auto wanted = std::max(
+      FewestNodesAround, static_cast<std::int64_t>(std::ceil(padding / box.Spacing[a] - 1e-9)));
     const std::int64_t first = std::min<std::int64_t>(0, inside.First[a] - wanted);
     const std::int64_t last = std::max(n[a] - 1, inside.Last[a] + wanted);
     box.First[a] = first;
@@ -170,7 +184,7 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
       break;
     case BoundaryCondition::SelfConsistent:
     {
-      const std::int64_t stride = StrideForBorder(box);
+      const std::int64_t stride = StrideForBorder(level, box);
       auto rough = setUp(CoarserBox(box, stride), 0.0, 0.1);
       border = SelfConsistentBorder(
         *rough, DebyeHueckel(atoms, parameters, kappa), Between(progress, 0.1, 0.25));

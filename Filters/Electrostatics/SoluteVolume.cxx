@@ -23,6 +23,9 @@ namespace isthmus
 namespace
 {
 
+/// Spacings from the level to the farthest node of a stencil at it: (3, 2, 2) from an edge's end.
+constexpr double StencilReach = 4.2;
+
 /// Width of the band in which distances are exact, in spacings: stencils reach three diagonally.
 constexpr double Band = 6.0;
 
@@ -315,11 +318,10 @@ SoluteVolume VolumeFromAtoms(
   volume.Floats.resize(static_cast<std::size_t>(shape.Size()));
   Point3 origin;
   volume.Grid->GetOrigin(origin.data());
-  GaussianSum(MakeBalls(atoms), decay, origin,
+  GaussianLevel(MakeBalls(atoms), decay, StencilReach, origin,
     { volume.Floats.data(), shape.Dimensions, shape.Spacing }, progress);
   volume.Level.Floats = { volume.Floats.data(), shape.Dimensions, shape.Spacing };
-  volume.Level.Level = 1.0;
-  volume.Level.Logarithm = true;
+  volume.Level.InsideIsHigher = false;
   return volume;
 }
 

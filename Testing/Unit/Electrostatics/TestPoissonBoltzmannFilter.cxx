@@ -287,6 +287,52 @@ TEST(PoissonBoltzmannFilter, BornIonWithoutASurface)
   EXPECT_GT(Field(filter->GetOutput(), "Iterations"), 0.0);
 }
 
+/// Born's energy of an ion, and that of the filter.
+struct IonEnergies
+{
+  double Born, Filter;
+};
+
+IonEnergies SolveIon(double radius, double spacing, double padding, const Point3& place)
+{
+  KirkwoodSphere ion;
+  ion.Charges.push_back({ place, 1.0, radius });
+  vtkNew<vtkPoissonBoltzmann> filter;
+  filter->SetInputDataObject(0, Atoms(ion));
+  filter->SetSpacing(spacing);
+  filter->SetPadding(padding);
+  filter->Update();
+  return { -0.5 * 332.0637 * (0.5 - 1.0 / 80.0) / radius,
+    Field(filter->GetOutput(), "SolvationEnergy") };
+}
+
+TEST(PoissonBoltzmannFilter, SmallIonsHaveBornsEnergy)
+{
+  for (const Point3& place :
+    { Point3{ 0.1, 0.2, 0.3 }, Point3{ 0.0, 0.0, 0.0 }, Point3{ -3.37, 12.21, 0.255 } })
+  {
+    for (double ratio = 1.1; ratio < 3.0; ratio += 0.1)
+    {
+      const IonEnergies e = SolveIon(ratio * 0.5, 0.5, 10.0, place);
+      EXPECT_NEAR(e.Filter / e.Born, 1.0, ratio < 1.45 ? 0.02 : 2e-3) << ratio;
+    }
+    const IonEnergies coarse = SolveIon(1.3, 1.0, 10.0, place);
+    EXPECT_NEAR(coarse.Filter / coarse.Born, 1.0, 0.01);
+  }
+}
+
+TEST(PoissonBoltzmannFilter, SmallBoxesHaveBornsEnergy)
+{
+  for (const double radius : { 1.5, 2.0, 3.0 })
+  {
+    for (const double padding : { 0.0, 1.0, 2.0, 3.0, 4.0, 5.0 })
+    {
+      const IonEnergies e = SolveIon(radius, 0.5, padding, { 0.1, 0.2, 0.3 });
+      EXPECT_NEAR(e.Filter / e.Born, 1.0, padding < 1.0 ? 5e-3 : 1e-3) << radius << " " << padding;
+    }
+  }
+}
+
 TEST(PoissonBoltzmannFilter, ADuplicateAtomCountsOnce)
 {
   KirkwoodSphere ion;
