@@ -83,6 +83,7 @@ GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
   if (last)
   {
     this->U = last->U;
+    this->Border = last->Border;
     this->Report.Reference = last->Report.Reference;
   }
   this->U.resize(this->Inside.size(), 0.0);
@@ -193,6 +194,7 @@ EdgePermittivity GridPotential::Permittivities() const
 
 void GridPotential::SetBorder(const PotentialFunction& border, bool sampled)
 {
+  this->Border = border;
   // The field of charges and surface is smooth on the border if they are far from it.
   const double length = 0.3 * GapAround(this->RangeInside(), this->Box);
   FillBorder(this->Box, border, sampled ? length : 0.0, this->U);
@@ -278,12 +280,18 @@ void GridPotential::Evaluate()
         if (this->Atoms[i].Charge != 0.0)
         {
           // u is harmonic inside, where it is the reaction potential: no self-energy is subtracted.
-          const ValueAndGradient u =
+          const std::optional<ValueAndGradient> u =
             HarmonicAt(this->Box, this->Inside, this->U, this->Atoms[i].Position);
-          report.AtomPotentials[i] = u.Value;
+          if (!u)
+          {
+            throw std::invalid_argument("No node of the grid inside the surface is near the charge "
+                                        "of atom " +
+              std::to_string(i) + ": choose a smaller Spacing, or a finer volume on input 1.");
+          }
+          report.AtomPotentials[i] = u->Value;
           for (std::size_t a = 0; a < 3; ++a)
           {
-            report.AtomForces[i][a] = -this->Atoms[i].Charge * u.Gradient[a];
+            report.AtomForces[i][a] = -this->Atoms[i].Charge * u->Gradient[a];
           }
         }
       }

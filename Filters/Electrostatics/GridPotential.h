@@ -38,6 +38,8 @@ public:
   /// Sets border values. With `sampled`, `border` must be smooth and defined slightly beyond the
   /// border.
   void SetBorder(const PotentialFunction& border, bool sampled);
+  /// The function of the last SetBorder().
+  const PotentialFunction& GetBorder() const { return this->Border; }
   /// Sets the interior, which is 0 at first.
   void SetStart(const PotentialFunction& start);
 
@@ -74,6 +76,7 @@ public:
   double LayerRadius(std::size_t layer) const;
   /// The permittivity of each edge, with its two parts in series.
   EdgePermittivity Permittivities() const;
+  void SetEnergyError(double error) { this->Report.SolvationEnergyError = error; }
   void SetBorderIterations(int iterations) { this->Report.BorderIterations = iterations; }
   double Kappa() const;
   /// First and last nodes inside the surface; Last < First if there are none.
@@ -122,6 +125,7 @@ private:
   std::vector<std::vector<float>> Access;          ///< of ions, by layer and node
   std::shared_ptr<std::vector<float>> IonDiagonal; ///< h^2 access f'(u)
   std::vector<double> U;
+  PotentialFunction Border;
   SolverWorkspace Work;
   PoissonBoltzmannReport Report;
 };

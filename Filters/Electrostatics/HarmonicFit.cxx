@@ -1,13 +1,10 @@
 #include "Electrostatics/HarmonicFit.h"
 
-#include "Core/NumberText.h"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace isthmus
 {
@@ -103,19 +100,17 @@ bool Solve(const std::vector<Datum>& data, std::array<double, 4>& answer)
 
 }
 
-ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned char>& inside,
-  const std::vector<double>& u, const Point3& x)
+std::optional<ValueAndGradient> HarmonicAt(const SolverBox& box,
+  const std::vector<unsigned char>& inside, const std::vector<double>& u, const Point3& x)
 {
   const double unit = *std::max_element(box.Spacing.begin(), box.Spacing.end());
   const std::vector<Datum> data = DataAround(box, inside, u, x, unit);
   std::array<double, 4> c;
   if (Solve<16>(data, c) || Solve<9>(data, c) || Solve<4>(data, c) || Solve<1>(data, c))
   {
-    return { c[0], { c[1] / unit, c[2] / unit, c[3] / unit } };
+    return ValueAndGradient{ c[0], { c[1] / unit, c[2] / unit, c[3] / unit } };
   }
-  throw std::invalid_argument(
-    "There is no node of the grid inside the surface around the charge at (" + FormatNumber(x[0]) +
-    ", " + FormatNumber(x[1]) + ", " + FormatNumber(x[2]) + "): choose a finer grid.");
+  return std::nullopt;
 }
 
 }

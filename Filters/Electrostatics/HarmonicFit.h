@@ -11,6 +11,8 @@
 
 #include "Electrostatics/LevelFunction.h"
 
+#include <optional>
+
 namespace isthmus
 {
 
@@ -20,10 +22,9 @@ struct ValueAndGradient
   Point3 Gradient{ 0.0, 0.0, 0.0 };
 };
 
-/// The fit of u at x (in the frame of the volume). Throws std::invalid_argument if no surrounding
-/// node is inside.
-ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned char>& inside,
-  const std::vector<double>& u, const Point3& x);
+/// The fit of u at x (in the frame of the volume); nothing if no surrounding node is inside.
+std::optional<ValueAndGradient> HarmonicAt(const SolverBox& box,
+  const std::vector<unsigned char>& inside, const std::vector<double>& u, const Point3& x);
 
 }
 

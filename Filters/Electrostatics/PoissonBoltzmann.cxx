@@ -54,6 +54,32 @@ PotentialFunction DebyeHueckel(
     : MultipleDebyeHueckel(atoms, c, p.SolventDielectric, kappa);
 }
 
+/// Each other node of `box`, the first one moved by `shift` nodes (0 or 1); if `widened`, with
+/// enough nodes around the surface.
+SolverBox ShiftedCoarseBox(const BoxNodes& inside, const SolverBox& box,
+  const std::array<std::int64_t, 3>& shift, bool widened)
+{
+  constexpr std::int64_t stride = 2;
+  SolverBox coarse = CoarserBox(box, stride);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    std::int64_t first = box.First[a] + shift[a];
+    std::int64_t last = first + (box.Dimensions[a] - 1 - shift[a]) / stride * stride;
+    while (widened && inside.First[a] - first < FewestNodesAround * stride)
+    {
+      first -= stride;
+    }
+    while (widened && last - inside.Last[a] < FewestNodesAround * stride)
+    {
+      last += stride;
+    }
+    coarse.First[a] = first;
+    coarse.Dimensions[a] = (last - first) / stride + 1;
+    coarse.Corner[a] = static_cast<double>(first) * box.Spacing[a];
+  }
+  return coarse;
+}
+
 /// The grid for the border's values: twice the spacing where that still shows the surface, half an
 /// angstrom where it is very fine. The box that radiates lies half-way in the solvent and needs two
 /// nodes on each side of its faces.
@@ -207,6 +233,53 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
   problem->SetBorderIterations(borderIterations);
   problem->Evaluate();
   return problem;
+}
+
+double EstimateEnergyError(
+  const LevelFunction& level, const GridPotential& solution, const ProgressCallback& progress)
+{
+  constexpr double tolerance = 1e-4;
+  // Of the root mean square of the differences.
+  constexpr double share = 0.7;
+  // Border values and interpolation at the charges, which all grids have in common, cost that much.
+  constexpr double floor = 3e-4;
+  const bool given = solution.GetParameters().BoundaryCondition == BoundaryCondition::Given;
+  const BoxNodes inside = LevelNodeRange(level);
+  const double energy = solution.GetReport().SolvationEnergy;
+  double sum = 0.0;
+  int count = 0;
+  // Opposite corners of a cell first; others where the surface has no node of these.
+  const std::array<std::int64_t, 3> shifts[] = { { 0, 0, 0 }, { 1, 1, 1 }, { 1, 0, 0 }, { 0, 1, 1 },
+    { 0, 1, 0 }, { 1, 0, 1 }, { 0, 0, 1 }, { 1, 1, 0 } };
+  for (const auto& shift : shifts)
+  {
+    if (count == 2)
+    {
+      break;
+    }
+    Report(progress, 0.5 * count);
+    try
+    {
+      GridPotential coarse(level, ShiftedCoarseBox(inside, solution.GetBox(), shift, !given),
+        solution.GetAtoms(), solution.GetParameters(), solution.GetIons());
+      coarse.SetBorder(solution.GetBorder(), !given);
+      coarse.Solve(tolerance);
+      coarse.Evaluate();
+      const double difference = coarse.GetReport().SolvationEnergy - energy;
+      sum += difference * difference;
+      ++count;
+    }
+    catch (const Cancelled&)
+    {
+      throw;
+    }
+    catch (const std::exception&)
+    {
+      // This grid is too coarse for the surface; which is what the estimate then says.
+    }
+  }
+  return count == 0 ? 0.1 * std::abs(energy)
+                    : std::hypot(share * std::sqrt(sum / count), floor * energy);
 }
 
 std::unique_ptr<GridPotential> SolveAgain(

@@ -178,6 +178,11 @@ void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms)
     }
     ++index;
   }
+  if (outside > 0 && volume.Decay > 0.0)
+  {
+    throw std::invalid_argument("The grid is too coarse to show the ball of atom " +
+      std::to_string(first) + ", which has a charge: choose a Spacing below its radius.");
+  }
   if (outside > 0)
   {
     throw std::invalid_argument(std::to_string(outside) +

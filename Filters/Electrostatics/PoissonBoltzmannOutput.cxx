@@ -120,6 +120,8 @@ void FillFieldData(const GridPotential& solution, const PoissonBoltzmannParamete
   vtkFieldData* const data = image->GetFieldData();
   AddColumn<vtkDoubleArray>(
     data, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
+  AddColumn<vtkDoubleArray>(data, "SolvationEnergyError",
+    { report.SolvationEnergyError * units::ThermalKilocalorie(kelvin) });
   AddColumn<vtkDoubleArray>(data, "SolvationEnergyKT", { report.SolvationEnergy });
   AddColumn<vtkDoubleArray>(
     data, "SolvationEnergyKilojoule", { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });

@@ -101,6 +101,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void Check(const PoissonBoltzmannParamete
 struct PoissonBoltzmannReport
 {
   double SolvationEnergy = 0.0;       ///< 1/2 sum q u, and the ions' term where nonlinear
+  double SolvationEnergyError = 0.0;  ///< estimated (EstimateEnergyError), if that was done
   double IonEnergy = 0.0;             ///< that term alone
   std::vector<double> AtomEnergies;   ///< 1/2 q u of each atom
   std::vector<double> AtomPotentials; ///< reaction potential u at each atom, kT/e

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace isthmus
 {
@@ -84,7 +85,8 @@ std::vector<Ball> MakeBalls(const std::vector<ChargedAtom>& atoms)
   return balls;
 }
 
-/// Bends of S and of log S across the level, over its slopes; and whether S is clipped near it.
+/// Fourth differences of S and of log S across the level, over its slopes: the polynomial through
+/// six nodes follows the one with the smaller ones better. And whether S is clipped near it.
 struct Straightness
 {
   double Plain = 0.0, Logarithm = 0.0;
@@ -129,19 +131,104 @@ Plateaus FindPlateaus(const LevelFunction& level)
   return plateaus;
 }
 
+double FourthDifferences(const double (&s)[6])
+{
+  const auto at = [&](int i)
+  { return std::abs(s[i] - 4.0 * (s[i + 1] + s[i + 3]) + 6.0 * s[i + 2] + s[i + 4]); };
+  return (at(0) + at(1)) / std::abs(s[3] - s[2]);
+}
+
 void Add(const double (&s)[6], const Plateaus& plateaus, Straightness& sum)
 {
   // Nodes 0..5 along a line, the level between 2 and 3.
-  const double slope = std::abs(s[3] - s[2]);
-  sum.Plain += std::abs(s[1] - s[2] - s[3] + s[4]) / slope;
+  sum.Plain += FourthDifferences(s);
   ++sum.Edges;
   sum.Flat += std::any_of(s, s + 6, [&](double v) { return plateaus.Has(v); }) ? 1 : 0;
-  sum.Positive = sum.Positive && s[1] > 0.0 && s[2] > 0.0 && s[3] > 0.0 && s[4] > 0.0;
+  sum.Positive = sum.Positive && std::all_of(s, s + 6, [](double v) { return v > 0.0; });
   if (sum.Positive)
   {
-    sum.Logarithm +=
-      std::abs(std::log(s[1] / s[2] * s[4] / s[3])) / std::abs(std::log(s[3] / s[2]));
+    double logarithms[6];
+    std::transform(s, s + 6, logarithms, [](double v) { return std::log(v); });
+    sum.Logarithm += FourthDifferences(logarithms);
   }
+}
+
+/// The logarithm of a node two to four steps away, continued to it, where the values fall towards
+/// it; NaN elsewhere.
+double ContinueLogarithm(double next, double second, double third)
+{
+  return next > 0.0 && next < second && second < third
+    ? 3.0 * std::log(next) - 3.0 * std::log(second) + std::log(third)
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Sums of Gaussians end where their terms were neglected, and their logarithm would jump there.
+/// Nodes with the value `cut` near the level get that of a quadratic continuation of the logarithm
+/// along the axes, so a mask, whose values do not fall before they end, stays as it is. Returns all
+/// values, or none if nothing changed.
+std::vector<double> ContinueTails(const LevelFunction& level, double cut)
+{
+  constexpr double largestTail = 0.05; // of the level, before the cut
+  const auto& n = level.Dimensions();
+  std::vector<double> values(static_cast<std::size_t>(n[0] * n[1] * n[2]));
+  std::vector<std::size_t> missing;
+  for (std::int64_t k = 0, node = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i, ++node)
+      {
+        values[static_cast<std::size_t>(node)] = level.Scalar(i, j, k);
+        if (!(level.Scalar(i, j, k) > cut))
+        {
+          missing.push_back(static_cast<std::size_t>(node));
+        }
+      }
+    }
+  }
+  const std::int64_t steps[3] = { 1, n[0], n[0] * n[1] };
+  bool changed = false;
+  for (int sweep = 0; sweep < static_cast<int>(StencilReach); ++sweep)
+  {
+    std::vector<std::pair<std::size_t, double>> found;
+    for (const std::size_t node : missing)
+    {
+      const auto id = static_cast<std::int64_t>(node);
+      const std::int64_t at[3] = { id % n[0], id / n[0] % n[1], id / steps[2] };
+      double sum = 0.0;
+      int count = 0;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        for (const int way : { -1, 1 })
+        {
+          if (at[a] + 3 * way < 0 || at[a] + 3 * way >= n[a])
+          {
+            continue;
+          }
+          const auto value = [&](int step)
+          { return values[static_cast<std::size_t>(id + step * way * steps[a])]; };
+          const bool tail = value(1) > cut && value(1) < largestTail * level.Level;
+          const double continued =
+            tail ? ContinueLogarithm(value(1), value(2), value(3)) : std::nan("");
+          sum += std::isnan(continued) ? 0.0 : continued;
+          count += std::isnan(continued) ? 0 : 1;
+        }
+      }
+      if (count > 0)
+      {
+        found.emplace_back(node, std::exp(sum / count));
+      }
+    }
+    for (const auto& [node, value] : found)
+    {
+      values[node] = value;
+    }
+    changed = changed || !found.empty();
+    missing.erase(std::remove_if(missing.begin(), missing.end(),
+                    [&](std::size_t node) { return values[node] > cut; }),
+      missing.end());
+  }
+  return changed ? values : std::vector<double>();
 }
 
 Straightness Measure(const LevelFunction& level)
@@ -274,6 +361,18 @@ SoluteVolume VolumeFromImage(vtkImageData* image, vtkDataArray* scalars, double 
     });
   volume.Level.Level = level;
   volume.Level.InsideIsHigher = insideIsHigher;
+  const Plateaus plateaus = FindPlateaus(volume.Level);
+  if (insideIsHigher && level > 0.0 && plateaus.Low >= 0.0)
+  {
+    std::vector<double> continued = ContinueTails(volume.Level, plateaus.Low);
+    if (!continued.empty())
+    {
+      volume.Doubles = std::move(continued);
+      volume.Level.Doubles = { volume.Doubles.data(), volume.Level.Dimensions(),
+        volume.Level.Spacing() };
+      volume.Level.Floats = {};
+    }
+  }
   const Straightness straight = Measure(volume.Level);
   if (straight.Flat * 20 > straight.Edges)
   {

@@ -7,6 +7,7 @@
 #include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 #include "Electrostatics/ForceFieldAtoms.h"
 #include "Electrostatics/PoissonBoltzmann.h"
 #include "Electrostatics/PoissonBoltzmannInput.h"
@@ -23,6 +24,7 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkPoissonBoltzmann);
@@ -47,9 +49,13 @@ const std::vector<isthmus::OutputArray>& vtkPoissonBoltzmann::OutputArrayTable()
       "trilinear; the solver itself uses point charges" },
     { 0, ArrayPlace::Field, "SolvationEnergy", 1, "kcal/mol", ArrayChoice::None,
       "from a medium with SoluteDielectric everywhere into the solvent" },
-    { 0, ArrayPlace::Field, "SolvationEnergyKT", 1, "kT", ArrayChoice::None, "the same" },
+    { 0, ArrayPlace::Field, "SolvationEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "estimated from coarser grids: what the resolution leaves open, not the choice of the "
+      "surface" },
+    { 0, ArrayPlace::Field, "SolvationEnergyKT", 1, "kT", ArrayChoice::None,
+      "the solvation energy" },
     { 0, ArrayPlace::Field, "SolvationEnergyKilojoule", 1, "kJ/mol", ArrayChoice::None,
-      "the same" },
+      "the solvation energy" },
     { 0, ArrayPlace::Field, "Iterations", 1, "", ArrayChoice::None,
       "of BiCGSTAB on this grid, including those of all Newton steps and those for the border "
       "values on this grid" },
@@ -301,6 +307,24 @@ void vtkPoissonBoltzmann::Warn(const std::string& sentence)
   }
 }
 
+void vtkPoissonBoltzmann::StateError(const isthmus::LevelFunction& level,
+  isthmus::GridPotential& solution, const isthmus::ProgressCallback& progress)
+{
+  constexpr double large = 0.05;
+  const double error = isthmus::EstimateEnergyError(level, solution, progress);
+  solution.SetEnergyError(error);
+  const double energy = std::abs(solution.GetReport().SolvationEnergy);
+  if (error > large * energy)
+  {
+    const double kilocalorie = isthmus::units::ThermalKilocalorie(this->Parameters.Temperature);
+    vtkWarningMacro(<< isthmus::JoinText("The grid is coarse for the surface or for the charges "
+                                         "under it: the solvation energy is uncertain by about ",
+                      isthmus::FormatNumber(error * kilocalorie, 2), " kcal/mol, ",
+                      isthmus::FormatNumber(100.0 * error / energy, 2),
+                      " % of it. Choose a smaller Spacing, or a finer volume on input 1."));
+  }
+}
+
 void vtkPoissonBoltzmann::Solve(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -332,7 +356,8 @@ void vtkPoissonBoltzmann::Solve(
     box.Dimensions, isthmus::SolutionBytesPerNode, "choose a larger Spacing or a smaller Padding");
   const isthmus::IonAtmosphere ions(parameters.AllIons(), parameters.Temperature);
   const auto solution = isthmus::SolvePoissonBoltzmann(
-    volume.Level, box, atoms.Atoms, parameters, ions, isthmus::Between(progress, 0.05, 0.75));
+    volume.Level, box, atoms.Atoms, parameters, ions, isthmus::Between(progress, 0.05, 0.65));
+  this->StateError(volume.Level, *solution, isthmus::Between(progress, 0.65, 0.75));
   const double kappa = solution->Kappa();
   if (kappa > 0.0 && parameters.Padding * kappa < 1.0 &&
     parameters.BoundaryCondition != BoundaryCondition::SelfConsistent &&

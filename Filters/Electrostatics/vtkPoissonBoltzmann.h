@@ -45,6 +45,9 @@
  * the surface, and the result is cropped. Nodes nearer to a charge than a quarter of the spacing
  * have its potential at that distance.
  *
+ * **Accuracy.** SolvationEnergyError is an estimate from two solutions on coarser grids. A warning
+ * is issued if it is above 5 % of the energy.
+ *
  * **Places.** It is an error if even one charge is outside the surface. Otherwise inputs 1 and 2
  * are compared with the atoms as in all filters (InputOverlap.h). No overlap is an error; a warning
  * is issued if less than half of the smaller one is in the box of the larger, or if their sizes
@@ -68,6 +71,7 @@
 #include "Core/ArrayProperty.h"
 #include "Core/FilterProperties.h"
 #include "Core/OutputArrays.h"
+#include "Core/Progress.h"
 #include "Electrostatics/PoissonBoltzmannParameters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
@@ -81,13 +85,10 @@ class vtkPolyData;
 
 namespace isthmus
 {
-struct SoluteVolume;
-}
-
-namespace isthmus
-{
 class ForceFieldAtomsCache;
+class GridPotential;
 class InputInAdvance;
+struct LevelFunction;
 }
 
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT vtkPoissonBoltzmann : public vtkImageAlgorithm
@@ -256,6 +257,9 @@ private:
   /// The grid without input 1, the same for information and data.
   vtkSmartPointer<vtkImageData> GridAround(vtkPointSet* atoms);
   vtkPointSet* AtomsWithCharges(vtkInformationVector** inputVector);
+  /// Estimates the error of the energy, and warns if it is large.
+  void StateError(const isthmus::LevelFunction& level, isthmus::GridPotential& solution,
+    const isthmus::ProgressCallback& progress);
   int MakeOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void Solve(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 

@@ -156,6 +156,14 @@ private:
       rl *= r / R;
       there.Up();
       here.Up();
+      // Only ratios of the two matter, and both grow beyond what a double holds.
+      if (there.now > 1e200)
+      {
+        for (double* k : { &there.now, &there.next, &here.now, &here.next })
+        {
+          *k *= 1e-200;
+        }
+      }
     }
     return sum;
   }

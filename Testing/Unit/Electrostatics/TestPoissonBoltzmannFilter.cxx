@@ -2,6 +2,7 @@
 // and densities in float and double, cut off, on anisotropic and turned grids off the origin, as
 // polygons, and made of the atoms; and what it refuses.
 
+#include "vtkMolecularDensity.h"
 #include "vtkPoissonBoltzmann.h"
 
 #include "Core/PolyDataTriangles.h"
@@ -321,6 +322,28 @@ TEST(PoissonBoltzmannFilter, SmallIonsHaveBornsEnergy)
   }
 }
 
+TEST(PoissonBoltzmannFilter, SmallIonsInADensityHaveBornsEnergy)
+{
+  // Molecular Density neglects terms below 1e-6, near the surface of a small ion.
+  for (double radius = 0.7; radius < 1.5; radius += 0.1)
+  {
+    KirkwoodSphere ion;
+    ion.Charges.push_back({ { 0.1, 0.2, 0.3 }, 1.0, radius });
+    vtkNew<vtkMolecularDensity> density;
+    density->SetInputDataObject(Atoms(ion));
+    density->SetSpacing(0.5);
+    density->SetPadding(8.0, 8.0, 8.0);
+    vtkNew<vtkPoissonBoltzmann> filter;
+    filter->SetInputDataObject(0, Atoms(ion));
+    filter->SetSurfaceConnection(density->GetOutputPort());
+    filter->SetLevel(1.0);
+    filter->Update();
+    const double born = -0.5 * 332.0637 * (0.5 - 1.0 / 80.0) / radius;
+    const double energy = Field(filter->GetOutput(), "SolvationEnergy");
+    EXPECT_NEAR(energy / born, 1.0, 2e-3) << radius;
+  }
+}
+
 TEST(PoissonBoltzmannFilter, SmallBoxesHaveBornsEnergy)
 {
   for (const double radius : { 1.5, 2.0, 3.0 })
@@ -488,6 +511,53 @@ TEST(PoissonBoltzmannFilter, SurfacesThatCrossAreRefusedWithTheirPlace)
   ExpectError([&](vtkPoissonBoltzmann* filter, vtkPolyData*)
     { filter->SetInputDataObject(1, surface); },
     "cross at (103.");
+}
+
+TEST(PoissonBoltzmannFilter, AtomsThatTheGridCannotShowAreNamed)
+{
+  for (const double radius : { 0.1, 0.2, 0.4, 0.45 })
+  {
+    KirkwoodSphere ions;
+    ions.Charges = { { { 0.1, 0.2, 0.3 }, 1.0, 2.0 }, { { 8.1, 0.2, 0.3 }, -1.0, radius } };
+    vtkNew<vtkPoissonBoltzmann> filter;
+    vtkNew<vtkTest::ErrorObserver> observer, executive;
+    filter->AddObserver(vtkCommand::ErrorEvent, observer);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executive);
+    filter->SetInputDataObject(0, Atoms(ions));
+    filter->Update();
+    EXPECT_NE(observer->GetErrorMessage().find("atom 1"), std::string::npos)
+      << radius << observer->GetErrorMessage();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(PoissonBoltzmannFilter, ErrorOfTheEnergyIsStated)
+{
+  const KirkwoodSphere ion = []
+  {
+    KirkwoodSphere s;
+    s.Charges.push_back({ { 0.1, 0.2, 0.3 }, 1.0, 1.0 });
+    return s;
+  }();
+  double errors[2];
+  for (const double spacing : { 0.25, 0.8 })
+  {
+    vtkNew<vtkPoissonBoltzmann> filter;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetInputDataObject(0, Atoms(ion));
+    filter->SetSpacing(spacing);
+    filter->Update();
+    const double born = -0.5 * 332.0637 * (0.5 - 1.0 / 80.0);
+    const double stated = Field(filter->GetOutput(), "SolvationEnergyError");
+    EXPECT_LT(std::abs(Field(filter->GetOutput(), "SolvationEnergy") - born), stated);
+    EXPECT_EQ(observer->GetWarning(), spacing > 0.5);
+    EXPECT_EQ(
+      observer->GetWarningMessage().find("uncertain by about") != std::string::npos, spacing > 0.5);
+    errors[spacing > 0.5 ? 1 : 0] = stated;
+  }
+  EXPECT_LT(errors[0], 0.02 * 80.9);
+  EXPECT_GT(errors[1], 4.0);
 }
 
 TEST(PoissonBoltzmannFilter, NoAtomsNoError)
