@@ -5,6 +5,7 @@
 #include "MolecularSurfaces/AtomsInside.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "Solvation/IonTransportOutput.h"
+#include "Solvation/TransportCurrents.h"
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/GridImages.h"
 #include "Surfaces/SurfaceCrossings.h"
@@ -13,6 +14,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace isthmus
@@ -97,6 +99,34 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   CloseIsolatedPockets(*this->Grid);
   this->Fixed = std::make_unique<PoissonNernstPlanck>(*this->Grid, p);
   this->Fixed->Solve(Between(progress, 0.3, 1.0));
+}
+
+double EstimateCurrentError(
+  const ChannelProblem& problem, const ChannelSolution& solution, const ProgressCallback& progress)
+{
+  // The wall of a round pore is resolved to a fraction of spacing^2 / radius.
+  constexpr double wall = 0.8;
+  const double current = ComputeCurrents(solution.Get()).Mean();
+  const double h = problem.Transport.Spacing;
+  // Radii of passages end at the width of the band of distances.
+  const double radius = solution.GetPassage().Radius;
+  const bool isWide = radius > 0.95 * static_cast<double>(FlowGrid::Band) * h;
+  const double relative = h / std::max(radius, isWide ? problem.Transport.LumenRadius : radius);
+  ChannelProblem coarse = problem;
+  coarse.Transport.Spacing *= 1.5;
+  double change = current; // where that closes the channel
+  try
+  {
+    change = ComputeCurrents(ChannelSolution(coarse, progress).Get()).Mean() - current;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+  }
+  return std::hypot(change, wall * relative * relative * current);
 }
 
 }

@@ -20,6 +20,8 @@
       "bath below minus bath above" },                                                             \
     { 0, ArrayPlace::Field, "Current", 1, "pA", ArrayChoice::None, "positive along the normal" },  \
     { 0, ArrayPlace::Field, "Current_NAME", 1, "pA", ArrayChoice::None, "of the species NAME" },   \
+    { 0, ArrayPlace::Field, "CurrentError", 1, "pA", ArrayChoice::None,                            \
+      "estimated from a coarser grid" },                                                           \
     { 0, ArrayPlace::Field, "CurrentSpread", 1, "", ArrayChoice::None,                             \
       "largest relative difference between sections" },                                            \
     { 0, ArrayPlace::Field, "Converged", 1, "", ArrayChoice::None,                                 \

@@ -238,7 +238,7 @@ void FillTransportImage(
 }
 
 void FillTransportNumbers(const PoissonNernstPlanck& solution, const CurrentProfile& profile,
-  const ChannelPassage& passage, vtkImageData* image)
+  double currentError, const ChannelPassage& passage, vtkImageData* image)
 {
   const std::vector<TransportSpecies>& species = solution.GetParameters().Species;
   const IonTransportReport& report = solution.GetReport();
@@ -249,6 +249,7 @@ void FillTransportNumbers(const PoissonNernstPlanck& solution, const CurrentProf
     AddColumn<vtkDoubleArray>(data, "Current_" + species[k].Name, { profile.Mean(k) });
   }
   AddColumn<vtkDoubleArray>(data, "Current", { profile.Mean() });
+  AddColumn<vtkDoubleArray>(data, "CurrentError", { currentError });
   AddColumn<vtkDoubleArray>(data, "CurrentSpread", { profile.Spread() });
   AddColumn<vtkDoubleArray>(data, "Converged", { report.Converged ? 1.0 : 0.0 });
   AddColumn<vtkDoubleArray>(data, "Changes", report.Changes);

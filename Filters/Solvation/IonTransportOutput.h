@@ -30,7 +30,7 @@ void FillTransportImage(
 
 /// Field data: voltage, currents, accuracy, bottleneck.
 void FillTransportNumbers(const PoissonNernstPlanck& solution, const CurrentProfile& profile,
-  const ChannelPassage& passage, vtkImageData* image);
+  double currentError, const ChannelPassage& passage, vtkImageData* image);
 
 /// A row for each section: Along, Current_NAME, Current.
 void FillSections(

@@ -204,4 +204,31 @@ void SolvationFlow::Run(const ProgressCallback& progress)
   Report(progress, 1.0);
 }
 
+SolvationErrors SolvationFlow::EstimateErrors(const ProgressCallback& progress) const
+{
+  constexpr double coarser = 1.5;
+  SolvationErrors errors;
+  errors.Polar = EstimateEnergyError(this->Level, *this->Solution, Between(progress, 0.0, 0.3)) *
+    units::ThermalKilocalorie(this->Equation.Temperature);
+  const double total = this->Updates.back().Total();
+  SolvationParameters parameters = this->Parameters;
+  parameters.Flow.Spacing *= coarser;
+  double change = 0.1 * total;
+  try
+  {
+    SolvationFlow flow(this->Atoms, parameters);
+    flow.Run(Between(progress, 0.3, 1.0));
+    change = flow.GetUpdates().back().Total() - total;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+  }
+  errors.Total = std::hypot(errors.Polar, change);
+  return errors;
+}
+
 }

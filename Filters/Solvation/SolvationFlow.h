@@ -67,6 +67,12 @@ struct SolvationUpdate
   double Total() const { return this->Nonpolar() + this->PolarEnergy; }
 };
 
+/// kcal/mol.
+struct SolvationErrors
+{
+  double Polar = 0.0, Total = 0.0;
+};
+
 /// Cost: a Poisson-Boltzmann solution for each of 3 to 20 updates, the first with its border
 /// values, later ones recomputed only where the surface has moved (SolveAgain()); between them
 /// UpdatePeriod steps of O(band nodes). Memory: that of the solution (120 bytes for each node,
@@ -85,6 +91,14 @@ public:
   /// Runs until convergence or MaximumUpdates.
   /// @throws the exceptions of SolvePoissonBoltzmann, and Cancelled.
   void Run(const ProgressCallback& progress = {});
+
+  /**
+   * Estimates of what the resolution leaves open in the energies of the last update: that of the
+   * polar energy from coarser grids for the last surface (EstimateEnergyError()); that of the
+   * total one besides from a whole flow with a spacing that is half as large again, or a tenth of
+   * the energy if that is too coarse for the atoms. Cost: a third of Run(). @throws Cancelled.
+   */
+  SolvationErrors EstimateErrors(const ProgressCallback& progress = {}) const;
 
   /// Whether the energy has converged; if not, the last surface is kept.
   bool HasConverged() const { return this->Converged; }

@@ -51,8 +51,9 @@ void FillTable(const std::vector<SolvationUpdate>& updates, vtkTable* table)
 
 }
 
-void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& notes,
-  const SolvationOutputs& outputs, const ProgressCallback& progress)
+void FillSolvation(const SolvationFlow& flow, const SolvationErrors& errors,
+  const std::vector<std::string>& notes, const SolvationOutputs& outputs,
+  const ProgressCallback& progress)
 {
   vtkNew<vtkImageData> image;
   FillImage(flow.GetSurface(), 0.0, image);
@@ -77,6 +78,8 @@ void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& no
     }
     AddColumn<vtkDoubleArray>(
       made->GetFieldData(), "Converged", { flow.HasConverged() ? 1.0 : 0.0 });
+    AddColumn<vtkDoubleArray>(made->GetFieldData(), "PolarEnergyError", { errors.Polar });
+    AddColumn<vtkDoubleArray>(made->GetFieldData(), "TotalEnergyError", { errors.Total });
   }
   outputs.Surface->ShallowCopy(surface);
   outputs.Image->ShallowCopy(image);

@@ -25,8 +25,9 @@ struct SolvationOutputs
 };
 
 /// For a flow that has run; the arrays are documented in vtkSolvationSurface.
-void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& notes,
-  const SolvationOutputs& outputs, const ProgressCallback& progress);
+void FillSolvation(const SolvationFlow& flow, const SolvationErrors& errors,
+  const std::vector<std::string>& notes, const SolvationOutputs& outputs,
+  const ProgressCallback& progress);
 
 }
 

@@ -121,12 +121,14 @@ void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
 {
   const auto progress = isthmus::MakeProgress(this->Self);
   const isthmus::ChannelProblem problem = this->Problem(inputs, atoms);
-  isthmus::ChannelSolution channel(problem, isthmus::Between(progress, 0.0, 0.9));
+  isthmus::ChannelSolution channel(problem, isthmus::Between(progress, 0.0, 0.7));
   const isthmus::PoissonNernstPlanck& solution = channel.Get();
   const isthmus::CurrentProfile currents = isthmus::ComputeCurrents(solution);
+  const double error =
+    isthmus::EstimateCurrentError(problem, channel, isthmus::Between(progress, 0.7, 0.9));
   vtkNew<vtkImageData> image;
   isthmus::FillTransportImage(solution, image, isthmus::Between(progress, 0.9, 1.0));
-  isthmus::FillTransportNumbers(solution, currents, channel.GetPassage(), image);
+  isthmus::FillTransportNumbers(solution, currents, error, channel.GetPassage(), image);
   std::vector<std::string> warnings = Warnings(atoms, channel);
   warnings.push_back(this->Self->FillMotion(channel, image, outputs));
   if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data

@@ -118,6 +118,18 @@ const std::vector<isthmus::OutputArray>& vtkSolvationSurface::OutputArrayTable()
       "1 if the energy has converged" },
     { 2, ArrayPlace::Field, "Converged", 1, "", ArrayChoice::None,
       "1 if the energy has converged" },
+    { 0, ArrayPlace::Field, "PolarEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "of the last PolarEnergy, estimated from coarser grids" },
+    { 0, ArrayPlace::Field, "TotalEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "of the last TotalEnergy, estimated from a coarser flow" },
+    { 1, ArrayPlace::Field, "PolarEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "of the last PolarEnergy, estimated from coarser grids" },
+    { 1, ArrayPlace::Field, "TotalEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "of the last TotalEnergy, estimated from a coarser flow" },
+    { 2, ArrayPlace::Field, "PolarEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "of the last PolarEnergy, estimated from coarser grids" },
+    { 2, ArrayPlace::Field, "TotalEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "of the last TotalEnergy, estimated from a coarser flow" },
     { 2, ArrayPlace::Rows, "Update", 1, "", ArrayChoice::None, "from 1" },
     { 2, ArrayPlace::Rows, "Time", 1, "angstrom^2", ArrayChoice::None, "of the flow" },
     { 2, ArrayPlace::Rows, "Area", 1, "angstrom^2", ArrayChoice::None, "of the surface" },
@@ -216,8 +228,10 @@ int vtkSolvationSurface::RequestData(
       isthmus::SolvationFlow flow({ atoms.Balls, isthmus::MakeDispersionAtoms(input, atoms),
                                     internals.Charges(input, atoms) },
         this->Parameters);
-      flow.Run(isthmus::Between(progress, 0.0, 0.9));
-      isthmus::FillSolvation(flow, atoms.Notes,
+      flow.Run(isthmus::Between(progress, 0.0, 0.7));
+      const isthmus::SolvationErrors errors =
+        flow.EstimateErrors(isthmus::Between(progress, 0.7, 0.9));
+      isthmus::FillSolvation(flow, errors, atoms.Notes,
         { vtkPolyData::GetData(outputVector, 0), vtkImageData::GetData(outputVector, 1),
           vtkTable::GetData(outputVector, 2) },
         isthmus::Between(progress, 0.9, 1.0));

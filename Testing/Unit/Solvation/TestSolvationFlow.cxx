@@ -74,6 +74,15 @@ TEST(SolvationFlow, IonsHaveBornsEnergy)
     EXPECT_GT(last.OnObstacle, 0.99);
     EXPECT_LE(last.OnObstacle, 1.0);
     EXPECT_NEAR(last.PolarEnergy / Born(radius), 1.0, 1e-3);
+    const SolvationErrors errors = flow.EstimateErrors();
+    std::printf("R %g: polar error %.4f, stated %.4f; of the area %.4f, stated in total %.4f\n",
+      radius, last.PolarEnergy - Born(radius), errors.Polar,
+      last.SurfaceEnergy * (1.0 - 4.0 * Pi * radius * radius / last.Area), errors.Total);
+    EXPECT_GE(errors.Polar, std::abs(last.PolarEnergy - Born(radius)));
+    EXPECT_LE(errors.Polar, 0.02 * std::abs(Born(radius)));
+    const double tension = last.SurfaceEnergy / last.Area;
+    EXPECT_GE(errors.Total, tension * std::abs(last.Area - 4.0 * Pi * radius * radius));
+    EXPECT_GE(errors.Total, errors.Polar);
   }
 }
 
@@ -164,6 +173,7 @@ TEST(SolvationFlow, IonPairHasTheEnergyOfTwoSpheres)
   EXPECT_TRUE(flow.HasConverged());
   EXPECT_LE(flow.GetUpdates().size(), 10u);
   EXPECT_NEAR(last.PolarEnergy / exact, 1.0, 1e-3);
+  EXPECT_GE(flow.EstimateErrors().Polar, std::abs(last.PolarEnergy - exact));
 }
 
 TEST(SolvationFlow, ChargesInOneBallHaveKirkwoodsEnergy)
@@ -185,6 +195,7 @@ TEST(SolvationFlow, ChargesInOneBallHaveKirkwoodsEnergy)
   EXPECT_TRUE(flow.HasConverged());
   EXPECT_LE(flow.GetUpdates().size(), 10u);
   EXPECT_NEAR(last.PolarEnergy / exact, 1.0, 2e-3);
+  EXPECT_GE(flow.EstimateErrors().Polar, std::abs(last.PolarEnergy - exact));
 }
 
 TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)

@@ -3,12 +3,16 @@
 
 #include "AxisymmetricPore.h"
 #include "Solvation/ChannelPassage.h"
+#include "Solvation/ChannelSolution.h"
 #include "TransportLine.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
+#include <random>
 #include <stdexcept>
 #include <string>
 
@@ -122,6 +126,49 @@ TEST(TransportGrid, ChargedPoreMatchesTwoDimensions)
               << reference << "\n";
     EXPECT_NEAR(currents.Mean(k) / reference, 1.0, 0.02);
   }
+}
+
+TEST(ChannelSolution, ErrorOfTheCurrentCoversTheTruth)
+{
+  // Pores with a ring of charges, against two dimensions taken to spacing 0.
+  std::mt19937 random(5);
+  const auto between = [&](double low, double high)
+  { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+  constexpr int count = 12;
+  int covered = 0;
+  std::vector<double> ratios;
+  for (int i = 0; i < count; ++i)
+  {
+    IonTransportParameters p =
+      Pore(0.5 * std::round(between(5.0, 10.0)), std::round(between(8.0, 14.0)), between(0.4, 1.0));
+    p.Padding = 5.0;
+    p.Species[0].Below = p.Species[1].Below = between(0.1, 0.5);
+    p.Species[0].Above = p.Species[1].Above = between(0.1, 0.5);
+    p.Voltage = between(30.0, 100.0);
+    const double charge = between(-0.8, 0.2);
+    const double ring = p.LumenRadius + 3.0;
+    ChannelProblem problem;
+    problem.Transport = p;
+    problem.Charges = Ring(p, ring, charge);
+    const ChannelSolution channel(problem);
+    const double current = ComputeCurrents(channel.Get()).Mean();
+    const double estimate = EstimateCurrentError(problem, channel);
+    double reference = 0.0;
+    const TransportDomain domain = DomainAround({}, p);
+    for (const double h : { 0.25, 0.125 })
+    {
+      const AxisymmetricPore pore(domain, p, ring, charge, h);
+      reference += (h < 0.2 ? 2.0 : -1.0) * (pore.Current(0) + pore.Current(1));
+    }
+    const double error = std::abs(current - reference);
+    covered += estimate >= error ? 1 : 0;
+    ratios.push_back(estimate / error);
+    std::printf("R %.2f h %.2f: %.3f pA, in two dimensions %.3f, error %.3f, estimate %.3f\n",
+      p.LumenRadius, p.Spacing, current, reference, error, estimate);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_GE(covered, count * 9 / 10);
+  EXPECT_LE(ratios[count / 2], 5.0);
 }
 
 TEST(TransportGrid, TurnedByThirtyDegreesTheCurrentIsTheSame)
