@@ -31,6 +31,17 @@ std::string FixedNumber(double value, int decimals)
   return text;
 }
 
+std::string FormatWithError(double value, double error, const std::string& unit)
+{
+  constexpr int most = 12; // decimals, for an error of 0
+  const int exponent =
+    error > 0.0 && std::isfinite(error) ? static_cast<int>(std::floor(std::log10(error))) : -most;
+  const bool one = error * std::pow(10.0, -exponent) < 1.95;
+  const int decimals = std::clamp(one ? 1 - exponent : -exponent, 0, most);
+  return FixedNumber(value, decimals) + " " + unit + ", to within about " +
+    FormatNumber(error, one ? 2 : 1);
+}
+
 std::string RightAligned(std::string text, std::size_t width)
 {
   text.insert(0, width - std::min(width, text.size()), ' ');

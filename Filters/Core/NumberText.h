@@ -27,6 +27,11 @@ VTKISTHMUSFILTERSCORE_EXPORT std::string FormatNumber(double value, int digits =
 /// A number with this many digits after the decimal point and no exponent.
 VTKISTHMUSFILTERSCORE_EXPORT std::string FixedNumber(double value, int decimals);
 
+/// "-80.94 kcal/mol, to within about 0.07": two digits of the error if the first is 1, else one,
+/// and as many decimals of the value.
+VTKISTHMUSFILTERSCORE_EXPORT std::string FormatWithError(
+  double value, double error, const std::string& unit);
+
 /// `text` padded with blanks in front of it (or behind it) to `width` characters, as the columns
 /// of a file need it.
 VTKISTHMUSFILTERSCORE_EXPORT std::string RightAligned(std::string text, std::size_t width);

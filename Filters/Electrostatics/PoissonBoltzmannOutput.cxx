@@ -1,6 +1,8 @@
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/NamedColumns.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Electrostatics/BoundaryForces.h"
 #include "Electrostatics/ChargesOnGrid.h"
@@ -122,6 +124,12 @@ void FillFieldData(const GridPotential& solution, const PoissonBoltzmannParamete
     data, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
   AddColumn<vtkDoubleArray>(data, "SolvationEnergyError",
     { report.SolvationEnergyError * units::ThermalKilocalorie(kelvin) });
+  const double kilocalorie = units::ThermalKilocalorie(kelvin);
+  AddNotes({ "Solvation energy " +
+             FormatWithError(report.SolvationEnergy * kilocalorie,
+               report.SolvationEnergyError * kilocalorie, "kcal/mol") +
+             "." },
+    image);
   AddColumn<vtkDoubleArray>(data, "SolvationEnergyKT", { report.SolvationEnergy });
   AddColumn<vtkDoubleArray>(
     data, "SolvationEnergyKilojoule", { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });

@@ -52,6 +52,8 @@ const std::vector<isthmus::OutputArray>& vtkPoissonBoltzmann::OutputArrayTable()
     { 0, ArrayPlace::Field, "SolvationEnergyError", 1, "kcal/mol", ArrayChoice::None,
       "estimated from coarser grids: what the resolution leaves open, not the choice of the "
       "surface" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "the energy and its error in words" },
     { 0, ArrayPlace::Field, "SolvationEnergyKT", 1, "kT", ArrayChoice::None,
       "the solvation energy" },
     { 0, ArrayPlace::Field, "SolvationEnergyKilojoule", 1, "kJ/mol", ArrayChoice::None,

@@ -22,6 +22,8 @@
     { 0, ArrayPlace::Field, "Current_NAME", 1, "pA", ArrayChoice::None, "of the species NAME" },   \
     { 0, ArrayPlace::Field, "CurrentError", 1, "pA", ArrayChoice::None,                            \
       "estimated from a coarser grid" },                                                           \
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,                                     \
+      "the current and its error in words; what was dropped from the input" },                     \
     { 0, ArrayPlace::Field, "CurrentSpread", 1, "", ArrayChoice::None,                             \
       "largest relative difference between sections" },                                            \
     { 0, ArrayPlace::Field, "Converged", 1, "", ArrayChoice::None,                                 \

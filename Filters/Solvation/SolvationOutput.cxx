@@ -2,6 +2,7 @@
 
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/NamedColumns.h"
+#include "Core/NumberText.h"
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 #include "Electrostatics/SoluteVolume.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
@@ -67,15 +68,16 @@ void FillSolvation(const SolvationFlow& flow, const SolvationErrors& errors,
   FillSurface(flow.GetSolution(), volume, flow.GetTemperature(), triangles, surface,
     Between(progress, 0.0, 0.6));
   FillImage(flow.GetSolution(), image, Between(progress, 0.6, 1.0));
+  std::vector<std::string> all = notes;
+  const SolvationUpdate& last = flow.GetUpdates().back();
+  all.push_back("Solvation energy " + FormatWithError(last.Total(), errors.Total, "kcal/mol") +
+    "; its polar part " + FormatWithError(last.PolarEnergy, errors.Polar, "kcal/mol") + ".");
   vtkNew<vtkTable> table;
   FillTable(flow.GetUpdates(), table);
   for (vtkDataObject* made : { static_cast<vtkDataObject*>(surface),
          static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(table) })
   {
-    if (!notes.empty()) // ParaView interprets an empty array as the end of field data
-    {
-      AddNotes(notes, made);
-    }
+    AddNotes(all, made);
     AddColumn<vtkDoubleArray>(
       made->GetFieldData(), "Converged", { flow.HasConverged() ? 1.0 : 0.0 });
     AddColumn<vtkDoubleArray>(made->GetFieldData(), "PolarEnergyError", { errors.Polar });

@@ -131,10 +131,9 @@ void vtkIonTransport::vtkInternals::Solve(vtkInformationVector** inputs,
   isthmus::FillTransportNumbers(solution, currents, error, channel.GetPassage(), image);
   std::vector<std::string> warnings = Warnings(atoms, channel);
   warnings.push_back(this->Self->FillMotion(channel, image, outputs));
-  if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
-  {
-    isthmus::AddNotes(atoms.Notes, image);
-  }
+  std::vector<std::string> notes = atoms.Notes;
+  notes.push_back("Current " + isthmus::FormatWithError(currents.Mean(), error, "pA") + ".");
+  isthmus::AddNotes(notes, image);
   isthmus::FillSections(currents, problem.Transport.Species, vtkTable::GetData(outputs, 1));
   vtkImageData::GetData(outputs, 0)->ShallowCopy(image);
   for (const std::string& warning : warnings)
