@@ -170,7 +170,7 @@ class Site:
         ports = {row["port"] for row in table}
         rows = []
         for row in table:
-            output = f"{row['port']}: " if len(ports) > 1 else ""
+            output = ("all: " if row["port"] < 0 else f"{row['port']}: ") if len(ports) > 1 else ""
             width = row["components"]
             kind = {"field": "field data"}.get(row["place"], row["place"]) + (f", {width} components" if width > 1 else "")
             made = {"on": "on", "off": "off"}.get(row["choice"], "")

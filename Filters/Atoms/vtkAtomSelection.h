@@ -22,6 +22,7 @@
 #define vtkAtomSelection_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 #include "vtkPointSetAlgorithm.h"
 
@@ -33,6 +34,9 @@ public:
   static vtkAtomSelection* New();
   vtkTypeMacro(vtkAtomSelection, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// Names of residues that are always kept, separated by blanks or commas. Default: none.

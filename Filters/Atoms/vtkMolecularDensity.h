@@ -36,6 +36,7 @@
 #define vtkMolecularDensity_h
 
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 
@@ -94,6 +95,9 @@ public:
   vtkSetVector3Macro(Padding, double);
   vtkGetVector3Macro(Padding, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMolecularDensity();

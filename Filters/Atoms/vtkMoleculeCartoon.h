@@ -41,6 +41,7 @@
 
 #include "Atoms/MoleculeCartoon.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -54,6 +55,9 @@ public:
   static vtkMoleculeCartoon* New();
   vtkTypeMacro(vtkMoleculeCartoon, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// Residues of chains that are drawn as sticks, too: names (HIS), numbers (57) or numbers with a

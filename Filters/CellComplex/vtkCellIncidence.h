@@ -28,6 +28,7 @@
 #ifndef vtkCellIncidence_h
 #define vtkCellIncidence_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -45,6 +46,9 @@ public:
   vtkGetMacro(PassCellData, bool);
   vtkBooleanMacro(PassCellData, bool);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkCellIncidence();

@@ -28,6 +28,7 @@
 
 #include "CellComplex/TetCutaway.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -85,6 +86,9 @@ public:
   ISTHMUS_PARAMETER_VECTOR3(PlaneOrigin, double);
   ISTHMUS_PARAMETER_VECTOR3(PlaneNormal, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkTetCutaway();

@@ -26,6 +26,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -66,6 +67,9 @@ public:
   /// As in vtkChokingLoops: longest edge of the samples; 0 (default): automatic.
   ISTHMUS_PARAMETER(SampleSpacing, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkHandleFilling();

@@ -24,6 +24,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -49,6 +50,9 @@ public:
   /// The surface: the second input.
   void SetSurfaceConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(1, port); }
   void SetSurfaceData(vtkDataObject* surface) { this->SetInputData(1, surface); }
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkLoopShortening();

@@ -68,6 +68,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -88,6 +89,9 @@ public:
   static vtkMapHandles* New();
   vtkTypeMacro(vtkMapHandles, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// The object is where the map is above the level (densities). Default on.

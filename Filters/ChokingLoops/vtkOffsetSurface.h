@@ -18,6 +18,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -49,6 +50,9 @@ public:
   /// Grid cells along the longest side of the offset's bounding box, from 8 to 1024. Default 128.
   ISTHMUS_PARAMETER(Resolution, int);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkOffsetSurface() = default;

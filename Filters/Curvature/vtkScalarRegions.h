@@ -38,6 +38,7 @@
 #ifndef vtkScalarRegions_h
 #define vtkScalarRegions_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -121,6 +122,9 @@ public:
   vtkTable* GetSweepTable() { return this->TableAt(2); }
   vtkTable* GetHistogram() { return this->TableAt(3); }
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkScalarRegions();

@@ -26,6 +26,7 @@
 #ifndef vtkForceFieldCharges_h
 #define vtkForceFieldCharges_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
 #include "vtkPointSetAlgorithm.h"
 
@@ -54,6 +55,9 @@ public:
   vtkSetMacro(ForceField, int);
   vtkGetMacro(ForceField, int);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkForceFieldCharges();

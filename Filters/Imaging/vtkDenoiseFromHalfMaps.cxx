@@ -7,6 +7,7 @@
 #include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
+#include "Imaging/DenoisingArrays.h"
 #include "Imaging/HalfMapAgreement.h"
 #include "Imaging/LocalResolution.h"
 #include "vtkDenoiseMap.h"
@@ -30,6 +31,21 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkDenoiseFromHalfMaps);
+
+const std::vector<isthmus::OutputArray>& vtkDenoiseFromHalfMaps::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_DENOISING_ARRAY_ROWS,
+    { 0, ArrayPlace::Points, "LocalResolution", 1, "length", ArrayChoice::None,
+      "wavelength at which the correlation of the halves in a window of 24 nodes falls below "
+      "0.5" },
+    { 0, ArrayPlace::Field, "HalfMapCorrelation", 1, "", ArrayChoice::None,
+      "Pearson's, of means over blocks of 4^3 nodes" },
+  };
+  return table;
+}
 
 namespace
 {

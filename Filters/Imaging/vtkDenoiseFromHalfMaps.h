@@ -27,6 +27,7 @@
 #define vtkDenoiseFromHalfMaps_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/DenoisingRisk.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -53,6 +54,9 @@ public:
   /// Purpose of the denoised volume: vtkDenoiseMap::Surfaces or vtkDenoiseMap::Volumes.
   ISTHMUS_PARAMETER(Goal, int);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkDenoiseFromHalfMaps();

@@ -28,6 +28,7 @@
 #define vtkDenoiseMap_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/DenoiseMap.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -63,6 +64,9 @@ public:
   /// are estimated where the volume is not constant.
   ISTHMUS_PARAMETER(KnownNoise, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkDenoiseMap();

@@ -29,6 +29,7 @@
 #define vtkHighOrderDiffusion_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/HighOrderDiffusion.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -146,6 +147,9 @@ public:
   vtkGetMacro(VoxelUnits, bool);
   vtkBooleanMacro(VoxelUnits, bool);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkHighOrderDiffusion();

@@ -20,6 +20,7 @@
 #define vtkPDETransform_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/PDETransform.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -63,6 +64,9 @@ public:
   vtkGetMacro(VoxelUnits, bool);
   vtkBooleanMacro(VoxelUnits, bool);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkPDETransform();

@@ -30,6 +30,7 @@
 #define vtkFeatureTracks_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Pockets/FeatureTracks.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
@@ -86,6 +87,9 @@ public:
   vtkTable* GetChart();
   vtkPolyData* GetPaths();
   vtkTable* GetEvents();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkFeatureTracks();

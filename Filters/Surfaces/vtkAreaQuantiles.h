@@ -15,6 +15,7 @@
 #ifndef vtkAreaQuantiles_h
 #define vtkAreaQuantiles_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 #include "vtkTableAlgorithm.h"
 
@@ -32,6 +33,9 @@ public:
   vtkSetMacro(Upper, double);
   vtkGetMacro(Upper, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkAreaQuantiles();

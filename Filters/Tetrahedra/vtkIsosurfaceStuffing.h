@@ -22,6 +22,7 @@
 #define vtkIsosurfaceStuffing_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Tetrahedra/IsosurfaceStuffing.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
@@ -32,6 +33,9 @@ public:
   static vtkIsosurfaceStuffing* New();
   vtkTypeMacro(vtkIsosurfaceStuffing, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   enum SideType
   {

@@ -26,6 +26,7 @@
 #ifndef vtkMeshQualityReport_h
 #define vtkMeshQualityReport_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
@@ -46,6 +47,9 @@ public:
 
   /// The summary line of the last update, which is also in the field data of the output.
   vtkGetMacro(Summary, std::string);
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMeshQualityReport();

@@ -29,6 +29,7 @@
 #define vtkTetrahedralMesher_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
@@ -174,6 +175,9 @@ public:
   /// CGAL: finally remove slivers by assigning weights to their points (exudation).
   ISTHMUS_PARAMETER_SWITCH_OF(Parameters.CGAL, Exude);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkTetrahedralMesher() = default;

@@ -59,6 +59,7 @@
 #define vtkMRCMapReader_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Maps/MRCOptions.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusReadersMapsModule.h" // for the export macro
@@ -130,6 +131,9 @@ public:
   /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), else 0. The
   /// name has no effect. Says nothing on errors. Reads 1 KB.
   virtual int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMRCMapReader();

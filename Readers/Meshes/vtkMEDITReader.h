@@ -13,6 +13,7 @@
 #ifndef vtkMEDITReader_h
 #define vtkMEDITReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileReader.h"
@@ -25,6 +26,9 @@ public:
 
   /// 1 if the file begins like a MEDIT mesh.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMEDITReader() = default;

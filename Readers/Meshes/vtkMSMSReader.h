@@ -17,6 +17,7 @@
 #ifndef vtkMSMSReader_h
 #define vtkMSMSReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -42,6 +43,9 @@ public:
 
   /// 1 if the file has the name and the beginning of an MSMS file.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMSMSReader();

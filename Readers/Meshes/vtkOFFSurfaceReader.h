@@ -11,6 +11,7 @@
 #ifndef vtkOFFSurfaceReader_h
 #define vtkOFFSurfaceReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -30,6 +31,9 @@ public:
 
   /// 1 if the file begins like an OFF file.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkOFFSurfaceReader();

@@ -13,6 +13,7 @@
 #ifndef vtkTetGenMeshReader_h
 #define vtkTetGenMeshReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileReader.h"
@@ -25,6 +26,9 @@ public:
 
   /// 1 if the file has the name and the beginning of one of these.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkTetGenMeshReader() = default;

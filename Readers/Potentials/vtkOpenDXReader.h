@@ -36,6 +36,7 @@
 #ifndef vtkOpenDXReader_h
 #define vtkOpenDXReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusReadersPotentialsModule.h" // for the export macro
 
@@ -74,6 +75,9 @@ public:
   /// 1 if the first word of the file is "object", as in OpenDX files, otherwise 0; the name has no
   /// effect. Says nothing on errors. Reads at most 1 MiB, unless comments are longer.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkOpenDXReader();
