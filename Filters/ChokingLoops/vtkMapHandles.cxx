@@ -67,7 +67,8 @@ const std::vector<isthmus::OutputArray>& vtkMapHandles::OutputArrayTable()
     { 0, ArrayPlace::Points, "IsThere", 1, "", ArrayChoice::None,
       "1: it exists at the chosen level" },
     { 0, ArrayPlace::Points, "BootstrapSupport", 1, "", ArrayChoice::None,
-      "fraction of resamples in which it is found again; with half maps" },
+      "fraction of resamples in which it is found again, persisting above the threshold; with "
+      "half maps" },
     { 0, ArrayPlace::Points, "PValue", 1, "", ArrayChoice::None,
       "for the hypothesis that the object does not have it at the chosen level; with half maps" },
     { 1, ArrayPlace::Points, "FeatureId", 1, "", ArrayChoice::None,
@@ -88,7 +89,8 @@ const std::vector<isthmus::OutputArray>& vtkMapHandles::OutputArrayTable()
     { 1, ArrayPlace::Points, "IsThere", 1, "", ArrayChoice::None,
       "1: it exists at the chosen level" },
     { 1, ArrayPlace::Points, "BootstrapSupport", 1, "", ArrayChoice::None,
-      "fraction of resamples in which it is found again; with half maps" },
+      "fraction of resamples in which it is found again, persisting above the threshold; with "
+      "half maps" },
     { 1, ArrayPlace::Points, "PValue", 1, "", ArrayChoice::None,
       "for the hypothesis that the object does not have it at the chosen level; with half maps" },
     { 2, ArrayPlace::Rows, "Level", 1, "of the scalars", ArrayChoice::None, "of the row" },
@@ -122,7 +124,8 @@ const std::vector<isthmus::OutputArray>& vtkMapHandles::OutputArrayTable()
     { -1, ArrayPlace::Field, "RecommendedLevel", 1, "of the scalars", ArrayChoice::None,
       "that of the input, if it has one" },
     { -1, ArrayPlace::Field, "HalfMapCorrelation", 1, "", ArrayChoice::None,
-      "Pearson's, of means over blocks of 4^3 nodes; with half maps" },
+      "Pearson's, of means over blocks of 4^3 nodes without those where the halves are equal; "
+      "with half maps" },
   };
   return table;
 }
@@ -253,35 +256,21 @@ enum Port
   PortCount
 };
 
-/// The mean of both half maps, as an image, and half their difference, 0 where that is not a
-/// number.
-vtkSmartPointer<vtkImageData> ComputeMean(
-  vtkImageData* one, vtkDataArray* scalars, vtkDataArray* others, std::vector<float>& noise)
+/// The noise as NoiseBootstrap uses it; 0 where it does not fit into a float.
+std::vector<float> CopyNoise(vtkDataArray* difference)
 {
-  const vtkIdType count = scalars->GetNumberOfTuples();
-  const auto mean = isthmus::ArrayOfType(
-    isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others) ? VTK_FLOAT : VTK_DOUBLE,
-    scalars->GetName(), count);
-  noise.resize(static_cast<std::size_t>(count));
-  bool differs = false;
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<float> noise(static_cast<std::size_t>(difference->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < noise.size(); ++i)
   {
-    const double a = scalars->GetComponent(i, 0), b = others->GetComponent(i, 0);
-    mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
-    const auto half = static_cast<float>(a / 2.0 - b / 2.0);
-    noise[static_cast<std::size_t>(i)] = std::isfinite(half) ? half : 0.0F;
-    differs = differs || noise[static_cast<std::size_t>(i)] != 0.0F;
+    const auto value = static_cast<float>(difference->GetComponent(static_cast<vtkIdType>(i), 0));
+    noise[i] = std::isfinite(value) ? value : 0.0F;
   }
-  if (!differs)
+  if (std::all_of(noise.begin(), noise.end(), [](float value) { return value == 0.0F; }))
   {
-    throw std::invalid_argument(
-      "The half maps are equal, so the noise cannot be estimated from their difference: take two "
-      "halves, not one map twice.");
+    throw std::invalid_argument("The difference of the half maps is outside the range of single "
+                                "precision: multiply both maps by a factor.");
   }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->CopyStructure(one);
-  image->GetPointData()->SetScalars(mean);
-  return image;
+  return noise;
 }
 
 }
@@ -371,10 +360,14 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
       vtkWarningMacro(<< agreement.Message());
     }
     work.Correlation = agreement.Correlation;
-    work.Mean = ComputeMean(
-      work.Image, work.Scalars, isthmus::RemoveLinearDifference(agreement, others), work.Noise);
+    const isthmus::HalfMapMean halves =
+      isthmus::AverageHalfMaps(work.Scalars, isthmus::RemoveLinearDifference(agreement, others));
+    work.Noise = CopyNoise(halves.HalfDifference);
+    work.Mean = vtkSmartPointer<vtkImageData>::New();
+    work.Mean->CopyStructure(work.Image);
+    work.Mean->GetPointData()->SetScalars(halves.Mean);
     work.Image = work.Mean;
-    work.Scalars = work.Mean->GetPointData()->GetScalars();
+    work.Scalars = halves.Mean;
   }
   work.Volume = isthmus::MakeVolumeView(work.Scalars, work.Image);
 }
