@@ -5,8 +5,7 @@
  * Input: the atoms, any vtkPointSet whose point array `Radius` (or the one chosen with
  * SetInputArrayToProcess) holds radii in the unit of the points (angstrom), e.g. from
  * vtkMacromoleculeReader. Without that array, radii are assigned by element (array `Element`;
- * AtomRadii.h). Output: vtkImageData around the atoms with the point array `Density` (float, no
- * unit).
+ * AtomRadii.h). Output: vtkImageData around the atoms with the arrays of OutputArrayTable().
  *
  * With radii R_i = RadiusScale x radius,
  *

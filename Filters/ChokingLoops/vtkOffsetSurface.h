@@ -9,8 +9,8 @@
  * square of the grid spacing divided by the distance.
  *
  * Input: triangles (vtkPolyData), closed unless both sides are requested. Output: the surface at
- * `Distance` on the requested side, with the grid spacing as field data `GridSpacing`. Triangles
- * and `Normals` face outward from what it encloses: the grown body, the shrunken one, or the layer
+ * `Distance` on the requested side, with the arrays of OutputArrayTable(). Triangles and normals
+ * face outward from what it encloses: the grown body, the shrunken one, or the layer
  * between both. Formulas, errors and cost: OffsetSurface.h.
  */
 #ifndef vtkOffsetSurface_h

@@ -15,7 +15,7 @@
       "standard deviation of the noise" },                                                         \
     { 0, ArrayPlace::Field, "UsedOrder", 1, "", ArrayChoice::None,                                 \
       "Order of the chosen equation" },                                                            \
-    { 0, ArrayPlace::Field, "UsedEdgeStopping", 1, "", ArrayChoice::None, "0 or 1" },              \
+    { 0, ArrayPlace::Field, "UsedEdgeStopping", 1, "", ArrayChoice::None, "0 none, 1 Gaussian" },  \
     { 0, ArrayPlace::Field, "UsedSigma", 1, "of the scalars per voxel", ArrayChoice::None,         \
       "of the chosen equation; 0: no edge stopping" },                                             \
     { 0, ArrayPlace::Field, "UsedPreSmoothing", 1, "voxels", ArrayChoice::None,                    \
@@ -31,8 +31,8 @@
     { 0, ArrayPlace::Field, "RiskTime", 1, "", ArrayChoice::None,                                  \
       "times at which the error was estimated for the chosen order and Sigma" },                   \
     { 0, ArrayPlace::Field, "RiskValue", 1, "", ArrayChoice::None,                                 \
-      "estimated error at each RiskTime: for Goal Surfaces that of the Laplacian, unless that "    \
-      "of the values decided" },                                                                   \
+      "estimated squared error at each RiskTime: for Goal Surfaces that of the Laplacian, "        \
+      "unless that of the values decided" },                                                       \
     { 0, ArrayPlace::Field, "StepTime", 1, "", ArrayChoice::None,                                  \
       "time at the end of each step" },                                                            \
     { 0, ArrayPlace::Field, "StepChange", 1, "of the scalars", ArrayChoice::None,                  \
