@@ -59,7 +59,8 @@ const std::vector<isthmus::OutputArray>& vtkScalarRegions::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the region" },
     { 1, ArrayPlace::Rows, "Fraction", 1, "", ArrayChoice::None, "of the area of the surface" },
     { 1, ArrayPlace::Rows, "NAME below NAME", 1, "length^2", ArrayChoice::None,
-      "of this, the area in the lowest region of the second scalar, by its array and threshold" },
+      "area of the region that is also in the lowest region of the second scalar, whose array "
+      "and threshold are in the name" },
     { 1, ArrayPlace::Rows, "NAME NAME to NAME", 1, "length^2", ArrayChoice::None,
       "the same for regions between its thresholds" },
     { 1, ArrayPlace::Rows, "NAME from NAME", 1, "length^2", ArrayChoice::None,

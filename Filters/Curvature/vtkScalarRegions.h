@@ -15,7 +15,7 @@
  *  - 2, table of a threshold sweep (with SweepSteps): the lowest threshold moves to SweepTarget,
  *    then the highest one;
  *  - 3, histogram of the first scalar by area, with HistogramBins bins from its lowest to its
- * highest value on the surface.
+ *    highest value on the surface.
  *
  * Polygons and strips are split into triangles for the areas. Rules and sources are in
  * ScalarRegions.h.

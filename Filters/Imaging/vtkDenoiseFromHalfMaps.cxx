@@ -40,7 +40,7 @@ const std::vector<isthmus::OutputArray>& vtkDenoiseFromHalfMaps::OutputArrayTabl
     ISTHMUS_DENOISING_ARRAY_ROWS,
     { 0, ArrayPlace::Points, "LocalResolution", 1, "length", ArrayChoice::None,
       "wavelength at which the correlation of the halves in a window of 24 nodes falls below "
-      "0.5, between twice the spacing and the window" },
+      "0.5, between twice the spacing and the width of the window" },
     { 0, ArrayPlace::Field, "HalfMapCorrelation", 1, "", ArrayChoice::None,
       "of the halves: Pearson's, of means over blocks of 4^3 nodes without those where they "
       "are equal" },
