@@ -37,7 +37,7 @@ import check_guide, pages
 site = pages.Site(root, '')
 assert list(check_guide.check_panels(site, root)) == ['Documentation/filters/PhaseFlip.md has no picture']
 page = site.filter_page(site.panels['PhaseFlip'], (root / 'Documentation/filters/PhaseFlip.md').read_text())
-assert page.count('| `PhaseFlip` |') == 1, page"
+assert page.count('| `PhaseFlip` | points |') == 1, page"
   "${copy}")
 
 set(folder "${WORK_DIR}/new-filter/build")
