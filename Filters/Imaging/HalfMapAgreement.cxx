@@ -323,8 +323,7 @@ HalfMapMean AverageHalfMaps(vtkDataArray* one, vtkDataArray* other)
 {
   const int type = FitsFloat(one) && FitsFloat(other) ? VTK_FLOAT : VTK_DOUBLE;
   const vtkIdType count = one->GetNumberOfTuples();
-  const HalfMapMean result{ ArrayOfType(type, one->GetName(), count),
-    ArrayOfType(type, nullptr, count) };
+  HalfMapMean result{ ArrayOfType(type, one->GetName(), count), ArrayOfType(type, nullptr, count) };
   bool differs = false;
   for (vtkIdType i = 0; i < count; ++i)
   {
