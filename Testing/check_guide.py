@@ -5,6 +5,8 @@
 
 - each filter, reader and writer of Plugin/*.xml has a hand-written part Documentation/filters/NAME.md that is
   headed by its label, those of filters have a picture, and each such part has a panel;
+- the classes of filters and readers have a table of their output arrays, which the page shows (ResultDigests compares
+  it with the outputs);
 - each page of Documentation is in a list of contents;
 - tests that pages name as `-R NAME` exist;
 - the version in CITATION.cff is that of the root CMakeLists.txt, from which all others come.
@@ -36,6 +38,8 @@ def check_panels(site, root):
             yield f"Documentation/filters/{name}.md is headed {heading!r}, the panel {panel.label!r}"
         if panel.kind == "filter" and not re.search(r"^!\[[^\]]+\]\([^)]+\)$", parts[name], re.MULTILINE):
             yield f"Documentation/filters/{name}.md has no picture"
+        if panel.kind != "writer" and panel.vtk_class in site.classes and panel.vtk_class not in site.arrays:
+            yield f"{panel.vtk_class}, the class of {name}, has no OutputArrayTable() in its .cxx"
 
 
 def check_contents(root):

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# A new filter with everything that belongs to it, from cmake/new_filter: algorithm, VTK class, panel,
-# tests, benchmark, its names in the module's CMakeLists.txt and README. It compiles; its tests fail with
+# A new filter with everything that belongs to it, from cmake/new_filter: algorithm, VTK class with its
+# table of output arrays, panel, the guide's page, tests, benchmark, its names in the module's
+# CMakeLists.txt and README. It compiles; its tests fail with
 # "write me" until somebody does.
 # Usage: cmake/new_filter.sh NAME MODULE     (NAME as in vtkNAME; MODULE: a folder of Filters)
 set -euo pipefail
@@ -34,6 +35,7 @@ fill algorithm.cxx.in "Filters/$module/$name.cxx"
 fill filter.h.in "Filters/$module/vtk$name.h"
 fill filter.cxx.in "Filters/$module/vtk$name.cxx"
 fill panel.xml.in "Plugin/$name.xml"
+fill page.md.in "Documentation/filters/$name.md"
 fill unit.cxx.in "Testing/Unit/$module/Test$name.cxx"
 fill python.py.in "Testing/Python/$name.py"
 fill benchmark.cxx.in "Testing/Benchmarks/Bench$name.cxx"

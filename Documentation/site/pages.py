@@ -170,13 +170,17 @@ class Site:
         ports = {row["port"] for row in table}
         rows = []
         for row in table:
-            output = f"{row['port']}: " if len(ports) > 1 else ""
+            output = ("all: " if row["port"] < 0 else f"{row['port']}: ") if len(ports) > 1 else ""
             width = row["components"]
             kind = {"field": "field data"}.get(row["place"], row["place"]) + (f", {width} components" if width > 1 else "")
             made = {"on": "on", "off": "off"}.get(row["choice"], "")
-            rows.append(f"| {output}`{row['name']}` | {kind} | {cell(row['unit'])} | {made} | {cell(row['text'])} |")
-        return ["\n".join(["## Output arrays", "", "| array | of | unit | by default, if optional | meaning |",
-                           "|---|---|---|---|---|", *rows])]
+            name = "the input's name" if row["name"] == "INPUT" else f"`{row['name']}`"
+            rows.append(f"| {output}{name} | {kind} | {cell(row['unit'])} | {made} | {cell(row['text'])} |")
+        lines = ["## Output arrays", "", "| array | of | unit | by default, if optional | meaning |", "|---|---|---|---|---|",
+                 *rows]
+        if any("NAME" in row["name"] for row in table):
+            lines += ["", "NAME stands for names or numbers that depend on the input."]
+        return ["\n".join(lines)]
 
     @staticmethod
     def output_list(panel):

@@ -25,6 +25,17 @@
 
 vtkStandardNewMacro(vtkAtomSelection);
 
+const std::vector<isthmus::OutputArray>& vtkAtomSelection::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "what was dropped, one message for each kind" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -11,7 +11,6 @@
  * chlorophylls and the like) are ligands, but can be kept without the others. PolymerAtoms.h has
  * the rules. Of alternate locations the one with the greatest sum of occupancies is kept. If no
  * residue of a chain is recognised (e.g. in an XYZ file), all atoms except water count as a chain.
- * The field array `Notes` lists what was dropped, with one message for each kind.
  *
  * **Errors** (one message, empty output): coordinates that are not finite. If a selection keeps
  * nothing, the output is empty and there is no error.
@@ -22,6 +21,7 @@
 #define vtkAtomSelection_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 #include "vtkPointSetAlgorithm.h"
 
@@ -33,6 +33,9 @@ public:
   static vtkAtomSelection* New();
   vtkTypeMacro(vtkAtomSelection, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// Names of residues that are always kept, separated by blanks or commas. Default: none.

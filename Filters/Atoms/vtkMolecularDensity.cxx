@@ -29,6 +29,19 @@
 
 vtkStandardNewMacro(vtkMolecularDensity);
 
+const std::vector<isthmus::OutputArray>& vtkMolecularDensity::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Density", 1, "", ArrayChoice::None,
+      "1 inside and 0 outside with UnionOfBalls, else the sum of Gaussians" },
+    { 0, ArrayPlace::Field, "RecommendedLevel", 1, "", ArrayChoice::None,
+      "level of the surface: 0.5 with UnionOfBalls, else 1" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -5,8 +5,7 @@
  * Input: the atoms, any vtkPointSet whose point array `Radius` (or the one chosen with
  * SetInputArrayToProcess) holds radii in the unit of the points (angstrom), e.g. from
  * vtkMacromoleculeReader. Without that array, radii are assigned by element (array `Element`;
- * AtomRadii.h). Output: vtkImageData around the atoms with the point array `Density` (float, no
- * unit).
+ * AtomRadii.h). Output: vtkImageData around the atoms with the arrays of OutputArrayTable().
  *
  * With radii R_i = RadiusScale x radius,
  *
@@ -36,6 +35,7 @@
 #define vtkMolecularDensity_h
 
 #include "Core/ArrayProperty.h"
+#include "Core/OutputArrays.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 
@@ -94,6 +94,9 @@ public:
   vtkSetVector3Macro(Padding, double);
   vtkGetVector3Macro(Padding, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMolecularDensity();

@@ -47,6 +47,64 @@
 
 vtkStandardNewMacro(vtkMoleculeCartoon);
 
+const std::vector<isthmus::OutputArray>& vtkMoleculeCartoon::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "ResidueIndex", 1, "", ArrayChoice::None,
+      "row of the residue in output 2" },
+    { 0, ArrayPlace::Cells, "Residue", 1, "", ArrayChoice::None,
+      "name, number and chain, e.g. LYS 48 A" },
+    { 0, ArrayPlace::Cells, "ResidueId", 1, "", ArrayChoice::None, "number of the residue" },
+    { 0, ArrayPlace::Cells, "ChainIndex", 1, "", ArrayChoice::None,
+      "of the chain, in the order in which chains begin; ChainNames has the names" },
+    { 0, ArrayPlace::Cells, "SecondaryStructure", 1, "", ArrayChoice::None,
+      "0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi helix, 5 nucleic acid" },
+    { 0, ArrayPlace::Cells, "BFactor", 1, "angstrom^2", ArrayChoice::None,
+      "mean of the residue's atoms; where the input has it" },
+    { 0, ArrayPlace::Cells, "pLDDT", 1, "", ArrayChoice::None,
+      "mean of the residue's atoms; where the input has it" },
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "unit" },
+    { 1, ArrayPlace::Cells, "Element", 1, "", ArrayChoice::None, "atomic number; 0: unknown" },
+    { 1, ArrayPlace::Cells, "AtomName", 1, "", ArrayChoice::None, "of the atom" },
+    { 1, ArrayPlace::Cells, "ResidueIndex", 1, "", ArrayChoice::None,
+      "row of the residue in output 2" },
+    { 1, ArrayPlace::Cells, "Residue", 1, "", ArrayChoice::None,
+      "name, number and chain, e.g. LYS 48 A" },
+    { 1, ArrayPlace::Cells, "ResidueId", 1, "", ArrayChoice::None, "number of the residue" },
+    { 1, ArrayPlace::Cells, "ChainIndex", 1, "", ArrayChoice::None,
+      "of the chain, in the order in which chains begin; ChainNames has the names" },
+    { 1, ArrayPlace::Cells, "SecondaryStructure", 1, "", ArrayChoice::None,
+      "0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi helix, 5 nucleic acid" },
+    { 1, ArrayPlace::Cells, "BFactor", 1, "angstrom^2", ArrayChoice::None,
+      "of the atom; where the input has it" },
+    { 1, ArrayPlace::Cells, "pLDDT", 1, "", ArrayChoice::None,
+      "of the atom; where the input has it" },
+    { 1, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "unit" },
+    { 2, ArrayPlace::Points, "ResidueIndex", 1, "", ArrayChoice::None, "row of the residue" },
+    { 2, ArrayPlace::Points, "Residue", 1, "", ArrayChoice::None,
+      "name, number and chain, e.g. LYS 48 A" },
+    { 2, ArrayPlace::Points, "ResidueId", 1, "", ArrayChoice::None, "number of the residue" },
+    { 2, ArrayPlace::Points, "ChainIndex", 1, "", ArrayChoice::None,
+      "of the chain, in the order in which chains begin; ChainNames has the names" },
+    { 2, ArrayPlace::Points, "SecondaryStructure", 1, "", ArrayChoice::None,
+      "0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi helix, 5 nucleic acid" },
+    { 2, ArrayPlace::Points, "BFactor", 1, "angstrom^2", ArrayChoice::None,
+      "mean of the residue's atoms; where the input has it" },
+    { 2, ArrayPlace::Points, "pLDDT", 1, "", ArrayChoice::None,
+      "mean of the residue's atoms; where the input has it" },
+    { 2, ArrayPlace::Points, "ResidueName", 1, "", ArrayChoice::None, "of the residue" },
+    { 2, ArrayPlace::Points, "Chain", 1, "", ArrayChoice::None, "name of the chain" },
+    { 2, ArrayPlace::Points, "InsertionCode", 1, "", ArrayChoice::None,
+      "of the residue; empty: none" },
+    { -1, ArrayPlace::Field, "ChainNames", 1, "", ArrayChoice::None, "of ChainIndex" },
+    { -1, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "where secondary structure is from, and what is not drawn" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -8,24 +8,13 @@
  *
  * **Output 0**, vtkPolyData: the cartoon of amino acids and nucleotides (MoleculeCartoon.h):
  * helices as ribbons, strands as arrows towards the C end, coil and nucleic acids as tubes, bases
- * as sticks. Gaps in a chain stay open. Cell arrays, of the residue that a polygon belongs to:
- *
- * - `ResidueIndex` (int): its row in output 2
- * - `Residue` (string): name, number and chain, "LYS 48 A"
- * - `ResidueId` (int): its number
- * - `ChainIndex` (int): its chain, by the order in which chains begin; the field array `ChainNames`
- *   has the names
- * - `SecondaryStructure` (unsigned char): 0 coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi
- *   helix, 5 nucleic acid
- * - `BFactor`, `pLDDT` (double): mean of its atoms, where the input has that array
+ * as sticks. Gaps in a chain stay open. Cell arrays are of the residue that a polygon belongs to.
  *
  * **Output 1**, vtkPolyData: ligands, ions and what else is selected as balls and sticks, of each
- * bond a half for either atom. Cell arrays: `Element` (unsigned short), `AtomName` (string) and
- * those of output 0, of the atom.
+ * bond a half for either atom. Cell arrays are of the atom.
  *
  * **Output 2**, vtkPolyData: a point and a vertex for each residue, at CA, C4' or P, else in the
- * middle of its atoms, with the same arrays as point arrays, and `ResidueName`, `Chain` and
- * `InsertionCode` (strings).
+ * middle of its atoms. OutputArrayTable() lists the arrays of all outputs.
  *
  * Secondary structure is that of the point array `SecondaryStructure`, which vtkMacromoleculeReader
  * takes from HELIX and SHEET records or their equivalent in mmCIF; without it, DSSP's by hydrogen
@@ -41,6 +30,7 @@
 
 #include "Atoms/MoleculeCartoon.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -54,6 +44,9 @@ public:
   static vtkMoleculeCartoon* New();
   vtkTypeMacro(vtkMoleculeCartoon, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// Residues of chains that are drawn as sticks, too: names (HIS), numbers (57) or numbers with a

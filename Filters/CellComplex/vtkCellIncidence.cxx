@@ -28,6 +28,31 @@
 
 vtkStandardNewMacro(vtkCellIncidence);
 
+const std::vector<isthmus::OutputArray>& vtkCellIncidence::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "EdgeId", 1, "", ArrayChoice::None, "number of the edge" },
+    { 0, ArrayPlace::Cells, "OnBoundary", 1, "", ArrayChoice::None,
+      "1 on the boundary of the mesh" },
+    { 0, ArrayPlace::Cells, "NumberOfIncidentCells", 1, "", ArrayChoice::None,
+      "cells of the input with this edge" },
+    { 0, ArrayPlace::Cells, "FirstIncidentCell", 1, "", ArrayChoice::None,
+      "the smallest number of its cells" },
+    { 1, ArrayPlace::Cells, "FaceId", 1, "", ArrayChoice::None, "number of the face" },
+    { 1, ArrayPlace::Cells, "OnBoundary", 1, "", ArrayChoice::None,
+      "1 on the boundary of the mesh" },
+    { 1, ArrayPlace::Cells, "NumberOfIncidentCells", 1, "", ArrayChoice::None,
+      "cells of the input with this face" },
+    { 1, ArrayPlace::Cells, "FirstIncidentCell", 1, "", ArrayChoice::None,
+      "the smaller number of its cells" },
+    { 1, ArrayPlace::Cells, "SecondIncidentCell", 1, "", ArrayChoice::None,
+      "the other one; -1: none, on the boundary" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -7,13 +7,9 @@
  * higher order are represented by their corner points, and points, lines and surface cells are
  * dropped, both with a warning.
  *
- * Output port 0, vtkPolyData: each edge as one line, from its smaller to its larger point. Cell
- * data: EdgeId (vtkIdType), OnBoundary (unsigned char, 1 on the mesh's boundary),
- * NumberOfIncidentCells and FirstIncidentCell (vtkIdType; the smallest number of an input cell).
- *
- * Output port 1, vtkPolyData: each face as one polygon, counter-clockwise seen from outside the
- * mesh or, for an interior face, from its second cell. Cell data: FaceId, OnBoundary,
- * NumberOfIncidentCells, FirstIncidentCell, SecondIncidentCell (-1 beyond the boundary).
+ * Output port 0, vtkPolyData: each edge as one line, from its smaller to its larger point. Output
+ * port 1, vtkPolyData: each face as one polygon, counter-clockwise seen from outside the mesh or,
+ * for an interior face, from its second cell. OutputArrayTable() lists their arrays.
  *
  * Edges are ordered by the numbers of their points, faces by their three smallest, so the ids do
  * not depend on the order of the cells or on the number of threads. Both outputs share the input's
@@ -28,6 +24,7 @@
 #ifndef vtkCellIncidence_h
 #define vtkCellIncidence_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -45,6 +42,9 @@ public:
   vtkGetMacro(PassCellData, bool);
   vtkBooleanMacro(PassCellData, bool);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkCellIncidence();

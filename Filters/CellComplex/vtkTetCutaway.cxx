@@ -34,6 +34,20 @@
 
 vtkStandardNewMacro(vtkTetCutaway);
 
+const std::vector<isthmus::OutputArray>& vtkTetCutaway::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "Exposed", 1, "", ArrayChoice::None,
+      "0 on the boundary of the mesh, 1 on a face that was inside" },
+    { 0, ArrayPlace::Cells, "OriginalCellIds", 1, "", ArrayChoice::None,
+      "cell of the input that the face bounds" },
+    { 1, ArrayPlace::Cells, "OriginalCellIds", 1, "", ArrayChoice::None, "cell of the input" },
+  };
+  return table;
+}
+
 namespace
 {
 

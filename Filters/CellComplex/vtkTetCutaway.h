@@ -11,11 +11,10 @@
  * class, any linear type is accepted.
  *
  * Output port 0, vtkPolyData: the boundary of the remaining cells, with each face as a polygon,
- * counter-clockwise seen from outside. Cell data: Exposed (unsigned char: 0 the mesh's own
- * boundary, 1 a face that was inside), OriginalCellIds (vtkIdType: the cell that the face bounds),
- * and that cell's data.
+ * counter-clockwise seen from outside, with the data of the cell that it bounds.
  *
- * Output port 1, vtkUnstructuredGrid: the cells that remain with their data and OriginalCellIds.
+ * Output port 1, vtkUnstructuredGrid: the cells that remain with their data. OutputArrayTable()
+ * lists the arrays that are added.
  *
  * Both outputs keep all points of the input, so that the bounds and the camera do not change.
  *
@@ -28,6 +27,7 @@
 
 #include "CellComplex/TetCutaway.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -85,6 +85,9 @@ public:
   ISTHMUS_PARAMETER_VECTOR3(PlaneOrigin, double);
   ISTHMUS_PARAMETER_VECTOR3(PlaneNormal, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkTetCutaway();

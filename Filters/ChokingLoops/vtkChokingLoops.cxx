@@ -1,5 +1,6 @@
 #include "vtkChokingLoops.h"
 
+#include "ChokingLoops/ChokingLoopArrays.h"
 #include "ChokingLoops/ChokingLoopsOutput.h"
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/MeshLoops.h"
@@ -106,50 +107,7 @@ const std::vector<isthmus::OutputArray>& vtkChokingLoops::OutputArrayTable()
   using isthmus::ArrayChoice;
   using isthmus::ArrayPlace;
   static const std::vector<isthmus::OutputArray> table{
-    { 0, ArrayPlace::Cells, "Kind", 1, "", ArrayChoice::None, "0 handle, 1 tunnel, 2 additional" },
-    { 0, ArrayPlace::Cells, "KindName", 1, "", ArrayChoice::None, "the same as text" },
-    { 0, ArrayPlace::Cells, "Side", 1, "", ArrayChoice::None, "0 inside, 1 outside" },
-    { 0, ArrayPlace::Cells, "Radius", 1, "length", ArrayChoice::None,
-      "of the ball that gets stuck" },
-    { 0, ArrayPlace::Cells, "Birth", 1, "length", ArrayChoice::None, "equal to Radius" },
-    { 0, ArrayPlace::Cells, "Death", 1, "length", ArrayChoice::None,
-      "radius at which the space behind the narrowing is filled" },
-    { 0, ArrayPlace::Cells, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
-    { 0, ArrayPlace::Cells, "Uncertainty", 1, "length", ArrayChoice::None,
-      "the true radius lies in [Radius - Uncertainty, Radius]; with TetrahedralMesh in [Radius - "
-      "Uncertainty, Radius + Uncertainty], since the distance is known only at the points of the "
-      "mesh. It is 0.61 times the longest edge of the tetrahedra on the same side that come that "
-      "close to the surface (with PointArray: the largest range of the array within one of them)" },
-    { 0, ArrayPlace::Cells, "Trusted", 1, "", ArrayChoice::None,
-      "1 for a feature of the surface, 0 if it may be caused by the sampling" },
-    { 0, ArrayPlace::Cells, "Length", 1, "length", ArrayChoice::None, "of the loop" },
-    { 0, ArrayPlace::Cells, "Reach", 1, "", ArrayChoice::None,
-      "of the feature, distance of its loops' farthest point from the choke point, in radii: 1 for "
-      "a round neck" },
-    { 0, ArrayPlace::Cells, "FeatureId", 1, "", ArrayChoice::None,
-      "number of the feature in all outputs" },
-    { 0, ArrayPlace::Cells, "Component", 1, "", ArrayChoice::None, "of the surface" },
-    { 0, ArrayPlace::Cells, "SharedWith", 1, "", ArrayChoice::None,
-      "if several narrowings have the same loop, such as the windows of a wall: the FeatureId of "
-      "the first of them, whose points the cells of the others use; otherwise -1" },
-    { 0, ArrayPlace::Field, "NumberOfSamples", 1, "", ArrayChoice::None, "of the surface" },
-    { 0, ArrayPlace::Field, "LargestSamplingError", 1, "length", ArrayChoice::None,
-      "of all samples" },
-    { 0, ArrayPlace::Field, "ReferenceLength", 1, "length", ArrayChoice::None, "inside, outside" },
-    { 0, ArrayPlace::Field, "NumberOfHandles", 1, "", ArrayChoice::None, "features" },
-    { 0, ArrayPlace::Field, "NumberOfTunnels", 1, "", ArrayChoice::None, "features" },
-    { 0, ArrayPlace::Field, "NumberOfAdditionalLoops", 1, "", ArrayChoice::None,
-      "inside, outside; features, each counted once, however many loops it has" },
-    { 0, ArrayPlace::Field, "NumberOfFeatures", 1, "", ArrayChoice::None,
-      "selected by Side and the thresholds" },
-    { 0, ArrayPlace::Field, "NumberOfUntrustedFeatures", 1, "", ArrayChoice::None,
-      "those of them that are not trusted" },
-    { 0, ArrayPlace::Field, "NumberOfShownFeatures", 1, "", ArrayChoice::None,
-      "those of them that remain after MaximumNumberOfLoops, TrustedOnly, MaximumLength and "
-      "MaximumReach" },
-    { 0, ArrayPlace::Field, "ProposedThreshold", 2, "length", ArrayChoice::None,
-      "inside, outside: the persistence at the middle of the side's largest gap, and the width of "
-      "the gap, 0 if there is none" },
+    ISTHMUS_LOOP_ARRAY_ROWS(0),
     { 0, ArrayPlace::Field, "Repaired", 1, "", ArrayChoice::None,
       "number of triangles changed by a repair; missing without one" },
     { 0, ArrayPlace::Field, "RepairedPlaces", 3, "length", ArrayChoice::None, "their centers" },
@@ -167,15 +125,7 @@ const std::vector<isthmus::OutputArray>& vtkChokingLoops::OutputArrayTable()
       "MembraneMethod is Automatic" },
     { 1, ArrayPlace::Cells, "GrowthCost", 1, "length", ArrayChoice::None,
       "sum of the path costs of the growth, before shortening; 0 for another method; with Greedy" },
-    { 2, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None,
-      "of the ball that gets stuck" },
-    { 2, ArrayPlace::Points, "Birth", 1, "length", ArrayChoice::None, "equal to Radius" },
-    { 2, ArrayPlace::Points, "Death", 1, "length", ArrayChoice::None,
-      "radius at which the space behind the narrowing is filled" },
-    { 2, ArrayPlace::Points, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },
-    { 2, ArrayPlace::Points, "Kind", 1, "", ArrayChoice::None, "0 handle, 1 tunnel, 2 additional" },
-    { 2, ArrayPlace::Points, "Side", 1, "", ArrayChoice::None, "0 inside, 1 outside" },
-    { 2, ArrayPlace::Points, "FeatureId", 1, "", ArrayChoice::None, "of the loops" },
+    ISTHMUS_CHOKE_POINT_ARRAY_ROWS(2),
     { 3, ArrayPlace::Rows, "FeatureId", 1, "", ArrayChoice::None, "number of the feature" },
     { 3, ArrayPlace::Rows, "Dimension", 1, "", ArrayChoice::None, "of the homology class" },
     { 3, ArrayPlace::Rows, "Side", 1, "", ArrayChoice::None, "0 inside, 1 outside" },

@@ -22,6 +22,30 @@
 
 vtkStandardNewMacro(vtkHandleFilling);
 
+const std::vector<isthmus::OutputArray>& vtkHandleFilling::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "Filling", 1, "", ArrayChoice::None,
+      "number of the filling, from 1; 0: on the input surface" },
+    { 0, ArrayPlace::Field, "Genus", 1, "", ArrayChoice::None,
+      "before, after; all components together" },
+    { 0, ArrayPlace::Field, "LeftOpen", 1, "", ArrayChoice::None,
+      "handles and tunnels below the size that could not be filled" },
+    { 1, ArrayPlace::Rows, "Filling", 1, "", ArrayChoice::None, "number of the filling, from 1" },
+    { 1, ArrayPlace::Rows, "Kind", 1, "", ArrayChoice::None, "0 handle, 1 tunnel" },
+    { 1, ArrayPlace::Rows, "KindName", 1, "", ArrayChoice::None, "the same as text" },
+    { 1, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None,
+      "of the ball that gets stuck" },
+    { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the membrane" },
+    { 1, ArrayPlace::Rows, "Thickness", 1, "length", ArrayChoice::None, "of the filling" },
+    { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None,
+      "Area times Thickness; negative: cut away" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -8,16 +8,9 @@
  *
  * Input: a closed triangulated surface (vtkPolyData).
  *
- * Output 0, the repaired surface (vtkPolyData), facing outward. Cell array:
- * - `Filling`: 0 on the input surface, otherwise the number of the filling, from 1.
- *
- * Field data: `Genus` (two values: before and after, all components together) and `LeftOpen`
- * (number of handles and tunnels below the size that could not be filled, with a warning).
- *
- * Output 1, the fillings (vtkTable), one row each, in the order in which they were made: `Filling`,
- * `Kind` (0 handle, 1 tunnel), `KindName`, `Radius` (of the ball that got stuck), `Area` (of the
- * membrane), `Thickness`, `Volume` (Area times Thickness; negative: cut away), in units of the
- * points.
+ * Outputs, whose arrays OutputArrayTable() lists: 0, the repaired surface (vtkPolyData), facing
+ * outward; 1, the fillings (vtkTable), one row each, in the order in which they were made. A
+ * warning says how many handles and tunnels below the size could not be filled.
  *
  * Of the input's arrays, only field data are passed on. Algorithm, limits, cost: HandleFilling.h.
  */
@@ -26,6 +19,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -66,6 +60,9 @@ public:
   /// As in vtkChokingLoops: longest edge of the samples; 0 (default): automatic.
   ISTHMUS_PARAMETER(SampleSpacing, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkHandleFilling();

@@ -25,6 +25,19 @@
 
 vtkStandardNewMacro(vtkLoopShortening);
 
+const std::vector<isthmus::OutputArray>& vtkLoopShortening::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "Length", 1, "length", ArrayChoice::None, "of the loop" },
+    { 0, ArrayPlace::Cells, "Converged", 1, "", ArrayChoice::None, "1: a geodesic" },
+    { 0, ArrayPlace::Cells, "Contractible", 1, "", ArrayChoice::None,
+      "1: the loop can be contracted to a point, and is returned unchanged" },
+  };
+  return table;
+}
+
 vtkLoopShortening::vtkLoopShortening()
 {
   this->SetNumberOfInputPorts(2);

@@ -8,8 +8,8 @@
  * joined along its edges where they are not neighbours, which keeps the class of loops that follow
  * the surface closely.
  *
- * Output: one closed polyline for each input loop, with its cell data, `Length`, `Converged` (1: a
- * geodesic) and `Contractible` (1: it can be contracted to a point, and is returned unchanged).
+ * Output: one closed polyline for each input loop, with its cell data and the arrays of
+ * OutputArrayTable(). A loop that can be contracted to a point is returned unchanged.
  *
  * Errors (one message, empty output): a surface that CheckedSurface() in SurfacePreparation.h
  * refuses, a loop on two parts of the surface, a loop that is a single point or runs back along
@@ -24,6 +24,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -49,6 +50,9 @@ public:
   /// The surface: the second input.
   void SetSurfaceConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(1, port); }
   void SetSurfaceData(vtkDataObject* surface) { this->SetInputData(1, surface); }
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkLoopShortening();

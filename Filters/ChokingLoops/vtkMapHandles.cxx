@@ -1,5 +1,6 @@
 #include "vtkMapHandles.h"
 
+#include "ChokingLoops/ChokingLoopArrays.h"
 #include "ChokingLoops/MapHandles.h"
 #include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
@@ -42,6 +43,92 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkMapHandles);
+
+const std::vector<isthmus::OutputArray>& vtkMapHandles::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "FeatureId", 1, "", ArrayChoice::None,
+      "of the class, as in Scalar Persistence with the same settings" },
+    { 0, ArrayPlace::Points, "Dimension", 1, "", ArrayChoice::None, "of the class" },
+    { 0, ArrayPlace::Points, "Birth", 1, "of the scalars", ArrayChoice::None,
+      "level at which the class appears" },
+    { 0, ArrayPlace::Points, "Death", 1, "of the scalars", ArrayChoice::None,
+      "level at which it disappears" },
+    { 0, ArrayPlace::Points, "Persistence", 1, "of the scalars", ArrayChoice::None,
+      "length of the interval, within the range" },
+    { 0, ArrayPlace::Points, "Level", 1, "of the scalars", ArrayChoice::None,
+      "value of the saddle" },
+    { 0, ArrayPlace::Points, "From", 1, "of the scalars", ArrayChoice::None,
+      "lowest level at which it exists, within the range" },
+    { 0, ArrayPlace::Points, "To", 1, "of the scalars", ArrayChoice::None,
+      "highest level at which it exists, within the range" },
+    { 0, ArrayPlace::Points, "IsThere", 1, "", ArrayChoice::None,
+      "1: it exists at the chosen level" },
+    { 0, ArrayPlace::Points, "BootstrapSupport", 1, "", ArrayChoice::None,
+      "fraction of resamples in which it is found again, persisting above the threshold; with "
+      "half maps" },
+    { 0, ArrayPlace::Points, "PValue", 1, "", ArrayChoice::None,
+      "for the hypothesis that the object does not have it at the chosen level; with half maps" },
+    { 1, ArrayPlace::Points, "FeatureId", 1, "", ArrayChoice::None,
+      "of the class, as in Scalar Persistence with the same settings" },
+    { 1, ArrayPlace::Points, "Dimension", 1, "", ArrayChoice::None, "of the class" },
+    { 1, ArrayPlace::Points, "Birth", 1, "of the scalars", ArrayChoice::None,
+      "level at which the class appears" },
+    { 1, ArrayPlace::Points, "Death", 1, "of the scalars", ArrayChoice::None,
+      "level at which it disappears" },
+    { 1, ArrayPlace::Points, "Persistence", 1, "of the scalars", ArrayChoice::None,
+      "length of the interval, within the range" },
+    { 1, ArrayPlace::Points, "Level", 1, "of the scalars", ArrayChoice::None,
+      "value of the saddle" },
+    { 1, ArrayPlace::Points, "From", 1, "of the scalars", ArrayChoice::None,
+      "lowest level at which it exists, within the range" },
+    { 1, ArrayPlace::Points, "To", 1, "of the scalars", ArrayChoice::None,
+      "highest level at which it exists, within the range" },
+    { 1, ArrayPlace::Points, "IsThere", 1, "", ArrayChoice::None,
+      "1: it exists at the chosen level" },
+    { 1, ArrayPlace::Points, "BootstrapSupport", 1, "", ArrayChoice::None,
+      "fraction of resamples in which it is found again, persisting above the threshold; with "
+      "half maps" },
+    { 1, ArrayPlace::Points, "PValue", 1, "", ArrayChoice::None,
+      "for the hypothesis that the object does not have it at the chosen level; with half maps" },
+    { 2, ArrayPlace::Rows, "Level", 1, "of the scalars", ArrayChoice::None, "of the row" },
+    { 2, ArrayPlace::Rows, "Beta0", 1, "", ArrayChoice::None,
+      "components of the persistent features" },
+    { 2, ArrayPlace::Rows, "Beta1", 1, "", ArrayChoice::None,
+      "tunnels of the persistent features" },
+    { 2, ArrayPlace::Rows, "Beta2", 1, "", ArrayChoice::None,
+      "cavities of the persistent features" },
+    { 2, ArrayPlace::Rows, "StableLevel", 1, "", ArrayChoice::None,
+      "Beta1 in the row of that level, else NaN: a single mark in a chart" },
+    { 2, ArrayPlace::Rows, "RecommendedLevel", 1, "", ArrayChoice::None,
+      "Beta1 in the row of that level, else NaN" },
+    { 3, ArrayPlace::Rows, "From", 1, "of the scalars", ArrayChoice::None,
+      "lower end of the interval" },
+    { 3, ArrayPlace::Rows, "To", 1, "of the scalars", ArrayChoice::None,
+      "upper end of the interval" },
+    { 3, ArrayPlace::Rows, "Middle", 1, "of the scalars", ArrayChoice::None,
+      "middle of the interval; that of the first row is the stable level" },
+    { 3, ArrayPlace::Rows, "Length", 1, "of the scalars", ArrayChoice::None, "of the interval" },
+    { 3, ArrayPlace::Rows, "Beta0", 1, "", ArrayChoice::None, "components within the interval" },
+    { 3, ArrayPlace::Rows, "Beta1", 1, "", ArrayChoice::None, "tunnels within the interval" },
+    { 3, ArrayPlace::Rows, "Beta2", 1, "", ArrayChoice::None, "cavities within the interval" },
+    ISTHMUS_LOOP_ARRAY_ROWS(5),
+    ISTHMUS_CHOKE_POINT_ARRAY_ROWS(6),
+    { -1, ArrayPlace::Field, "Level", 1, "of the scalars", ArrayChoice::None, "the level used" },
+    { -1, ArrayPlace::Field, "LevelSource", 1, "", ArrayChoice::None,
+      "where the level is from, as text" },
+    { -1, ArrayPlace::Field, "StableLevel", 1, "of the scalars", ArrayChoice::None,
+      "middle of the longest stable interval" },
+    { -1, ArrayPlace::Field, "RecommendedLevel", 1, "of the scalars", ArrayChoice::None,
+      "that of the input, if it has one" },
+    { -1, ArrayPlace::Field, "HalfMapCorrelation", 1, "", ArrayChoice::None,
+      "Pearson's, of means over blocks of 4^3 nodes without those where the halves are equal; "
+      "with half maps" },
+  };
+  return table;
+}
 
 namespace isthmus
 {
@@ -169,35 +256,21 @@ enum Port
   PortCount
 };
 
-/// The mean of both half maps, as an image, and half their difference, 0 where that is not a
-/// number.
-vtkSmartPointer<vtkImageData> ComputeMean(
-  vtkImageData* one, vtkDataArray* scalars, vtkDataArray* others, std::vector<float>& noise)
+/// The noise as NoiseBootstrap uses it; 0 where it does not fit into a float.
+std::vector<float> CopyNoise(vtkDataArray* difference)
 {
-  const vtkIdType count = scalars->GetNumberOfTuples();
-  const auto mean = isthmus::ArrayOfType(
-    isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others) ? VTK_FLOAT : VTK_DOUBLE,
-    scalars->GetName(), count);
-  noise.resize(static_cast<std::size_t>(count));
-  bool differs = false;
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<float> noise(static_cast<std::size_t>(difference->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < noise.size(); ++i)
   {
-    const double a = scalars->GetComponent(i, 0), b = others->GetComponent(i, 0);
-    mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
-    const auto half = static_cast<float>(a / 2.0 - b / 2.0);
-    noise[static_cast<std::size_t>(i)] = std::isfinite(half) ? half : 0.0F;
-    differs = differs || noise[static_cast<std::size_t>(i)] != 0.0F;
+    const auto value = static_cast<float>(difference->GetComponent(static_cast<vtkIdType>(i), 0));
+    noise[i] = std::isfinite(value) ? value : 0.0F;
   }
-  if (!differs)
+  if (std::all_of(noise.begin(), noise.end(), [](float value) { return value == 0.0F; }))
   {
-    throw std::invalid_argument(
-      "The half maps are equal, so the noise cannot be estimated from their difference: take two "
-      "halves, not one map twice.");
+    throw std::invalid_argument("The difference of the half maps is outside the range of single "
+                                "precision: multiply both maps by a factor.");
   }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->CopyStructure(one);
-  image->GetPointData()->SetScalars(mean);
-  return image;
+  return noise;
 }
 
 }
@@ -287,10 +360,14 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
       vtkWarningMacro(<< agreement.Message());
     }
     work.Correlation = agreement.Correlation;
-    work.Mean = ComputeMean(
-      work.Image, work.Scalars, isthmus::RemoveLinearDifference(agreement, others), work.Noise);
+    const isthmus::HalfMapMean halves =
+      isthmus::AverageHalfMaps(work.Scalars, isthmus::RemoveLinearDifference(agreement, others));
+    work.Noise = CopyNoise(halves.HalfDifference);
+    work.Mean = vtkSmartPointer<vtkImageData>::New();
+    work.Mean->CopyStructure(work.Image);
+    work.Mean->GetPointData()->SetScalars(halves.Mean);
     work.Image = work.Mean;
-    work.Scalars = work.Mean->GetPointData()->GetScalars();
+    work.Scalars = halves.Mean;
   }
   work.Volume = isthmus::MakeVolumeView(work.Scalars, work.Image);
 }

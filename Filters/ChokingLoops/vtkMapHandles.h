@@ -7,26 +7,17 @@
  * (2-saddles). Persistence shows over which range of levels each of them exists, and so helps to
  * choose a level.
  *
- * With a second half map as input 1, the map is the mean of both halves, and both lists of handles
- * have two more columns (see *Half maps*).
+ * With a second half map as input 1, the map is the mean of both halves, and each handle has a
+ * p-value (see *Half maps*).
  *
- * Outputs:
- *  - 0, *Bridges* and 1, *Windows* (vtkPolyData, points): `FeatureId` (of the class, as in
- *    vtkScalarPersistence with the same settings), `Dimension`, `Birth`, `Death`, `Persistence`,
- *    `Level` (the saddle's value), `From`, `To` (levels between which it exists, within the range),
- *    `IsThere` (1: it exists at the chosen level).
- *  - 2, *Levels* (vtkTable), for a line chart: `Level`, `Beta0` ... `Beta2` of the persistent
- *    features, and `StableLevel`, `RecommendedLevel`: Beta1 in the row of that level, NaN
- *    elsewhere, so that each is drawn as a single mark.
- *  - 3, *Stable Intervals* (vtkTable): `From`, `To`, `Middle`, `Length`, `Beta0` ... `Beta2`: the
- *    intervals of levels in which no persistent feature appears or disappears, the longest first.
- *    The first Middle is the stable level.
+ * Outputs, whose arrays OutputArrayTable() lists:
+ *  - 0, *Bridges* and 1, *Windows* (vtkPolyData, points);
+ *  - 2, *Levels* (vtkTable), for a line chart: Betti numbers of the persistent features;
+ *  - 3, *Stable Intervals* (vtkTable): the intervals of levels in which no persistent feature
+ *    appears or disappears, the longest first. Its middle is the stable level.
  *  - 4, *Contour* (vtkPolyData) at the chosen level, ready for Choking Loops.
  *  - 5, *Loops* and 6, *Choke Points* of it (with Loops on), by vtkChokingLoops with its default
  *    settings.
- *
- * Field data of all outputs: `Level` (the chosen one), `LevelSource`, `StableLevel`, and
- * `RecommendedLevel` if the map has one.
  *
  * **Range.** Density within the noise should not count as persistence, so bars are clipped to
  * Range; by default this extends from the mean of the map (the surroundings of the molecule) to its
@@ -43,19 +34,17 @@
  * (windows of 17 nodes). In each, the handles are found with the same range, level and threshold of
  * persistence. A handle is found again if one of its kind is within 8 nodes; of several, it is the
  * one whose interval is the most alike, and each is taken once, the longest first.
- *  - `BootstrapSupport`: share of resamples in which the handle is found again.
- *  - `PValue` for the hypothesis that the object has no such handle at the chosen level, by the
- *    basic (pivotal) bootstrap: (1 + k) / (1 + resamples), where k resamples are without the
- *    handle, or their noise extends its interval by as much as that extends beyond the level. 1
- *    where IsThere is 0. It is for a single handle: of 100 handles made by noise about 5 have a
- *    p-value below 0.05.
+ * `PValue` is by the basic (pivotal) bootstrap: (1 + k) / (1 + resamples), where k resamples are
+ * without the handle, or their noise extends its interval by as much as that extends beyond the
+ * level. 1 where IsThere is 0. It is for a single handle: of 100 handles made by noise about 5 have
+ * a p-value below 0.05.
  *
  * Where the half maps are equal, outside of a mask, there is no noise; maps that are equal
- * everywhere are refused. Field data `HalfMapCorrelation`: Pearson's, of means over blocks of 4^3
- * nodes, without equal nodes; below 0.1, a warning says that the maps have nothing in common. Noise
- * is taken as symmetric, and as uncorrelated beyond blocks. Cost: that of vtkScalarPersistence on
- * noisy data for each resample, and 36 bytes a node (44 with scalars of type double or integers of
- * more than 16 bits). Results are bitwise identical for the same Seed.
+ * everywhere are refused. Where `HalfMapCorrelation` is below 0.1, a warning says that the maps
+ * have nothing in common. Noise is taken as symmetric, and as uncorrelated beyond blocks. Cost:
+ * that of vtkScalarPersistence on noisy data for each resample, and 36 bytes a node (44 with
+ * scalars of type double or integers of more than 16 bits). Results are bitwise identical for the
+ * same Seed.
  *
  * **Errors** (one message, empty outputs): a value that is not a number; an invalid range or
  * persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and
@@ -68,6 +57,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -88,6 +78,9 @@ public:
   static vtkMapHandles* New();
   vtkTypeMacro(vtkMapHandles, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// The object is where the map is above the level (densities). Default on.

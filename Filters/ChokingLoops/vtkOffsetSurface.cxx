@@ -24,6 +24,19 @@
 
 vtkStandardNewMacro(vtkOffsetSurface);
 
+const std::vector<isthmus::OutputArray>& vtkOffsetSurface::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None,
+      "unit, outward from what the surface encloses" },
+    { 0, ArrayPlace::Field, "GridSpacing", 1, "length", ArrayChoice::None,
+      "of the grid on which the distance was sampled" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -9,8 +9,8 @@
  * square of the grid spacing divided by the distance.
  *
  * Input: triangles (vtkPolyData), closed unless both sides are requested. Output: the surface at
- * `Distance` on the requested side, with the grid spacing as field data `GridSpacing`. Triangles
- * and `Normals` face outward from what it encloses: the grown body, the shrunken one, or the layer
+ * `Distance` on the requested side, with the arrays of OutputArrayTable(). Triangles and normals
+ * face outward from what it encloses: the grown body, the shrunken one, or the layer
  * between both. Formulas, errors and cost: OffsetSurface.h.
  */
 #ifndef vtkOffsetSurface_h
@@ -18,6 +18,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -49,6 +50,9 @@ public:
   /// Grid cells along the longest side of the offset's bounding box, from 8 to 1024. Default 128.
   ISTHMUS_PARAMETER(Resolution, int);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkOffsetSurface() = default;

@@ -26,6 +26,18 @@
 
 vtkStandardNewMacro(vtkDelaunayIsosurface);
 
+const std::vector<isthmus::OutputArray>& vtkDelaunayIsosurface::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Field, "Level", 1, "of the scalars", ArrayChoice::None, "the level used" },
+    { 0, ArrayPlace::Field, "LevelSource", 1, "", ArrayChoice::None,
+      "where the level is from, as text" },
+  };
+  return table;
+}
+
 namespace
 {
 

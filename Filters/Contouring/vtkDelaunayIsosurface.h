@@ -21,6 +21,7 @@
 
 #include "Contouring/DelaunayIsosurface.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -30,6 +31,9 @@ public:
   static vtkDelaunayIsosurface* New();
   vtkTypeMacro(vtkDelaunayIsosurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// The inside is where the value is above the level (densities).

@@ -34,6 +34,19 @@
 
 vtkStandardNewMacro(vtkDualContouring);
 
+const std::vector<isthmus::OutputArray>& vtkDualContouring::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Field, "Level", 1, "of the scalars", ArrayChoice::None,
+      "the level used; of an image" },
+    { 0, ArrayPlace::Field, "LevelSource", 1, "", ArrayChoice::None,
+      "where the level is from, as text; of an image" },
+  };
+  return table;
+}
+
 namespace
 {
 

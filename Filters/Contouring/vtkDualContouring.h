@@ -20,6 +20,7 @@
 
 #include "Contouring/DualContouringParameters.h"
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -29,6 +30,9 @@ public:
   static vtkDualContouring* New();
   vtkTypeMacro(vtkDualContouring, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   ///@{
   /// The inside is where the value is above the level; volumes only.

@@ -28,8 +28,8 @@ namespace isthmus
 
 enum class ArrayPlace
 {
-  Points,
-  Cells,
+  Points, ///< or atoms of a vtkMolecule
+  Cells,  ///< or bonds of a vtkMolecule
   Field,
   Rows, ///< of a table
 };
@@ -45,9 +45,11 @@ enum class ArrayChoice
 /// An array that a filter adds to an output.
 struct OutputArray
 {
-  int Port;
+  int Port; ///< -1: all outputs
   ArrayPlace Place;
-  const char* Name; ///< ends in _NAME if there is an array for each of several names
+  /// NAME in it stands for any text, where there is an array for each of several names. INPUT: the
+  /// name of an array of an input, whose values are changed.
+  const char* Name;
   int Components;   ///< 0: depends on the input
   const char* Unit; ///< empty: none
   ArrayChoice Choice;

@@ -33,6 +33,52 @@
 
 vtkStandardNewMacro(vtkScalarRegions);
 
+const std::vector<isthmus::OutputArray>& vtkScalarRegions::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Region", 1, "", ArrayChoice::None, "number of the region" },
+    { 0, ArrayPlace::Cells, "Region", 1, "", ArrayChoice::None,
+      "number of the region; the middle one of those of the corners" },
+    { 0, ArrayPlace::Points, "SecondRegion", 1, "", ArrayChoice::None,
+      "region of the second scalar" },
+    { 0, ArrayPlace::Cells, "SecondRegion", 1, "", ArrayChoice::None,
+      "region of the second scalar; the middle one of those of the corners" },
+    { 0, ArrayPlace::Points, "JointRegion", 1, "", ArrayChoice::None,
+      "Region x number of second regions + SecondRegion" },
+    { 0, ArrayPlace::Cells, "JointRegion", 1, "", ArrayChoice::None,
+      "Region x number of second regions + SecondRegion; the middle one of those of the corners" },
+    { 0, ArrayPlace::Points, "ToonColor", 3, "", ArrayChoice::None,
+      "red, green, blue: the lowest region is red, the highest blue, others are grey" },
+    { 1, ArrayPlace::Rows, "Region", 1, "", ArrayChoice::None, "number of the region" },
+    { 1, ArrayPlace::Rows, "From", 1, "of the scalars", ArrayChoice::None,
+      "lower threshold; -infinity: none" },
+    { 1, ArrayPlace::Rows, "To", 1, "of the scalars", ArrayChoice::None,
+      "upper threshold; infinity: none" },
+    { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the region" },
+    { 1, ArrayPlace::Rows, "Fraction", 1, "", ArrayChoice::None, "of the area of the surface" },
+    { 1, ArrayPlace::Rows, "NAME below NAME", 1, "length^2", ArrayChoice::None,
+      "area of the region that is also in the lowest region of the second scalar, whose array "
+      "and threshold are in the name" },
+    { 1, ArrayPlace::Rows, "NAME NAME to NAME", 1, "length^2", ArrayChoice::None,
+      "the same for regions between its thresholds" },
+    { 1, ArrayPlace::Rows, "NAME from NAME", 1, "length^2", ArrayChoice::None,
+      "the same for its highest region" },
+    { 2, ArrayPlace::Rows, "Minimum", 1, "of the scalars", ArrayChoice::None,
+      "lowest threshold of the step" },
+    { 2, ArrayPlace::Rows, "Maximum", 1, "of the scalars", ArrayChoice::None,
+      "highest threshold of the step" },
+    { 2, ArrayPlace::Rows, "Below", 1, "length^2", ArrayChoice::None, "area below Minimum" },
+    { 2, ArrayPlace::Rows, "Between", 1, "length^2", ArrayChoice::None, "area between them" },
+    { 2, ArrayPlace::Rows, "Above", 1, "length^2", ArrayChoice::None, "area above Maximum" },
+    { 3, ArrayPlace::Rows, "Value", 1, "of the scalars", ArrayChoice::None, "middle of the bin" },
+    { 3, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the bin" },
+    { 3, ArrayPlace::Rows, "Fraction", 1, "", ArrayChoice::None, "of the area of the surface" },
+  };
+  return table;
+}
+
 namespace
 {
 

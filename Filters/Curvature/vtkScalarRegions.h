@@ -8,21 +8,14 @@
  * define n + 1 regions: region 0 is below the first threshold, region i is [threshold i, threshold
  * i + 1), and region n is from the last threshold upwards.
  *
- * **Output 0**, the surface with labels on points and cells: `Region`, with a second scalar also
- * `SecondRegion` and `JointRegion` (Region x number of second regions + SecondRegion); a cell has
- * the middle one of the regions of its corners (for a triangle, the one that contains two of them).
- * On points also `ToonColor` (red, green, blue): the lowest region is red, the highest blue, all
- * others grey. `Region` becomes the active scalars.
- *
- * **Output 1**, table with one row per region: `Region`, `From`, `To` (infinite at the ends),
- * `Area` (length^2), `Fraction`; with a second scalar also the joint areas, in a column for each of
- * its regions, named "<array> below t", "<array> t1 to t2", "<array> from t".
- *
- * **Output 2**, table of a threshold sweep (with SweepSteps): the lowest threshold moves to
- * SweepTarget, then the highest one; `Minimum`, `Maximum`, `Below`, `Between`, `Above` (areas).
- *
- * **Output 3**, histogram of the first scalar by area: `Value` (middle of the bin), `Area`,
- * `Fraction`; with HistogramBins bins from its lowest to its highest value on the surface.
+ * Outputs, whose arrays OutputArrayTable() lists:
+ *  - 0, the surface with labels on points and cells; `Region` becomes the active scalars;
+ *  - 1, table with one row per region and its area; with a second scalar also the joint areas, in a
+ *    column for each of its regions;
+ *  - 2, table of a threshold sweep (with SweepSteps): the lowest threshold moves to SweepTarget,
+ *    then the highest one;
+ *  - 3, histogram of the first scalar by area, with HistogramBins bins from its lowest to its
+ *    highest value on the surface.
  *
  * Polygons and strips are split into triangles for the areas. Rules and sources are in
  * ScalarRegions.h.
@@ -38,6 +31,7 @@
 #ifndef vtkScalarRegions_h
 #define vtkScalarRegions_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -121,6 +115,9 @@ public:
   vtkTable* GetSweepTable() { return this->TableAt(2); }
   vtkTable* GetHistogram() { return this->TableAt(3); }
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkScalarRegions();

@@ -4,10 +4,8 @@
  *
  * Input: atoms with names, any vtkPointSet, for example from vtkMacromoleculeReader for a PDB or
  * mmCIF file. Output, of the same type: the atoms that the force field knows, with its hydrogens,
- * and the point arrays `Charge` (e), `Radius` (angstrom), `AtomName`, `Element`, `InputAtom` (the
- * point of the input, -1: new) and those of the input that a residue has (`ResidueName`,
- * `ResidueId`, `Chain`, `InsertionCode`, `IsHetero`). Atoms that already have charges (a PQR file)
- * are returned unchanged.
+ * and the arrays of OutputArrayTable(). Atoms that already have charges (a PQR file) are returned
+ * unchanged.
  *
  * The program pdb2pqr has to be installed (ProteinCharges.h); vtkPoissonBoltzmann calls it in the
  * same way. It runs in a temporary folder on a file of the atoms in memory: the user's files are
@@ -26,6 +24,7 @@
 #ifndef vtkForceFieldCharges_h
 #define vtkForceFieldCharges_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
 #include "vtkPointSetAlgorithm.h"
 
@@ -54,6 +53,9 @@ public:
   vtkSetMacro(ForceField, int);
   vtkGetMacro(ForceField, int);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkForceFieldCharges();

@@ -1,5 +1,6 @@
 #include "Imaging/HalfMapAgreement.h"
 
+#include "Core/ImageScalars.h"
 #include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 namespace isthmus
@@ -315,6 +317,29 @@ vtkSmartPointer<vtkDataArray> RemoveLinearDifference(
     values->SetValue(i, (other->GetComponent(i, 0) - agreement.Offset) / agreement.Factor);
   }
   return values.Get();
+}
+
+HalfMapMean AverageHalfMaps(vtkDataArray* one, vtkDataArray* other)
+{
+  const int type = FitsFloat(one) && FitsFloat(other) ? VTK_FLOAT : VTK_DOUBLE;
+  const vtkIdType count = one->GetNumberOfTuples();
+  HalfMapMean result{ ArrayOfType(type, one->GetName(), count), ArrayOfType(type, nullptr, count) };
+  bool differs = false;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double a = one->GetComponent(i, 0), b = other->GetComponent(i, 0);
+    result.Mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
+    const double noise = a / 2.0 - b / 2.0;
+    result.HalfDifference->SetComponent(i, 0, std::isfinite(noise) ? noise : 0.0);
+    differs = differs || (noise != 0.0 && std::isfinite(noise));
+  }
+  if (!differs)
+  {
+    throw std::invalid_argument(
+      "The half maps are equal, so the noise cannot be estimated from their difference: take "
+      "two halves, not one map twice.");
+  }
+  return result;
 }
 
 std::string HalfMapAgreement::Message() const

@@ -1,7 +1,7 @@
 /**
  * @file HalfMapAgreement.h
  * @brief Whether two half maps belong together: their correlation, and a factor, an offset or a
- * shift between them.
+ * shift between them; their mean and their noise.
  */
 #ifndef isthmus_HalfMapAgreement_h
 #define isthmus_HalfMapAgreement_h
@@ -53,6 +53,17 @@ VTKISTHMUSFILTERSIMAGING_EXPORT HalfMapAgreement CompareHalfMaps(
 /// `other` itself if there is none.
 VTKISTHMUSFILTERSIMAGING_EXPORT vtkSmartPointer<vtkDataArray> RemoveLinearDifference(
   const HalfMapAgreement& agreement, vtkDataArray* other);
+
+/// What two half maps have in common, and their noise: float if both fit into it, else double.
+struct HalfMapMean
+{
+  vtkSmartPointer<vtkDataArray> Mean;           ///< with the name of the first half's array
+  vtkSmartPointer<vtkDataArray> HalfDifference; ///< noise like that of the mean; 0 where not finite
+};
+
+/// @pre both arrays have one number at each of the same nodes.
+/// @throws std::invalid_argument if the halves are equal.
+VTKISTHMUSFILTERSIMAGING_EXPORT HalfMapMean AverageHalfMaps(vtkDataArray* one, vtkDataArray* other);
 
 }
 

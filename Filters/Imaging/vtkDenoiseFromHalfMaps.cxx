@@ -7,6 +7,7 @@
 #include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
+#include "Imaging/DenoisingArrays.h"
 #include "Imaging/HalfMapAgreement.h"
 #include "Imaging/LocalResolution.h"
 #include "vtkDenoiseMap.h"
@@ -31,6 +32,22 @@
 
 vtkStandardNewMacro(vtkDenoiseFromHalfMaps);
 
+const std::vector<isthmus::OutputArray>& vtkDenoiseFromHalfMaps::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_DENOISING_ARRAY_ROWS,
+    { 0, ArrayPlace::Points, "LocalResolution", 1, "length", ArrayChoice::None,
+      "wavelength at which the correlation of the halves in a window of 24 nodes falls below "
+      "0.5, between twice the spacing and the width of the window" },
+    { 0, ArrayPlace::Field, "HalfMapCorrelation", 1, "", ArrayChoice::None,
+      "of the halves: Pearson's, of means over blocks of 4^3 nodes without those where they "
+      "are equal" },
+  };
+  return table;
+}
+
 namespace
 {
 
@@ -50,26 +67,6 @@ vtkDataArray* CheckedScalars(vtkImageData* half, const char* which)
   }
   isthmus::RequireUsualValues(scalars);
   return scalars;
-}
-
-/// The mean of both as `mean`, half their difference as `difference`, 0 where that is not a number.
-void Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean, vtkDataArray* difference)
-{
-  double count = 0.0;
-  for (vtkIdType i = 0; i < one->GetNumberOfTuples(); ++i)
-  {
-    const double a = one->GetComponent(i, 0), b = other->GetComponent(i, 0);
-    mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
-    const double noise = a / 2.0 - b / 2.0;
-    difference->SetComponent(i, 0, std::isfinite(noise) ? noise : 0.0);
-    count += noise != 0.0 && std::isfinite(noise) ? 1.0 : 0.0;
-  }
-  if (!(count > 0.0))
-  {
-    throw std::invalid_argument(
-      "The half maps are equal, so the noise cannot be estimated from their difference: take "
-      "two halves, not one map twice.");
-  }
 }
 
 /// The finite values minus their mean, scaled to at most about 1 by a power of two, so that they
@@ -149,17 +146,13 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   const vtkSmartPointer<vtkDataArray> alike = isthmus::RemoveLinearDifference(agreement, others);
   others = alike;
   constexpr char differenceName[] = "IsthmusHalfDifference";
-  const bool fitsFloat = isthmus::FitsFloat(scalars) && isthmus::FitsFloat(others);
-  const int type = fitsFloat ? VTK_FLOAT : VTK_DOUBLE;
-  const vtkIdType size = scalars->GetNumberOfTuples();
-  const auto mean = isthmus::ArrayOfType(type, scalars->GetName(), size);
-  const auto difference = isthmus::ArrayOfType(type, differenceName, size);
-  Average(scalars, others, mean, difference);
+  const isthmus::HalfMapMean halves = isthmus::AverageHalfMaps(scalars, others);
+  halves.HalfDifference->SetName(differenceName);
   vtkNew<vtkImageData> volume;
   volume->CopyStructure(one);
   volume->GetFieldData()->PassData(one->GetFieldData());
-  volume->GetPointData()->SetScalars(mean);
-  volume->GetPointData()->AddArray(difference);
+  volume->GetPointData()->SetScalars(halves.Mean);
+  volume->GetPointData()->AddArray(halves.HalfDifference);
   vtkNew<vtkDenoiseMap> denoising;
   denoising->SetInputData(volume);
   denoising->SetInputArrayToProcess(
@@ -172,7 +165,8 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   isthmus::UpdateInner(denoising, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   isthmus::Report(isthmus::MakeProgress(this), 0.7); // throws if it was aborted
-  const auto resolution = isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", size);
+  const auto resolution =
+    isthmus::ArrayOfType(VTK_FLOAT, "LocalResolution", scalars->GetNumberOfTuples());
   const double* spacing = one->GetSpacing();
   isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
     CenteredValues(scalars), CenteredValues(others),

@@ -12,14 +12,11 @@
  * a spacing), one-component point scalars each. Nodes at which the halves are equal, e.g. outside a
  * mask, are ignored when the noise is measured.
  *
- * Output: the denoised mean, with the arrays and field data of vtkDenoiseMap and the name
- * of the first half's array, and `LocalResolution` (angstrom, if that is the spacing's unit): the
- * wavelength at which the halves' correlation in a window of 24 nodes falls below 0.5
- * (LocalResolution.h); it does not depend on the unit of the density. Equal half maps are refused
- * with an error, since they have no noise. Both are needed whole. Halves that do not belong
- * together (HalfMapAgreement.h) give a warning with the factor, offset or shift found; a linear
- * difference of the second one is removed first. Field data `HalfMapCorrelation`: Pearson's, of
- * means over blocks of 4^3 nodes.
+ * Output: the denoised mean, with the name of the first half's array, and the arrays of
+ * OutputArrayTable(). `LocalResolution` (LocalResolution.h) does not depend on the unit of the
+ * density. Equal half maps are refused with an error, since they have no noise. Both are needed
+ * whole. Halves that do not belong together (HalfMapAgreement.h) give a warning with the factor,
+ * offset or shift found; a linear difference of the second one is removed first.
  *
  * @sa vtkDenoiseMap
  */
@@ -27,6 +24,7 @@
 #define vtkDenoiseFromHalfMaps_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/DenoisingRisk.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -53,6 +51,9 @@ public:
   /// Purpose of the denoised volume: vtkDenoiseMap::Surfaces or vtkDenoiseMap::Volumes.
   ISTHMUS_PARAMETER(Goal, int);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkDenoiseFromHalfMaps();

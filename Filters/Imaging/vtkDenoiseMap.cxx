@@ -1,6 +1,7 @@
 #include "vtkDenoiseMap.h"
 
 #include "Core/NumberText.h"
+#include "Imaging/DenoisingArrays.h"
 #include "Imaging/DiffusionImage.h"
 
 #include <vtkDataArray.h>
@@ -10,6 +11,16 @@
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkDenoiseMap);
+
+const std::vector<isthmus::OutputArray>& vtkDenoiseMap::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    ISTHMUS_DENOISING_ARRAY_ROWS,
+  };
+  return table;
+}
 
 vtkDenoiseMap::vtkDenoiseMap() = default;
 

@@ -8,13 +8,8 @@
  * are estimated from the volume (NoiseSpectrum.h). Constant background, e.g. outside a mask, is not
  * changed.
  *
- * The output array has the input array's name. Field data: `NoiseLevel` (data unit), `UsedOrder`,
- * `UsedEdgeStopping` (0 or 1), `UsedSigma`, `UsedPreSmoothing`, `UsedTime` (in voxels and data
- * units), `EstimatedGain` and its standard error `EstimatedGainError` (dB in mean squared error),
- * `Choice` (a sentence), the estimated error `RiskValue` over `RiskTime` for the chosen order and
- * Sigma (for Goal Surfaces that of the Laplacian, unless that of the values decided), and
- * `StepTime`, `StepChange`, `StepResidual` as in vtkHighOrderDiffusion. A warning says why where
- * nothing or hardly anything is changed.
+ * The output array has the input array's name; OutputArrayTable() lists the field data. A warning
+ * says why where nothing or hardly anything is changed.
  *
  * Where an array of noise like the volume's is known, e.g. from half maps, it is set by
  * `SetInputArrayToProcess(1, ...)` and gives level and spectrum.
@@ -28,6 +23,7 @@
 #define vtkDenoiseMap_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/DenoiseMap.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -63,6 +59,9 @@ public:
   /// are estimated where the volume is not constant.
   ISTHMUS_PARAMETER(KnownNoise, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkDenoiseMap();

@@ -12,6 +12,26 @@
 
 vtkStandardNewMacro(vtkHighOrderDiffusion);
 
+const std::vector<isthmus::OutputArray>& vtkHighOrderDiffusion::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "INPUT", 1, "of the scalars", ArrayChoice::None,
+      "the values after the diffusion, with the input array's name" },
+    { 0, ArrayPlace::Field, "NoiseLevel", 1, "of the scalars", ArrayChoice::None,
+      "standard deviation of the noise; where Sigma is derived from it" },
+    { 0, ArrayPlace::Field, "UsedSigma", 1, "of the scalars per length", ArrayChoice::None,
+      "where it is derived from the noise" },
+    { 0, ArrayPlace::Field, "StepTime", 1, "", ArrayChoice::None, "time at the end of each step" },
+    { 0, ArrayPlace::Field, "StepChange", 1, "of the scalars", ArrayChoice::None,
+      "rms of what the step changed" },
+    { 0, ArrayPlace::Field, "StepResidual", 1, "of the scalars per time", ArrayChoice::None,
+      "rms of the rate at the start of the step" },
+  };
+  return table;
+}
+
 vtkHighOrderDiffusion::vtkHighOrderDiffusion() = default;
 
 int vtkHighOrderDiffusion::HaloWidth()

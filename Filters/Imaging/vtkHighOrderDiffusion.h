@@ -14,9 +14,8 @@
  * diffusion removed are restored. Time must be set; vtkDenoiseMap chooses equation and time
  * automatically.
  *
- * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
- * of what a step changed) and `StepResidual` (rms of the rate at its start); where Sigma is derived
- * from the noise, `UsedSigma` and `NoiseLevel` (EstimateNoise of NoiseEstimate.h).
+ * The output array has the input array's name; OutputArrayTable() lists the field data. Sigma 0 is
+ * derived from the noise (EstimateNoise of NoiseEstimate.h).
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
  * ForwardEuler. Memory in addition to input and output, in volumes of the output's type: 4 with
@@ -29,6 +28,7 @@
 #define vtkHighOrderDiffusion_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/HighOrderDiffusion.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -146,6 +146,9 @@ public:
   vtkGetMacro(VoxelUnits, bool);
   vtkBooleanMacro(VoxelUnits, bool);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkHighOrderDiffusion();

@@ -12,6 +12,19 @@
 
 vtkStandardNewMacro(vtkPDETransform);
 
+const std::vector<isthmus::OutputArray>& vtkPDETransform::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "ModeNAME", 1, "of the scalars", ArrayChoice::None,
+      "Mode1, Mode2, ...: what each low-pass filter removes, the finest detail first" },
+    { 0, ArrayPlace::Points, "Residue", 1, "of the scalars", ArrayChoice::None,
+      "the smooth rest: the input is its sum with all modes" },
+  };
+  return table;
+}
+
 vtkPDETransform::vtkPDETransform() = default;
 
 int vtkPDETransform::HaloWidth()

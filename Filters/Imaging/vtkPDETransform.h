@@ -7,12 +7,12 @@
  * ones have left. Low-pass filter k halves the amplitude of waves of the wavelength FirstWavelength
  * WavelengthRatio^(k-1).
  *
- * Output arrays: `Mode1`, ..., `Mode<n>` and `Residue` (active); their sum is the input up to the
- * rounding of the additions. Times are chosen from wavelengths; orders fall by one from FirstOrder
- * to LastOrder. All modes come from one Chebyshev recurrence of the Laplacian (PDETransform.h), to
- * 1e-7 of the input (float) or 1e-13 (double), apart from rounding. Cost: the number of terms of
- * this recurrence is about three times the longest wavelength in voxels. Memory: n + 1 output
- * volumes and four more.
+ * Output arrays: those of OutputArrayTable(), of which `Residue` is active; their sum is the input
+ * up to the rounding of the additions. Times are chosen from wavelengths; orders fall by one from
+ * FirstOrder to LastOrder. All modes come from one Chebyshev recurrence of the Laplacian
+ * (PDETransform.h), to 1e-7 of the input (float) or 1e-13 (double), apart from rounding. Cost: the
+ * number of terms of this recurrence is about three times the longest wavelength in voxels. Memory:
+ * n + 1 output volumes and four more.
  *
  * @sa vtkHighOrderDiffusion vtkDiffusionHighPass
  */
@@ -20,6 +20,7 @@
 #define vtkPDETransform_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Imaging/PDETransform.h"
 #include "vtkDiffusionAlgorithm.h"
 #include "vtkIsthmusFiltersImagingModule.h"
@@ -63,6 +64,9 @@ public:
   vtkGetMacro(VoxelUnits, bool);
   vtkBooleanMacro(VoxelUnits, bool);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkPDETransform();

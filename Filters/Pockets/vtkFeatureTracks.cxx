@@ -16,6 +16,41 @@
 
 vtkStandardNewMacro(vtkFeatureTracks);
 
+const std::vector<isthmus::OutputArray>& vtkFeatureTracks::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Rows, "Track", 1, "", ArrayChoice::None, "number of the track, from 1" },
+    { 0, ArrayPlace::Rows, "Time", 1, "", ArrayChoice::None, "of the time step" },
+    { 0, ArrayPlace::Rows, "FeatureId", 1, "", ArrayChoice::None,
+      "row or point in the input, from 1, or the id of the group" },
+    { 0, ArrayPlace::Rows, "X", 1, "length", ArrayChoice::None, "center of the feature" },
+    { 0, ArrayPlace::Rows, "Y", 1, "length", ArrayChoice::None, "center of the feature" },
+    { 0, ArrayPlace::Rows, "Z", 1, "length", ArrayChoice::None, "center of the feature" },
+    { 0, ArrayPlace::Rows, "Radius", 1, "", ArrayChoice::None, "of the input; NaN: not known" },
+    { 0, ArrayPlace::Rows, "Volume", 1, "", ArrayChoice::None, "of the input; NaN: not known" },
+    { 0, ArrayPlace::Rows, "Score", 1, "", ArrayChoice::None, "of the input; NaN: not known" },
+    { 0, ArrayPlace::Rows, "Kind", 1, "", ArrayChoice::None,
+      "as in Choking Loops; of choking loops" },
+    { 0, ArrayPlace::Rows, "Side", 1, "", ArrayChoice::None,
+      "as in Choking Loops; of choking loops" },
+    { 1, ArrayPlace::Rows, "Time", 1, "", ArrayChoice::None, "of the time step" },
+    { 1, ArrayPlace::Rows, "Track NAME", 1, "", ArrayChoice::None,
+      "Track 1, Track 2, ...: Radius, Volume or Score, by Charted; NaN: the track does not "
+      "exist at that time" },
+    { 2, ArrayPlace::Points, "Track", 1, "", ArrayChoice::None, "number of the track" },
+    { 2, ArrayPlace::Points, "Time", 1, "", ArrayChoice::None, "of the time step" },
+    { 2, ArrayPlace::Points, "Radius", 1, "", ArrayChoice::None, "of the input; NaN: not known" },
+    { 3, ArrayPlace::Rows, "Event", 1, "", ArrayChoice::None, "merge or split" },
+    { 3, ArrayPlace::Rows, "Time", 1, "", ArrayChoice::None, "of the time step" },
+    { 3, ArrayPlace::Rows, "Track", 1, "", ArrayChoice::None, "number of the track" },
+    { 3, ArrayPlace::Rows, "Other", 1, "", ArrayChoice::None,
+      "number of the track that it merges with, or splits from" },
+  };
+  return table;
+}
+
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkFeatureTracks::vtkFeatureTracks()

@@ -13,15 +13,10 @@
  *
  * The filter requests all time steps, one after the other. FeatureTracks.h has the definitions.
  *
- * - **Output 0**, vtkTable: one row per feature and time: `Track` (from 1), `Time`, `FeatureId`
- *   (row or point in the input, from 1, or the id of the group), `X`, `Y`, `Z`, `Radius`, `Volume`,
- *   `Score` (NaN if not known); of choking loops also `Kind` and `Side` (vtkChokingLoops), which no
- *   track changes.
- * - **Output 1**, vtkTable for charts: one row per time, with `Time` and a column `Track N` with
- *   Radius, Volume or Score (Charted), NaN where the track is missing; the longest tracks come
- *   first.
- * - **Output 2**, vtkPolyData: one polyline per track, point arrays `Track`, `Time`, `Radius`.
- * - **Output 3**, vtkTable: `Event` ("merge" or "split"), `Time`, `Track`, `Other`.
+ * Outputs, whose arrays OutputArrayTable() lists: 0, vtkTable, one row per feature and time (no
+ * track changes the kind or side of a choking loop); 1, vtkTable for charts, one row per time with
+ * a column for each track, the longest first; 2, vtkPolyData, one polyline per track; 3, vtkTable,
+ * merges and splits.
  *
  * **Errors** (message, empty outputs): an input without positions, options out of range. Without
  * time steps, each feature is a track.
@@ -30,6 +25,7 @@
 #define vtkFeatureTracks_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Pockets/FeatureTracks.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
@@ -86,6 +82,9 @@ public:
   vtkTable* GetChart();
   vtkPolyData* GetPaths();
   vtkTable* GetEvents();
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkFeatureTracks();

@@ -20,6 +20,12 @@
 
 vtkStandardNewMacro(vtkSurfaceRemesh);
 
+const std::vector<isthmus::OutputArray>& vtkSurfaceRemesh::OutputArrayTable()
+{
+  static const std::vector<isthmus::OutputArray> table; // none: it passes those of the input
+  return table;
+}
+
 namespace
 {
 

@@ -16,6 +16,7 @@
 #define vtkSurfaceRemesh_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 #include "vtkPolyDataAlgorithm.h"
@@ -94,6 +95,9 @@ public:
   /// Remeshing keeps edges sharper than this, in degrees between normals; 180: none.
   ISTHMUS_PARAMETER(FeatureAngle, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkSurfaceRemesh() = default;

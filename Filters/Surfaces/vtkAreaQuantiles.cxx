@@ -23,6 +23,17 @@
 
 vtkStandardNewMacro(vtkAreaQuantiles);
 
+const std::vector<isthmus::OutputArray>& vtkAreaQuantiles::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Rows, "Range", 1, "of the array", ArrayChoice::None,
+      "the quantiles Lower and Upper by area" },
+  };
+  return table;
+}
+
 namespace
 {
 

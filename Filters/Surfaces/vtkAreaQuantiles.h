@@ -8,13 +8,13 @@
  * `SetInputArrayToProcess(0, ...)`, one component. Values that are not finite are ignored, and so
  * are those for which the point array CurvatureValid is 0.
  *
- * Output: vtkTable with the column `Range` of two rows: the quantiles Lower and Upper by area; no
- * rows if there are no values. The plugin uses it to choose colour ranges, also on a remote server.
- * Memory: 16 bytes a value.
+ * Output: vtkTable with two rows (OutputArrayTable()); no rows if there are no values. The plugin
+ * uses it to choose colour ranges, also on a remote server. Memory: 16 bytes a value.
  */
 #ifndef vtkAreaQuantiles_h
 #define vtkAreaQuantiles_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 #include "vtkTableAlgorithm.h"
 
@@ -32,6 +32,9 @@ public:
   vtkSetMacro(Upper, double);
   vtkGetMacro(Upper, double);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkAreaQuantiles();

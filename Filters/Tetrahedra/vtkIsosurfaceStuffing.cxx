@@ -31,6 +31,22 @@
 
 vtkStandardNewMacro(vtkIsosurfaceStuffing);
 
+const std::vector<isthmus::OutputArray>& vtkIsosurfaceStuffing::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "RegionId", 1, "", ArrayChoice::None, "1 inside, 0 outside" },
+    { 0, ArrayPlace::Points, "OnSurface", 1, "", ArrayChoice::None, "1 on the level set" },
+    { 0, ArrayPlace::Field, "Level", 1, "of the scalars", ArrayChoice::None, "the level used" },
+    { 0, ArrayPlace::Field, "LevelSource", 1, "", ArrayChoice::None,
+      "where the level is from, as text" },
+    { 0, ArrayPlace::Field, "KeptPoints", 1, "", ArrayChoice::None,
+      "places where the level set turned within a cell" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -6,13 +6,10 @@
  * direction (a density, or a signed distance with InsideIsHigher off). The level set is that of the
  * trilinear interpolation; where it leaves the volume it is closed within one layer of cells.
  *
- * Output: vtkUnstructuredGrid of tetrahedra. Cell array `RegionId` (int): 1 inside, 0 outside.
- * Point array `OnSurface` (unsigned char): 1 on the level set. With Both, the two sides share the
- * points and triangles of the level set and fill the box (the bounds of the volume and at least
- * four more layers of cells), which a Poisson solver needs. All dihedral angles are from 10.7 to
- * 164.8 degrees, even in a graded mesh. Field data of the input are kept; the field array
- * `KeptPoints` (vtkIdType) counts the places where the level set turned within a cell
- * (IsosurfaceStuffing.h).
+ * Output: vtkUnstructuredGrid of tetrahedra with the arrays of OutputArrayTable(). With Both, the
+ * two sides share the points and triangles of the level set and fill the box (the bounds of the
+ * volume and at least four more layers of cells), which a Poisson solver needs. All dihedral angles
+ * are from 10.7 to 164.8 degrees, even in a graded mesh. Field data of the input are kept.
  *
  * Source: F. Labelle, J. R. Shewchuk, doi:10.1145/1276377.1276448. Second order in CellSize. Cost:
  * see IsosurfaceStuffing.h. On failure, there is one error through vtkErrorMacro and the output is
@@ -22,6 +19,7 @@
 #define vtkIsosurfaceStuffing_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Tetrahedra/IsosurfaceStuffing.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
@@ -32,6 +30,9 @@ public:
   static vtkIsosurfaceStuffing* New();
   vtkTypeMacro(vtkIsosurfaceStuffing, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
   enum SideType
   {

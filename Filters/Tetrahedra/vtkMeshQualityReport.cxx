@@ -31,6 +31,31 @@
 
 vtkStandardNewMacro(vtkMeshQualityReport);
 
+const std::vector<isthmus::OutputArray>& vtkMeshQualityReport::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "SmallestAngle", 1, "degrees", ArrayChoice::None,
+      "of a triangle; dihedral, of a tetrahedron" },
+    { 0, ArrayPlace::Cells, "LargestAngle", 1, "degrees", ArrayChoice::None,
+      "of a triangle; dihedral, of a tetrahedron" },
+    { 0, ArrayPlace::Cells, "RadiusEdgeRatio", 1, "", ArrayChoice::None,
+      "circumradius / shortest edge: 0.577 for the equilateral triangle, 0.612 for the regular "
+      "tetrahedron; infinite for cells without area or volume" },
+    { 0, ArrayPlace::Cells, "Volume", 1, "length^3", ArrayChoice::None,
+      "of a tetrahedron; positive in VTK's order of the corners" },
+    { 0, ArrayPlace::Field, "QualitySummary", 1, "", ArrayChoice::None, "one line" },
+    { 0, ArrayPlace::Field, "QualityMeasures", 0, "", ArrayChoice::None,
+      "components: smallest angle, largest angle, largest radius-edge ratio, slivers (a "
+      "dihedral angle below 5 degrees), inverted tetrahedra" },
+    { 1, ArrayPlace::Rows, "Angle", 1, "degrees", ArrayChoice::None, "middle of the bin" },
+    { 1, ArrayPlace::Rows, "Count", 1, "", ArrayChoice::None, "angles in the bin" },
+    { 1, ArrayPlace::Rows, "Fraction", 1, "", ArrayChoice::None, "of all angles" },
+  };
+  return table;
+}
+
 namespace
 {
 

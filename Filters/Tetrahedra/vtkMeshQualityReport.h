@@ -4,18 +4,14 @@
  *
  * Input: vtkPolyData of triangles or vtkUnstructuredGrid of tetrahedra only.
  *
- * Output 0: the input with cell arrays (double) `SmallestAngle` and `LargestAngle` in degrees (of a
- * triangle; dihedral ones of a tetrahedron), `RadiusEdgeRatio` (circumradius / shortest edge: 0.577
- * for the equilateral triangle, 0.612 for the regular tetrahedron; infinite for cells without area
- * or volume) and, of tetrahedra, `Volume` (signed: positive in VTK's order of the corners), and
- * field data `QualitySummary` (one line) and `QualityMeasures` (smallest angle, largest angle,
- * largest radius-edge ratio, slivers, inverted, named components). A sliver is a tetrahedron with a
- * dihedral angle below 5 degrees, which the radius-edge ratio does not detect. Inverted are
- * tetrahedra whose corners are ordered opposite to those of most of the volume, as where a mesh
- * overlaps itself: a warning names them, and the volume in the summary counts them as negative.
+ * Outputs, whose arrays OutputArrayTable() lists: 0, the input with measures of its cells and a
+ * summary; 1, vtkTable, one row for each of NumberOfBins bins over 0 to 180 degrees: the histogram
+ * of all angles (three for a triangle, six for a tetrahedron).
  *
- * Output 1: vtkTable, one row for each of NumberOfBins bins over 0 to 180 degrees: `Angle` (middle
- * of the bin), `Count`, `Fraction` of all angles (three for a triangle, six for a tetrahedron).
+ * A sliver is a tetrahedron with a dihedral angle below 5 degrees, which the radius-edge ratio does
+ * not detect. Inverted are tetrahedra whose corners are ordered opposite to those of most of the
+ * volume, as where a mesh overlaps itself: a warning names them, and the volume in the summary
+ * counts them as negative.
  *
  * On several MPI ranks the line and the table describe the cells of all ranks; ghost cells are
  * measured but not counted.
@@ -26,6 +22,7 @@
 #ifndef vtkMeshQualityReport_h
 #define vtkMeshQualityReport_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
@@ -46,6 +43,9 @@ public:
 
   /// The summary line of the last update, which is also in the field data of the output.
   vtkGetMacro(Summary, std::string);
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMeshQualityReport();

@@ -24,6 +24,35 @@
 
 vtkStandardNewMacro(vtkTetrahedralMesher);
 
+const std::vector<isthmus::OutputArray>& vtkTetrahedralMesher::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Cells, "RegionId", 1, "", ArrayChoice::None,
+      "solids 1, 2, ..., exterior 0, cavities -1, -2, ...; by stuffing 1 in solids, else 0" },
+    { 0, ArrayPlace::Points, "OriginalPointId", 1, "", ArrayChoice::None,
+      "point of the surface; -1: a new point" },
+    { 0, ArrayPlace::Field, "Repair", 1, "", ArrayChoice::None,
+      "what a repair changed; missing without one" },
+    { 0, ArrayPlace::Field, "UnmetBounds", 1, "", ArrayChoice::None,
+      "by how much tetrahedra exceed the bounds; missing if none does" },
+    { 0, ArrayPlace::Field, "Engine", 1, "", ArrayChoice::None,
+      "the backend used; with Automatic" },
+    { 0, ArrayPlace::Field, "EngineReport", 1, "", ArrayChoice::None,
+      "why that backend, and how far the surface moved; with Automatic" },
+    { 0, ArrayPlace::Field, "HausdorffDistance", 1, "length", ArrayChoice::None,
+      "by which the surface moved; with Automatic" },
+    { 0, ArrayPlace::Field, "VolumeBefore", 1, "length^3", ArrayChoice::None,
+      "of the solids; with Automatic" },
+    { 0, ArrayPlace::Field, "VolumeAfter", 1, "length^3", ArrayChoice::None,
+      "of the solids; with Automatic" },
+    { 0, ArrayPlace::Field, "VolumeIsDoubtful", 1, "", ArrayChoice::None,
+      "1 where they differ by more than a hundredth, else 0; with Automatic" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -6,16 +6,9 @@
  * triangulated), of any number of components, some of which may be cavities of others. It is
  * checked first; errors name the ids of the triangles, and defects are repaired if Repair is on.
  *
- * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
- * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array OriginalPointId
- * (vtkIdType): the id of the point in the surface, or -1. Field data of the input are kept. After a
- * repair, the string Repair states what was changed. If tetrahedra exceed the bounds below, the
- * string UnmetBounds states by how much, and the same text is issued as a warning. With Automatic
- * there are the field arrays `Engine` (string: the backend used), `EngineReport` (string: the
- * reason, and how far the surface moved; also issued as a warning if it moved),
- * `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids), `VolumeIsDoubtful` (1
- * where these differ by more than a hundredth, else 0); by stuffing, RegionId is 1 in solids and 0
- * elsewhere.
+ * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface, with the arrays of
+ * OutputArrayTable(). Field data of the input are kept. If tetrahedra exceed the bounds below, a
+ * warning states by how much; so it does if Automatic moved the surface.
  *
  * TetGen (H. Si, doi:10.1145/2629697) runs as a separate program, the command `tetgen` of the
  * Debian package of that name, within TimeLimit and MemoryLimit; it is killed on abort. CGAL
@@ -29,6 +22,7 @@
 #define vtkTetrahedralMesher_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
@@ -174,6 +168,9 @@ public:
   /// CGAL: finally remove slivers by assigning weights to their points (exudation).
   ISTHMUS_PARAMETER_SWITCH_OF(Parameters.CGAL, Exude);
   ///@}
+
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkTetrahedralMesher() = default;

@@ -33,6 +33,59 @@
 
 vtkStandardNewMacro(vtkMRCMapReader);
 
+const std::vector<isthmus::OutputArray>& vtkMRCMapReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Density", 0, "", ArrayChoice::None,
+      "the values; 2 components of modes 3 and 4, 3 of mode 16" },
+    { 0, ArrayPlace::Points, "InsideMap", 1, "", ArrayChoice::None,
+      "1 where the map has values, else 0; of a cell that is not orthogonal, if it is resampled" },
+    { 0, ArrayPlace::Points, "NoData", 1, "", ArrayChoice::None,
+      "1 at values that stand for \"no data\", else 0; missing if there are none" },
+    { 0, ArrayPlace::Field, "NoDataValue", 1, "", ArrayChoice::None,
+      "the value that stands for \"no data\"; missing if there is none" },
+    { 0, ArrayPlace::Field, "RecommendedLevel", 1, "of Density", ArrayChoice::None,
+      "level of the surface, from emd-NNNN.xml beside the file; missing without it" },
+    { 0, ArrayPlace::Field, "CellLengths", 3, "angstrom", ArrayChoice::None, "CELLA" },
+    { 0, ArrayPlace::Field, "CellAngles", 3, "degrees", ArrayChoice::None, "CELLB" },
+    { 0, ArrayPlace::Field, "FileDimensions", 3, "", ArrayChoice::None, "NX, NY, NZ" },
+    { 0, ArrayPlace::Field, "FileStart", 3, "", ArrayChoice::None, "NXSTART, NYSTART, NZSTART" },
+    { 0, ArrayPlace::Field, "CellSampling", 3, "", ArrayChoice::None, "MX, MY, MZ" },
+    { 0, ArrayPlace::Field, "AxisOrder", 3, "", ArrayChoice::None, "MAPC, MAPR, MAPS" },
+    { 0, ArrayPlace::Field, "FileOrigin", 3, "angstrom", ArrayChoice::None, "ORIGIN" },
+    { 0, ArrayPlace::Field, "Mode", 1, "", ArrayChoice::None, "MODE" },
+    { 0, ArrayPlace::Field, "SpaceGroup", 1, "", ArrayChoice::None, "ISPG" },
+    { 0, ArrayPlace::Field, "RecordedMinimum", 1, "of Density", ArrayChoice::None,
+      "DMIN in the header, which may be wrong" },
+    { 0, ArrayPlace::Field, "RecordedMaximum", 1, "of Density", ArrayChoice::None,
+      "DMAX in the header, which may be wrong" },
+    { 0, ArrayPlace::Field, "RecordedMean", 1, "of Density", ArrayChoice::None,
+      "DMEAN in the header, which may be wrong" },
+    { 0, ArrayPlace::Field, "RecordedRms", 1, "of Density", ArrayChoice::None,
+      "RMS in the header, which may be wrong" },
+    { 0, ArrayPlace::Field, "IsStack", 1, "", ArrayChoice::None, "0 or 1" },
+    { 0, ArrayPlace::Field, "StackType", 1, "", ArrayChoice::None, "none, images or volumes" },
+    { 0, ArrayPlace::Field, "NumberOfVolumes", 1, "", ArrayChoice::None,
+      "volumes or images of a stack" },
+    { 0, ArrayPlace::Field, "VolumeIndex", 1, "", ArrayChoice::None,
+      "of the volume that was read" },
+    { 0, ArrayPlace::Field, "ExtendedHeaderBytes", 1, "bytes", ArrayChoice::None, "NSYMBT" },
+    { 0, ArrayPlace::Field, "ExtendedHeaderType", 1, "", ArrayChoice::None, "EXTTYP" },
+    { 0, ArrayPlace::Field, "FormatVersion", 1, "", ArrayChoice::None, "NVERSION" },
+    { 0, ArrayPlace::Field, "ByteOrder", 1, "", ArrayChoice::None, "of the file" },
+    { 0, ArrayPlace::Field, "Compression", 1, "", ArrayChoice::None, "of the file" },
+    { 0, ArrayPlace::Field, "LengthUnit", 1, "", ArrayChoice::None, "angstrom" },
+    { 0, ArrayPlace::Field, "Labels", 1, "", ArrayChoice::None, "texts of the header" },
+    { 0, ArrayPlace::Field, "Repairs", 1, "", ArrayChoice::None,
+      "values of the header that had to be replaced" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "what else is unusual about the file" },
+  };
+  return table;
+}
+
 namespace
 {
 

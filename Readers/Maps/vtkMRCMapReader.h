@@ -3,9 +3,9 @@
  * @brief   reads density maps of electron microscopy and crystallography: MRC2014, CCP4, EMDB
  *
  * Files named .mrc .map .ccp4 .mrcs .rec .ali .st, plain, gzip- or bzip2-compressed (detected from
- * the content, not from the name). The output is a vtkImageData in angstrom with axes x, y, z and
- * the point array `Density`. Sources: Cheng et al. 2015, doi:10.1016/j.jsb.2015.04.002; the CCP4
- * map format; IMOD for modes 16 and 101.
+ * the content, not from the name). The output is a vtkImageData in angstrom with axes x, y, z.
+ * Sources: Cheng et al. 2015, doi:10.1016/j.jsb.2015.04.002; the CCP4 map format; IMOD for modes 16
+ * and 101.
  *
  * **Values.** Mode 0: signed char (unsigned char where IMOD's header flag says so), 1: short,
  * 2: float, 3: short with 2 components, 4: float with 2 components (Fourier transforms, as stored,
@@ -21,13 +21,12 @@
  *
  * **Cells that are not orthogonal** (with an angle that differs from 90 degrees by more than 0.01)
  * cannot be represented by a vtkImageData directly. NonOrthogonalCell chooses: resampling (the
- * default), which adds the point array `InsideMap` (1 where the map has values, otherwise 0), or
- * the nodes as stored with right angles, which distorts shapes. A warning and the field data Notes
- * state which of them was used.
+ * default), which adds the point array `InsideMap`, or the nodes as stored with right angles, which
+ * distorts shapes. A warning and the field data Notes state which of them was used.
  *
  * **No data.** A value far from all others that stands for "no data", such as -9999 or 1e35
- * (NoData.h), is replaced by 0, as outside the mask of masked maps, and the point array `NoData` is
- * 1 there and 0 elsewhere; the field data `NoDataValue` has the value, and a note says so. Where
+ * (NoData.h), is replaced by 0, as outside the mask of masked maps, and the point array `NoData`
+ * marks it; a note says so. Where
  * only a piece of a map is read, the decision is made on this piece.
  *
  * **Stacks.** Space groups 401-630 are stacks of volumes of MZ sections. A file is a stack of
@@ -35,14 +34,8 @@
  * group 0. Everything else is one volume, even with space group 0, which ChimeraX and cryoSPARC
  * write for volumes.
  *
- * **Field data:** numbers `CellLengths` (angstrom), `CellAngles` (degrees), `FileDimensions` (NX,
- * NY, NZ), `FileStart` (NXSTART..), `CellSampling` (MX..), `AxisOrder` (MAPC..), `FileOrigin`,
- * `Mode`, `SpaceGroup`, `RecordedMinimum`, `RecordedMaximum`, `RecordedMean`, `RecordedRms` (as
- * recorded in the header, which may be wrong), `IsStack` (0, 1), `NumberOfVolumes` (or images),
- * `VolumeIndex`, `ExtendedHeaderBytes`, `FormatVersion`; texts `StackType` (none, images, volumes),
- * `ExtendedHeaderType`, `ByteOrder`, `Compression`, `LengthUnit`, `Labels`, `Repairs`, `Notes`;
- * and, where `emd-NNNN.xml` with one lies beside `emd_NNNN.map`, `RecommendedLevel` for its
- * surface.
+ * OutputArrayTable() lists the arrays and the field data. `RecommendedLevel` is that of
+ * `emd-NNNN.xml`, where it lies beside `emd_NNNN.map`.
  *
  * **Damaged headers** are read as far as they can be interpreted; each value that had to be
  * replaced is listed in a warning and in `Repairs`. With Strict on, the first such value is an
@@ -59,6 +52,7 @@
 #define vtkMRCMapReader_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Maps/MRCOptions.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusReadersMapsModule.h" // for the export macro
@@ -130,6 +124,9 @@ public:
   /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), else 0. The
   /// name has no effect. Says nothing on errors. Reads 1 KB.
   virtual int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMRCMapReader();

@@ -20,6 +20,16 @@
 
 vtkStandardNewMacro(vtkVolumeTextReader);
 
+const std::vector<isthmus::OutputArray>& vtkVolumeTextReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Density", 1, "", ArrayChoice::None, "the values" },
+  };
+  return table;
+}
+
 namespace
 {
 

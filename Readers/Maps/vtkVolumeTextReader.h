@@ -17,6 +17,7 @@
 #ifndef vtkVolumeTextReader_h
 #define vtkVolumeTextReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMapsModule.h" // for the export macro
 
 #include <vtkImageAlgorithm.h>
@@ -36,6 +37,9 @@ public:
 
   /// 1 if the file begins with a line of three counts.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkVolumeTextReader();

@@ -23,6 +23,19 @@
 
 vtkStandardNewMacro(vtkCombinatorialMeshReader);
 
+const std::vector<isthmus::OutputArray>& vtkCombinatorialMeshReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "NAME", 0, "", ArrayChoice::None,
+      "attributes of the vertices, by their names" },
+    { 0, ArrayPlace::Cells, "NAME", 0, "", ArrayChoice::None,
+      "attributes of the cells, by their names" },
+  };
+  return table;
+}
+
 namespace
 {
 

@@ -33,6 +33,7 @@
 #ifndef vtkCombinatorialMeshReader_h
 #define vtkCombinatorialMeshReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <vtkUnstructuredGridAlgorithm.h>
@@ -53,6 +54,9 @@ public:
 
   /// 1 if the file begins like a combinatorial mesh.
   int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkCombinatorialMeshReader();

@@ -19,6 +19,27 @@
 
 vtkStandardNewMacro(vtkMSMSReader);
 
+const std::vector<isthmus::OutputArray>& vtkMSMSReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "unit, away from the molecule" },
+    { 0, ArrayPlace::Points, "AnalyticFace", 1, "", ArrayChoice::None,
+      "number of the analytic face" },
+    { 0, ArrayPlace::Points, "Atom", 1, "", ArrayChoice::None, "nearest atom, from 0" },
+    { 0, ArrayPlace::Points, "SurfaceType", 1, "", ArrayChoice::None,
+      "1 toric, 2 reentrant, 3 contact" },
+    { 0, ArrayPlace::Cells, "SurfaceType", 1, "", ArrayChoice::None,
+      "1 toric, 2 reentrant, 3 contact" },
+    { 0, ArrayPlace::Cells, "AnalyticFace", 1, "", ArrayChoice::None,
+      "number of the analytic face" },
+    { 0, ArrayPlace::Cells, "Component", 1, "", ArrayChoice::None,
+      "index of the pair of files, from 0" },
+  };
+  return table;
+}
+
 namespace
 {
 

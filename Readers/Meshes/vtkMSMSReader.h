@@ -5,18 +5,17 @@
  * FileName is either file of the pair. MSMS writes a surface with cavities as X, X_1, X_2, ...; all
  * of them are read unless AllComponents is off.
  *
- * Output: vtkPolyData of triangles in angstrom. Point arrays `Normals` (active normals, away from
- * the molecule), `AnalyticFace`, `Atom` (nearest atom, from 0), `SurfaceType` (1 toric, 2
- * reentrant, 3 contact); cell arrays `SurfaceType`, `AnalyticFace`, `Component` (0, 1, 2, ...: the
- * index of the pair). Files need no comments and no counts (msms -no_header); without counts, a
- * file that was truncated between two lines is read as a shorter one. If no line end follows the
- * last number of a file, digits of it may be missing: such a file cannot be distinguished from a
- * whole one. If a file is missing, truncated or of another format, there is one error through
- * vtkErrorMacro, the error code is set, and the output is empty.
+ * Output: vtkPolyData of triangles in angstrom with the arrays of OutputArrayTable(); its normals
+ * are active. Files need no comments and no counts (msms -no_header); without counts, a file that
+ * was truncated between two lines is read as a shorter one. If no line end follows the last number
+ * of a file, digits of it may be missing: such a file cannot be distinguished from a whole one. If
+ * a file is missing, truncated or of another format, there is one error through vtkErrorMacro, the
+ * error code is set, and the output is empty.
  */
 #ifndef vtkMSMSReader_h
 #define vtkMSMSReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -42,6 +41,9 @@ public:
 
   /// 1 if the file has the name and the beginning of an MSMS file.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMSMSReader();

@@ -10,6 +10,18 @@
 
 vtkStandardNewMacro(vtkOFFSurfaceReader);
 
+const std::vector<isthmus::OutputArray>& vtkOFFSurfaceReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Normals", 3, "", ArrayChoice::None, "of NOFF files" },
+    { 0, ArrayPlace::Points, "Colors", 4, "", ArrayChoice::None,
+      "red, green, blue, opacity from 0 to 255; of COFF files" },
+  };
+  return table;
+}
+
 vtkOFFSurfaceReader::vtkOFFSurfaceReader()
 {
   this->SetNumberOfInputPorts(0);

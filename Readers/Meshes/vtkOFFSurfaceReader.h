@@ -2,8 +2,8 @@
  * @class vtkOFFSurfaceReader
  * @brief Reads surfaces in Geomview's Object File Format (.off, and with colours or normals).
  *
- * Output: vtkPolyData with points in double precision; NOFF files have the active normals Normals,
- * COFF files have Colors (red, green, blue, opacity as bytes). The grammar is in OFFFile.h. If no
+ * Output: vtkPolyData with points in double precision and the arrays of OutputArrayTable(); normals
+ * are active. The grammar is in OFFFile.h. If no
  * line end follows the last number of a file, digits of it may be missing: such a file cannot be
  * distinguished from a whole one. If a file is missing, truncated or invalid, there is one error
  * with the line, the error code is set, and the output is empty. Time and memory: O(bytes).
@@ -11,6 +11,7 @@
 #ifndef vtkOFFSurfaceReader_h
 #define vtkOFFSurfaceReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -30,6 +31,9 @@ public:
 
   /// 1 if the file begins like an OFF file.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkOFFSurfaceReader();

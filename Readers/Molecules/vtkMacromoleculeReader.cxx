@@ -26,6 +26,53 @@
 
 vtkStandardNewMacro(vtkMacromoleculeReader);
 
+const std::vector<isthmus::OutputArray>& vtkMacromoleculeReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { -1, ArrayPlace::Points, "Radius", 1, "angstrom", ArrayChoice::None,
+      "van der Waals radius, the file's (PQR) or that of RadiusTable; NaN: none" },
+    { -1, ArrayPlace::Points, "Charge", 1, "e", ArrayChoice::None,
+      "the file's (PQR, PDBQT, MOL2), or its formal charge (PDB, mmCIF) where not 0; NaN: none" },
+    { -1, ArrayPlace::Points, "Element", 1, "", ArrayChoice::None,
+      "atomic number; 0: unknown or none (beads, ghost and dummy atoms)" },
+    { -1, ArrayPlace::Points, "AtomName", 1, "", ArrayChoice::None,
+      "the authors' name (auth_ of mmCIF)" },
+    { -1, ArrayPlace::Points, "ResidueName", 1, "", ArrayChoice::None,
+      "the authors' name; empty: none" },
+    { -1, ArrayPlace::Points, "Chain", 1, "", ArrayChoice::None, "the authors' name; empty: none" },
+    { -1, ArrayPlace::Points, "ResidueId", 1, "", ArrayChoice::None,
+      "the authors' residue number" },
+    { -1, ArrayPlace::Points, "BFactor", 1, "angstrom^2", ArrayChoice::None, "NaN: none" },
+    { -1, ArrayPlace::Points, "Occupancy", 1, "", ArrayChoice::None, "NaN: none" },
+    { -1, ArrayPlace::Points, "IsHetero", 1, "", ArrayChoice::None, "1: a HETATM record" },
+    { -1, ArrayPlace::Points, "InsertionCode", 1, "", ArrayChoice::None,
+      "of the residue; where the file has any" },
+    { -1, ArrayPlace::Points, "AltLoc", 1, "", ArrayChoice::None,
+      "alternate location; with AltLoc *, where the file has any" },
+    { -1, ArrayPlace::Points, "pLDDT", 1, "", ArrayChoice::None,
+      "confidence of predicted residues, 0 to 100; where ModelCIF names it so" },
+    { -1, ArrayPlace::Points, "SecondaryStructure", 1, "", ArrayChoice::None,
+      "by HELIX and SHEET, or struct_conf and struct_sheet_range: 0 coil, 1 alpha helix, 2 "
+      "strand, 3 3-10 helix, 4 pi helix; where the file has it, not of an assembly" },
+    { 0, ArrayPlace::Cells, "BondSource", 1, "", ArrayChoice::None,
+      "0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK, struct_conn), 2 bond by "
+      "distance" },
+    { 1, ArrayPlace::Points, "Atomic Numbers", 1, "", ArrayChoice::None,
+      "the same as Element, for VTK's molecule mappers" },
+    { 1, ArrayPlace::Cells, "Bond Orders", 1, "", ArrayChoice::None, "1: orders are not known" },
+    { -1, ArrayPlace::Field, "NumberOfModels", 1, "", ArrayChoice::None, "of the file" },
+    { -1, ArrayPlace::Field, "ElementSymbols", 1, "", ArrayChoice::None,
+      "of Element: text 6 is C" },
+    { -1, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "what was dropped or changed, one message each" },
+    { -1, ArrayPlace::Field, "Warnings", 1, "", ArrayChoice::None,
+      "what is missing or doubtful, one message each" },
+  };
+  return table;
+}
+
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 class vtkMacromoleculeReader::vtkInternals

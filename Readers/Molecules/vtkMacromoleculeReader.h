@@ -58,6 +58,7 @@
 #define vtkMacromoleculeReader_h
 
 #include "Core/FilterProperties.h"
+#include "Core/OutputArrays.h"
 #include "Molecules/MoleculeOptions.h"
 #include "vtkIsthmusReadersMoleculesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
@@ -157,6 +158,9 @@ public:
 
   /// 1 if the file exists, has a name as above, and is text.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkMacromoleculeReader();

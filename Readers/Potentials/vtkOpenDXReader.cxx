@@ -30,6 +30,23 @@
 
 vtkStandardNewMacro(vtkOpenDXReader);
 
+const std::vector<isthmus::OutputArray>& vtkOpenDXReader::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Potential", 0, "", ArrayChoice::None,
+      "the values, in the unit of the file (of APBS kT/e); ArrayName is another name for it" },
+    { 0, ArrayPlace::Points, "InsideMap", 1, "", ArrayChoice::None,
+      "1 inside the grid of the file, else 0; of skewed grids" },
+    { 0, ArrayPlace::Field, "Comments", 1, "", ArrayChoice::None, "of the file, if it has any" },
+    { 0, ArrayPlace::Field, "FieldName", 1, "", ArrayChoice::None, "of the file, if it has one" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "texts of the warnings, if there are any" },
+  };
+  return table;
+}
+
 namespace
 {
 

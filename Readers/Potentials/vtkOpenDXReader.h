@@ -5,7 +5,7 @@
  *
  * Reads files named .dx or .dxbin, plain or .gz (whether numbers are text or binary and the
  * compression are detected from the content). The output is a
- * vtkImageData with the point array `Potential`; APBS writes potentials in kT/e and lengths in
+ * vtkImageData with the arrays of OutputArrayTable(); APBS writes potentials in kT/e and lengths in
  * angstrom. Other programs may write other quantities; the comments of the file, which may name the
  * unit, are kept. Source: OpenDX User's Reference, appendix B.2 (native files).
  *
@@ -19,11 +19,8 @@
  * **Deltas.** Along x, y, z: spacing and origin. Orthogonal but rotated or reversed: also the
  * direction matrix of the image. Skewed (differing from 90 degrees by more than 0.01): trilinear
  * interpolation to an orthogonal grid around that of the file, with the lengths of the deltas as
- * spacings. Nodes outside have the value NaN, and 0 in the point array InsideMap; a warning reports
- * this.
- *
- * **Field data:** Comments (texts), FieldName, and Notes (the texts of the warnings), if there are
- * any. Values that are not finite are kept and counted in a warning.
+ * spacings. Nodes outside have the value NaN; a warning reports this. Values that are not finite
+ * are kept and counted in a warning.
  *
  * **Errors** (one message with file and line, an error code of vtkErrorCode, empty output): a file
  * that is missing, empty, truncated, damaged or of another kind. If a file ends with its values and
@@ -36,6 +33,7 @@
 #ifndef vtkOpenDXReader_h
 #define vtkOpenDXReader_h
 
+#include "Core/OutputArrays.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusReadersPotentialsModule.h" // for the export macro
 
@@ -74,6 +72,9 @@ public:
   /// 1 if the first word of the file is "object", as in OpenDX files, otherwise 0; the name has no
   /// effect. Says nothing on errors. Reads at most 1 MiB, unless comments are longer.
   static int CanReadFile(const char* fileName);
+
+  /// The arrays that the reader adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
 
 protected:
   vtkOpenDXReader();

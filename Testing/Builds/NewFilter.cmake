@@ -28,6 +28,18 @@ run("${Python3_EXECUTABLE}" -c
   "import sys, xml.etree.ElementTree as e; p = e.parse(sys.argv[1]).find('.//SourceProxy'); sys.exit(p.get('class') != 'vtkPhaseFlip')"
   "${copy}/Plugin/PhaseFlip.xml")
 
+# The guide's page is complete but for its picture, and lists the arrays of the table.
+run("${Python3_EXECUTABLE}" -c
+  "import pathlib, sys
+root = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(root / 'Testing'))
+import check_guide, pages
+site = pages.Site(root, '')
+assert list(check_guide.check_panels(site, root)) == ['Documentation/filters/PhaseFlip.md has no picture']
+page = site.filter_page(site.panels['PhaseFlip'], (root / 'Documentation/filters/PhaseFlip.md').read_text())
+assert page.count('| `PhaseFlip` | points |') == 1, page"
+  "${copy}")
+
 set(folder "${WORK_DIR}/new-filter/build")
 run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/Testing/Builds/new_filter" -B "${folder}" -G Ninja
   "-DSOURCES=${copy}" "-DNAME=PhaseFlip" "-DMODULE=Imaging" "-DVTK_DIR=${VTK_DIR}"

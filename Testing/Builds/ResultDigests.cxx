@@ -16,8 +16,9 @@
 // threads.
 //
 // Fails if a class of a module has neither a case (digests/*.cxx) nor a reason below not to have
-// one, if a case has an error, if an output of a class is empty in all its cases, or if arrays are
-// not those of the class's OutputArrayTable().
+// one, if a case has an error, if an output of a class is empty in all its cases, if a class with
+// outputs has no OutputArrayTable(), or if an array that a class adds is in no row of it, or a row
+// is in no output of any case.
 
 #include "SharedData.h"
 #include "digests/Cases.h"
@@ -128,6 +129,10 @@ void AddOutputs(Results& results, const Case& one, vtkAlgorithm* algorithm)
   {
     results.Tables.Compare(one.Class, *one.Table, algorithm);
   }
+  else if (algorithm->IsA(one.Class.c_str())) // else the case shows an object without outputs
+  {
+    results.Tables.AddMissing(one.Class);
+  }
 }
 
 void Run(Results& results, const Case& one, Inputs& inputs)
@@ -185,6 +190,7 @@ Results RunAll(const Cases& cases, const std::vector<std::string>& names)
     catch (const MissingProgram& missing)
     {
       results.Text.push_back(one.Name() + " " + missing.what());
+      results.Tables.AddSkipped(one.Class);
     }
     catch (const MissingData&)
     {

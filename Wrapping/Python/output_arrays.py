@@ -4,10 +4,11 @@ import re
 
 # A string of several parts counts as one.
 STRING = r'((?:"(?:[^"\\]|\\.)*"\s*)+)'
-ROW = re.compile(r"\{ (\d+), ArrayPlace::(\w+), " + STRING + r",\s*(\d+), " + STRING + r",\s*ArrayChoice::(\w+),\s*" +
+ROW = re.compile(r"\{ (-?\d+), ArrayPlace::(\w+), " + STRING + r",\s*(\d+), " + STRING + r",\s*ArrayChoice::(\w+),\s*" +
                  STRING + r"\}")
 TABLE = re.compile(r"& (vtk\w+)::OutputArrayTable\(\)\n\{(.*?)\n\}\n", re.DOTALL)
-MACRO = re.compile(r"#define (ISTHMUS_\w+_ARRAY_ROWS) +\\\n((?:.*\\\n)*.*)\n")
+# Rows of several tables, in the headers NAMEArrays.h; of different outputs with their number as the parameter Port.
+MACRO = re.compile(r"#define (ISTHMUS_\w+_ARRAY_ROWS)(?:\(Port\))? +\\\n((?:.*\\\n)*.*)\n")
 
 
 def _text(literals):
@@ -29,7 +30,7 @@ def read_tables(root):
         for name, body in TABLE.findall(path.read_text()):
             for header in path.parent.glob("*Arrays.h"):
                 for macro, rows in MACRO.findall(header.read_text()):
-                    body = body.replace(macro, rows)
+                    body = re.sub(macro + r"(?:\((\d+)\))?", lambda use, rows=rows: rows.replace("Port", use[1] or "Port"), body)
             tables[name] = rows_of(body)
             if body.count("ArrayPlace::") != len(tables[name]):
                 raise SystemExit(f"{path}: rows of {name}::OutputArrayTable() that are not of the form in OutputArrays.h")

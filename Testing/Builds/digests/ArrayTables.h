@@ -35,9 +35,15 @@ struct TableOf<Filter, std::void_t<decltype(Filter::OutputArrayTable())>>
 class ArrayTables
 {
 public:
-  /// Compares all outputs with the table. An array that is in no row must have the name of one of
-  /// an input.
+  /// Compares all outputs with the table. An array that is in no row must have the name and place
+  /// of one of an input.
   void Compare(const std::string& className, const ArrayTable& table, vtkAlgorithm* algorithm);
+
+  /// Complains about a class with outputs that has no table.
+  void AddMissing(const std::string& className);
+
+  /// A class with a case that could not run: its rows may be in no output.
+  void AddSkipped(const std::string& className);
 
   /// Complaints about the outputs compared so far; with `all`, also about rows whose array was in
   /// none of them.
@@ -45,6 +51,7 @@ public:
 
 private:
   std::set<std::string> Wrong;
+  std::set<std::string> Skipped;          ///< classes
   std::map<std::string, bool> RowIsFound; ///< by class, output, place and name
 };
 

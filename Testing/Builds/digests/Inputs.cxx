@@ -49,6 +49,19 @@ std::string Inputs::NewFile(const std::string& name)
   return (this->NewFiles.Path() / name).string();
 }
 
+std::string Inputs::TextFile(const std::string& name, const std::string& content)
+{
+  const std::string path = (this->WrittenFiles.Path() / name).string();
+  std::ofstream file(path);
+  file << content;
+  file.close();
+  if (!file)
+  {
+    throw std::runtime_error(path + " cannot be written");
+  }
+  return path;
+}
+
 std::string Inputs::TakeError()
 {
   const std::string error = this->Observer->GetError() ? this->Observer->GetErrorMessage() : "";
@@ -159,6 +172,29 @@ vtkAlgorithmOutput* Inputs::ChargedProtein()
 vtkAlgorithmOutput* Inputs::Peptide()
 {
   return this->Read<vtkMacromoleculeReader>("molecules/1a1p.pdb");
+}
+
+vtkAlgorithmOutput* Inputs::PredictedResidue()
+{
+  return this->Keep<vtkMacromoleculeReader>("predicted residue",
+    [&](vtkMacromoleculeReader* reader)
+    {
+      reader->SetFileName(
+        this
+          ->TextFile("predicted.cif",
+            "data_gly\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n"
+            "_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n"
+            "_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+            "_atom_site.Cartn_z\n_atom_site.B_iso_or_equiv\n"
+            "ATOM 1 N N GLY A 1 0 0 0 9\nATOM 2 C CA GLY A 1 1.46 0 0 9\n"
+            "ATOM 3 C C GLY A 1 2 1.42 0 9\nATOM 4 O O GLY A 1 1.25 2.4 0 9\n"
+            "loop_\n_ma_qa_metric.id\n_ma_qa_metric.mode\n_ma_qa_metric.name\n1 local pLDDT\n"
+            "loop_\n_ma_qa_metric_local.label_asym_id\n_ma_qa_metric_local.label_comp_id\n"
+            "_ma_qa_metric_local.label_seq_id\n_ma_qa_metric_local.metric_id\n"
+            "_ma_qa_metric_local.metric_value\n_ma_qa_metric_local.model_id\n"
+            "_ma_qa_metric_local.ordinal_id\nA GLY 1 1 91.25 1 1\n")
+          .c_str());
+    });
 }
 
 vtkAlgorithmOutput* Inputs::Channel()

@@ -47,6 +47,7 @@ public:
   vtkAlgorithmOutput* ChargedAtoms();     ///< crambin with charges and radii
   vtkAlgorithmOutput* ChargedProtein();   ///< 1HEW with charges and radii
   vtkAlgorithmOutput* Peptide();          ///< 1A1P, without charges
+  vtkAlgorithmOutput* PredictedResidue(); ///< glycine with pLDDT
   vtkAlgorithmOutput* Channel();          ///< gramicidin with artificial charges; its axis is y
   vtkAlgorithmOutput* Models();           ///< Protein at five times, deformed more and more
   vtkAlgorithmOutput* Fullerene();        ///< C60
@@ -79,6 +80,9 @@ public:
     writer->Write();
     return path;
   }
+
+  /// Path of a file with this content.
+  std::string TextFile(const std::string& name, const std::string& content);
 
   /// The last error of an input since the previous call; empty if there is none.
   std::string TakeError();

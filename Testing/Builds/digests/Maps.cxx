@@ -11,6 +11,7 @@
 #include "vtkHighOrderDiffusion.h"
 #include "vtkMapHandles.h"
 #include "vtkMapSurface.h"
+#include "vtkMolecularDensity.h"
 #include "vtkPDETransform.h"
 #include "vtkScalarPersistence.h"
 
@@ -141,6 +142,14 @@ void AddLoops(Cases& cases)
       filter->InsideIsHigherOff();
       filter->SetLevel(0.0);
       filter->LoopsOn();
+    });
+  AddCase<vtkMapHandles>(cases, "recommended level",
+    [](vtkMapHandles* filter, Inputs& inputs)
+    {
+      vtkNew<vtkMolecularDensity> density;
+      density->SetInputConnection(inputs.ChargedAtoms());
+      density->SetSpacing(1.0);
+      filter->SetInputConnection(density->GetOutputPort());
     });
   AddCase<vtkMapHandles>(cases, "half maps",
     [](vtkMapHandles* filter, Inputs& inputs)

@@ -235,6 +235,20 @@ void AddVolumes(Cases& cases)
       RequireProgram("tetgen");
       filter->SetInputConnection(inputs.SmallSurface());
     });
+  AddCase<vtkTetrahedralMesher>(cases, "repaired",
+    [](vtkTetrahedralMesher* filter, Inputs& inputs)
+    {
+      vtkAlgorithm* const producer = inputs.SmallSurface()->GetProducer();
+      producer->Update();
+      vtkNew<vtkPolyData> surface;
+      surface->DeepCopy(producer->GetOutputDataObject(0));
+      surface->BuildCells();
+      surface->DeleteCell(0);
+      surface->RemoveDeletedCells();
+      filter->SetInputData(surface);
+      filter->SetLibrary(vtkTetrahedralMesher::CGAL);
+      filter->RepairOn();
+    });
   AddCase<vtkTetrahedralMesher>(cases, "TetGen, both sides",
     [](vtkTetrahedralMesher* filter, Inputs& inputs)
     {

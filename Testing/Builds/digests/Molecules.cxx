@@ -17,6 +17,12 @@
 #include "vtkPoreProfile.h"
 #include "vtkSolvationSurface.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkAlgorithmOutput.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
 namespace isthmus::digests
 {
 
@@ -47,6 +53,9 @@ void AddShapes(Cases& cases)
   AddCase<vtkMoleculeCartoon>(cases, "",
     [](vtkMoleculeCartoon* filter, Inputs& inputs)
     { filter->SetInputConnection(inputs.Protein()); });
+  AddCase<vtkMoleculeCartoon>(cases, "predicted",
+    [](vtkMoleculeCartoon* filter, Inputs& inputs)
+    { filter->SetInputConnection(inputs.PredictedResidue()); });
   AddCase<vtkMolecularFlowSurface>(cases, "",
     [](vtkMolecularFlowSurface* filter, Inputs& inputs)
     { filter->SetInputConnection(inputs.ChargedAtoms()); });
@@ -80,6 +89,20 @@ void AddElectrostatics(Cases& cases)
     {
       RequireProgram("pdb2pqr");
       filter->SetInputConnection(inputs.Peptide());
+    });
+  AddCase<vtkForceFieldCharges>(cases, "insertion codes",
+    [](vtkForceFieldCharges* filter, Inputs& inputs)
+    {
+      RequireProgram("pdb2pqr");
+      vtkAlgorithm* const producer = inputs.Peptide()->GetProducer();
+      producer->Update();
+      vtkNew<vtkPolyData> atoms;
+      atoms->DeepCopy(producer->GetOutputDataObject(0));
+      vtkNew<vtkStringArray> codes;
+      codes->SetName("InsertionCode");
+      codes->SetNumberOfValues(atoms->GetNumberOfPoints());
+      atoms->GetPointData()->AddArray(codes);
+      filter->SetInputData(atoms);
     });
   AddCase<vtkPoissonBoltzmann>(cases, "",
     [](vtkPoissonBoltzmann* filter, Inputs& inputs)
@@ -154,6 +177,9 @@ void AddPockets(Cases& cases)
       filter->SetInputConnection(pockets->GetOutputPort(1));
       filter->SetLiningConnection(pockets->GetOutputPort(4));
     });
+  AddCase<vtkFeatureTracks>(cases, "choke points",
+    [](vtkFeatureTracks* filter, Inputs& inputs)
+    { filter->SetInputConnection(inputs.Loops()->GetProducer()->GetOutputPort(2)); });
   AddCase<vtkMolecularPockets>(cases, "",
     [](vtkMolecularPockets* filter, Inputs& inputs)
     {

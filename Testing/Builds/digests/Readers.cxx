@@ -17,6 +17,8 @@
 #include "vtkVolumeTextReader.h"
 #include "vtkVolumeTextWriter.h"
 
+#include <vtkAlgorithmOutput.h>
+
 namespace isthmus::digests
 {
 
@@ -46,7 +48,7 @@ void AddReader(Cases& cases, const std::string& variant, const std::string& file
     reader->SetFileName(inputs.File(file).c_str());
     return vtkSmartPointer<vtkAlgorithm>(reader);
   };
-  cases.push_back({ vtkNew<Reader>()->GetClassName(), variant, make });
+  cases.push_back({ vtkNew<Reader>()->GetClassName(), variant, make, TableOf<Reader>::Get() });
 }
 
 void AddImageFiles(Cases& cases)
@@ -68,8 +70,16 @@ void AddImageFiles(Cases& cases)
       reader->SetCropExtent(10, 40, 12, 42, 14, 44);
       reader->SetSampleRate(2, 2, 2);
     });
+  AddReader<vtkMRCMapReader>(cases, "no data", "reports/k06_sentinel_m9999.mrc");
+  AddReader<vtkMRCMapReader>(cases, "recommended level", "reports/emdb/emd_90001.map");
   AddReader<vtkOpenDXReader>(cases, "", "maps/dx/test.dx");
   AddReader<vtkOpenDXReader>(cases, "skewed", "maps/dx/mapskewed.dx");
+  AddCase<vtkOpenDXReader>(cases, "named field",
+    [](vtkOpenDXReader* reader, Inputs& inputs)
+    {
+      reader->SetFileName(
+        inputs.Written<vtkOpenDXWriter>("distance.dx", inputs.Distance()).c_str());
+    });
   AddWriter<vtkOpenDXWriter>(cases, "", &Inputs::Distance, "distance.dx");
   AddCase<vtkVolumeTextReader>(cases, "",
     [](vtkVolumeTextReader* reader, Inputs& inputs)
@@ -94,6 +104,12 @@ void AddMeshFiles(Cases& cases)
       reader->SetFileName(
         inputs.Written<vtkCombinatorialMeshWriter>("polyhedra.cmesh", inputs.Polyhedra()).c_str());
     });
+  AddCase<vtkCombinatorialMeshReader>(cases, "tetrahedra",
+    [](vtkCombinatorialMeshReader* reader, Inputs& inputs)
+    {
+      reader->SetFileName(
+        inputs.Written<vtkCombinatorialMeshWriter>("cells.cmesh", inputs.Cells()).c_str());
+    });
   AddWriter<vtkCombinatorialMeshWriter>(cases, "", &Inputs::MixedCells, "mixed.cmesh");
   AddCase<vtkCombinatorialMeshWriter>(cases, "text",
     [](vtkCombinatorialMeshWriter* writer, Inputs& inputs)
@@ -104,12 +120,45 @@ void AddMeshFiles(Cases& cases)
     });
   AddReader<vtkMEDITReader>(cases, "", "volumes/octopus-low.mesh");
   AddReader<vtkMEDITReader>(cases, "hexahedra", "volumes/rockerarm_hex.mesh");
+  AddReader<vtkMEDITReader>(cases, "tangled", "reports/n02f_tangled.mesh");
   AddWriter<vtkMEDITWriter>(cases, "", &Inputs::Cells, "cells.mesh");
   AddWriter<vtkMEDITWriter>(cases, "mixed", &Inputs::MixedCells, "mixed.mesh");
   AddReader<vtkMSMSReader>(cases, "", "surfaces/lysozyme_msms/Lys1.vert");
   AddReader<vtkOFFSurfaceReader>(cases, "", "surfaces/3holes.off");
+  AddCase<vtkOFFSurfaceReader>(cases, "colors, normals",
+    [](vtkOFFSurfaceReader* reader, Inputs& inputs)
+    {
+      reader->SetFileName(inputs
+                            .TextFile("colors.off",
+                              "CNOFF 3 1 0\n"
+                              "0 0 0 0 0 1 255 0 0 255\n"
+                              "1 0 0 0 0 1 0 255 0 255\n"
+                              "0 1 0 0 0 1 0 0 255 255\n"
+                              "3 0 1 2\n")
+                            .c_str());
+    });
   AddWriter<vtkOFFSurfaceWriter>(cases, "", &Inputs::MapSurface, "surface.off");
   AddReader<vtkTetGenMeshReader>(cases, "quadratic", "volumes/tetgen_one_tet10.ele");
+  AddReader<vtkTetGenMeshReader>(cases, "faces", "reports/tetgen_o2/cube.1.face");
+  AddCase<vtkTetGenMeshReader>(cases, "attributes, one inverted",
+    [](vtkTetGenMeshReader* reader, Inputs& inputs)
+    {
+      inputs.TextFile("inverted.node",
+        "6 3 1 1\n"
+        "0  0 0 0  0.5 1\n"
+        "1  1 0 0  0.5 1\n"
+        "2  0 1 0  0.5 1\n"
+        "3  0 0 3  0.5 1\n"
+        "4  1 1 1  0.5 0\n"
+        "5  0 0 -1  0.5 1\n");
+      reader->SetFileName(inputs
+                            .TextFile("inverted.ele",
+                              "3 4 1\n"
+                              "0  0 1 2 3  7\n"
+                              "1  1 4 2 3  7\n"
+                              "2  0 1 2 5  8\n")
+                            .c_str());
+    });
   AddCase<vtkTetGenMeshReader>(cases, "",
     [](vtkTetGenMeshReader* reader, Inputs& inputs) {
       reader->SetFileName(inputs.Written<vtkTetGenMeshWriter>("cells.ele", inputs.Cells()).c_str());
@@ -131,6 +180,26 @@ void AddReaders(Cases& cases)
   AddReader<vtkMacromoleculeReader>(cases, "GRO", "reports/m01c_whole.gro");
   AddReader<vtkMacromoleculeReader>(cases, "PDBQT", "reports/pdbqt_inputpdbqt.pdbqt");
   AddReader<vtkMacromoleculeReader>(cases, "XYZ", "fullerenes/C60-Ih.xyz");
+  AddCase<vtkMacromoleculeReader>(cases, "mmCIF, predicted",
+    [](vtkMacromoleculeReader* reader, Inputs& inputs)
+    {
+      auto* const same =
+        vtkMacromoleculeReader::SafeDownCast(inputs.PredictedResidue()->GetProducer());
+      reader->SetFileName(same->GetFileName());
+    });
+  AddCase<vtkMacromoleculeReader>(cases, "PDB, alternate locations",
+    [](vtkMacromoleculeReader* reader, Inputs& inputs)
+    {
+      reader->SetAltLoc("*");
+      reader->SetFileName(
+        inputs
+          .TextFile("alternate.pdb",
+            "ATOM      1  N   ALA A  10A      0.000   0.000   0.000  1.00 10.00           N\n"
+            "ATOM      2  CA AALA A  10A      1.450   0.000   0.000  0.60 10.00           C\n"
+            "ATOM      3  CA BALA A  10A      1.450   0.300   0.000  0.40 10.00           C\n"
+            "END\n")
+          .c_str());
+    });
 }
 
 }

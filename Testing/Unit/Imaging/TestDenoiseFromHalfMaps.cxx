@@ -1,9 +1,11 @@
+#include "Imaging/HalfMapAgreement.h"
 #include "Imaging/LocalResolution.h"
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -13,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -316,6 +320,36 @@ TEST(LocalResolution, FrequenciesAreLinearBetweenTheWindows)
     EXPECT_NEAR(
       1.0 / resolution[static_cast<std::size_t>(node)], first + part * (last - first), 1e-6);
   }
+}
+
+TEST(HalfMapAgreement, MeanAndHalfDifferenceAreOfTheNarrowestType)
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  vtkNew<vtkFloatArray> one;
+  vtkNew<vtkDoubleArray> other;
+  one->SetName("Density");
+  for (const double value : { 3.0, 1.0, infinite })
+  {
+    one->InsertNextValue(static_cast<float>(value));
+    other->InsertNextValue(value == 3.0 ? 1e300 : value);
+  }
+  const isthmus::HalfMapMean wide = isthmus::AverageHalfMaps(one, other);
+  EXPECT_EQ(wide.Mean->GetDataType(), VTK_DOUBLE);
+  EXPECT_STREQ(wide.Mean->GetName(), "Density");
+  EXPECT_EQ(wide.Mean->GetComponent(0, 0), 5e299);
+  EXPECT_EQ(wide.HalfDifference->GetComponent(0, 0), -5e299);
+  EXPECT_EQ(wide.Mean->GetComponent(1, 0), 1.0);
+  EXPECT_EQ(wide.HalfDifference->GetComponent(1, 0), 0.0);
+  EXPECT_EQ(wide.HalfDifference->GetComponent(2, 0), 0.0); // infinity - infinity
+
+  vtkNew<vtkFloatArray> third;
+  third->DeepCopy(one);
+  EXPECT_THROW(isthmus::AverageHalfMaps(one, third), std::invalid_argument);
+  third->SetValue(0, 1.0F);
+  const isthmus::HalfMapMean narrow = isthmus::AverageHalfMaps(one, third);
+  EXPECT_EQ(narrow.Mean->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(narrow.HalfDifference->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(narrow.HalfDifference->GetComponent(0, 0), 1.0);
 }
 
 TEST(DenoiseFromHalfMaps, RefusesWithASentence)
