@@ -13,7 +13,8 @@
  * is measured at nodes without an edge, and bounded by what changes at the edges from scale to
  * scale; white noise, as that of values rounded to few digits, also by differences of high order at
  * the edges. Where the noise is no part of the error without smoothing, there is no smoothing,
- * unless it would reduce the error threefold, as at edges that the grid does not resolve. With H = -(tangential Laplacian) / (2 |g|), to first order in the noise,
+ * unless it would reduce the error threefold, as at edges that the grid does not resolve. With H =
+ * -(tangential Laplacian) / (2 |g|), to first order in the noise,
  *
  *     Var H = (Var L / 4 + H^2 Var g) / |g|^2
  *
