@@ -113,6 +113,7 @@ void CutAtCorners(const SurfaceMesh& mesh, std::vector<HalfedgeIndex> line, doub
 {
   const bool isClosed = mesh.source(line.front()) == mesh.target(line.back());
   std::vector<Point3> points;
+  points.reserve(line.size() + 1);
   for (const HalfedgeIndex h : line)
   {
     points.push_back(FromCGAL(mesh.point(mesh.source(h))));

@@ -250,7 +250,7 @@ double StraightLineTolerance(const SurfaceView& mesh, double length)
 PlacesOnLines FindPlacesOnLines(
   SurfaceMesh& mesh, const std::vector<bool>& isLine, double tolerance)
 {
-  const PlacesOnLines places =
+  PlacesOnLines places =
     mesh.add_property_map<SurfaceMesh::Vertex_index, PlaceOnLine>("v:place", PlaceOnLine::None)
       .first;
   for (const cgal::LineBetweenCorners& line : cgal::CutLinesAtCorners(mesh, isLine, tolerance))
