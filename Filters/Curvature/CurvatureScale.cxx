@@ -23,8 +23,9 @@ constexpr std::size_t edgeIndex = 5;      // of this scale among the candidates
 constexpr std::size_t mostSamples = 2000; // standard error of a variance: 3 %
 constexpr double latticeNodes = 30000.0;
 constexpr std::size_t fewestSamples = 30;
-constexpr double significance = 1.5;        // of a mean square over that of noise
-constexpr double LeastGradientShare = 0.05; // of the edges' squared gradient
+constexpr double significance = 1.5;          // of a mean square over that of noise
+constexpr double MedianOfChiSquared = 0.4549; // with 1 degree of freedom
+constexpr double LeastGradientShare = 0.05;   // of the edges' squared gradient
 constexpr double missing = -std::numeric_limits<double>::infinity();
 
 double MeanSpacing(const std::array<double, 3>& spacing)
@@ -283,6 +284,86 @@ Samples FindSamples(
   return samples;
 }
 
+/// Orders of the differences from which white noise is estimated.
+constexpr std::array<int, 2> differenceOrders{ 5, 8 };
+
+/// Writes for each axis the square of the difference of each order of the values along it, around
+/// `node`, divided by the variance that white noise of variance 1 has in it. Returns false if not
+/// all required nodes are available.
+template <typename T>
+bool SquaredDifferences(const GridPart<T>& part, const Node& node, double* out)
+{
+  Node at = node;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    at[axis] -= part.First[axis];
+    const int reach = differenceOrders.back() / 2;
+    if (at[axis] < reach || at[axis] + reach >= part.Values.Dimensions[axis])
+    {
+      return false;
+    }
+  }
+  const T* values = &part.Values(at[0], at[1], at[2]);
+  const Node strides{ 1, part.Values.Dimensions[0],
+    part.Values.Dimensions[0] * part.Values.Dimensions[1] };
+  for (const int order : differenceOrders)
+  {
+    for (const std::int64_t stride : strides)
+    {
+      double sum = 0.0, squares = 0.0, binomial = 1.0;
+      for (int i = 0; i <= order; ++i)
+      {
+        sum += (i % 2 == 0 ? binomial : -binomial) *
+          static_cast<double>(values[(i - order / 2) * stride]);
+        squares += Square(binomial);
+        binomial *= static_cast<double>(order - i) / (i + 1);
+      }
+      *out++ = Square(sum) / squares;
+    }
+  }
+  return true;
+}
+
+/// Deviation of white noise at `nodes`, from differences along the axes; 0 if there is none, or
+/// none that differs from structure. Differences of noise have the same normalized variance at any
+/// order; those of a smooth function fall from order to order (J. J. More, S. M. Wild, SIAM J. Sci.
+/// Comput. 33 (2011) 1292). Medians, since kinks of distance functions have differences as noise
+/// has.
+template <typename T>
+double WhiteNoiseOfDifferences(const GridPart<T>& part, std::vector<Node> nodes,
+  const MaximumOverRanks& combine, const ProgressCallback& progress)
+{
+  constexpr std::size_t axes = 3, count = axes * differenceOrders.size();
+  nodes.resize(std::min(nodes.size(), mostSamples));
+  const std::vector<double> numbers = EvaluateAtNodes(
+    nodes, count,
+    [&](const Node& node, double* out) { return SquaredDifferences(part, node, out); }, combine,
+    progress);
+  std::array<double, differenceOrders.size()> variances{};
+  for (std::size_t order = 0; order < differenceOrders.size(); ++order)
+  {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      const double* first = numbers.data() + i * count + order * axes;
+      if (*first != missing)
+      {
+        squares.insert(squares.end(), first, first + axes);
+      }
+    }
+    if (squares.size() < axes * fewestSamples)
+    {
+      return 0.0;
+    }
+    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+    std::nth_element(squares.begin(), middle, squares.end());
+    variances[order] = *middle / MedianOfChiSquared;
+  }
+  // Of tanh(x / w), the ratio is 0.4 at w = 1.6 nodes and 0.7 at half a node, which is a step.
+  constexpr double alike = 0.7;
+  return variances.back() > alike * variances.front() ? std::sqrt(variances.back()) : 0.0;
+}
+
 /// Derivatives of some nodes at one scale.
 struct Responses
 {
@@ -374,9 +455,9 @@ double MedianVariance(const Responses& responses)
   };
   // Of the chi-squared distribution with 1 degree of freedom, whose median is 0.17 of the other
   // quantile; noise whose deviation varies threefold has 0.06.
-  constexpr double median = 0.4549, least = 0.05;
+  constexpr double least = 0.05;
   const double middle = quantile(0.5);
-  return middle > least * quantile(0.9) ? middle / median : 0.0;
+  return middle > least * quantile(0.9) ? middle / MedianOfChiSquared : 0.0;
 }
 
 /// Independent kinds of noise that add up.
@@ -418,6 +499,52 @@ double GradientVariance(
   return variance;
 }
 
+/// The nodes at which noise that differences show is small beside the gradient, for volumes without
+/// a background, as those of distances; none if there is no such noise. Without the nodes near
+/// kinks of distances, whose second derivatives are far beyond those of others.
+template <typename T>
+Samples FindSamplesWithoutBackground(const GridPart<T>& part, const MaximumOverRanks& combine)
+{
+  std::vector<Node> nodes = LatticeNodes(part.Whole);
+  Shuffle(nodes);
+  nodes.resize(std::min(nodes.size(), mostSamples));
+  const double deviation = WhiteNoiseOfDifferences(part, nodes, combine, {});
+  Samples samples;
+  if (!(deviation > 0.0))
+  {
+    return samples;
+  }
+  constexpr double edge = 25.0; // square of 5 deviations
+  const double least =
+    edge * GradientVariance({ { deviation, 0.0 } }, { edgeScale, 2 }, part.Values.Spacing);
+  const Responses responses = ResponsesAt(part, nodes, edgeScale, 2, combine, {});
+  std::vector<double> bends;
+  for (std::size_t i = 0; i < responses.Valid.size(); ++i)
+  {
+    const auto& h = responses.Filter[i].Hessian;
+    bends.push_back(responses.Valid[i]
+        ? h[0] * h[0] + h[1] * h[1] + h[2] * h[2] + 2.0 * (h[3] * h[3] + h[4] * h[4] + h[5] * h[5])
+        : 0.0);
+  }
+  std::vector<double> sorted = bends;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  constexpr double kink = 9.0; // of the median square
+  double fourth = 0.0, second = 0.0;
+  for (std::size_t i = 0; i < bends.size(); ++i)
+  {
+    const double square = SquaredNorm(responses.Filter[i].Gradient);
+    if (responses.Valid[i] && square > least && bends[i] <= kink * *middle)
+    {
+      samples.Edges.push_back(nodes[i]);
+      fourth += square * square;
+      second += square;
+    }
+  }
+  samples.Gradient = second > 0.0 ? std::sqrt(fourth / second) : 0.0;
+  return samples;
+}
+
 /// The estimate of one run: scales, and what was measured at them. Lengths are in the unit u.
 struct Search
 {
@@ -439,10 +566,12 @@ struct Search
 
   void FitBackground(const std::vector<double>& measured);
   void AdaptNoiseToEdges();
+  void AddWhiteNoise(double deviation);
   double Curvature(std::size_t k, const NodeDerivatives& at, const NodeDerivatives& normal) const;
   double BiasSinceFinerScales(std::size_t k) const;
   void Measure(std::size_t k);
   void CompleteBias();
+  void BoundBiasWithoutSmoothing(std::size_t k);
   template <typename F>
   double MeanOverEdges(std::size_t k, F&& f) const;
 };
@@ -577,6 +706,19 @@ void Search::AdaptNoiseToEdges()
   }
 }
 
+/// White noise that differences show beyond what is known, as that of rounding to few digits.
+void Search::AddWhiteNoise(double deviation)
+{
+  const Term finest{ 1.0, this->Filter(0) };
+  const double known = LaplacianVariance(this->Kinds, { finest }, this->Spacing);
+  const double unit = LaplacianVariance({ { 1.0, 0.0 } }, { finest }, this->Spacing);
+  constexpr double certain = 1.5; // of variances that are known to a tenth
+  if (Square(deviation) * unit > certain * known)
+  {
+    this->Kinds.push_back({ std::sqrt(Square(deviation) - known / unit), 0.0 });
+  }
+}
+
 /// The mean square bias of scale k that its change from finer scales shows, where it exceeds the
 /// noise, less the error of the finer scale's differences. Smoothing that has removed features
 /// makes no further changes: judged by the next scale, it would seem free of bias. For the same
@@ -698,6 +840,27 @@ void Search::CompleteBias()
   }
 }
 
+/// For no smoothing where scale k, with the least bias, has much less of it: there the
+/// differences do not resolve the edges, so that their change with the order says too little of the
+/// bias, and nothing of the place where it is large.
+void Search::BoundBiasWithoutSmoothing(std::size_t k)
+{
+  constexpr double much = 4.0;
+  if (much * this->Bias[k] > this->Bias[0])
+  {
+    return;
+  }
+  const double change = this->MeanOverEdges(k,
+    [&](std::size_t i)
+    {
+      const NodeDerivatives& normal = this->Edges[k].Filter[i];
+      return Square(this->Curvature(k, this->Edges[k].Filter[i], normal) -
+        this->Curvature(0, this->Edges[0].Filter[i], normal));
+    });
+  this->Bias[0] = std::max(this->Bias[0], change);
+  this->DifferenceSquare[0] = 0.0; // the same error everywhere
+}
+
 }
 
 double CurvatureScale::Error(double mean, double difference, double gradient) const
@@ -751,7 +914,11 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
     return choice;
   }
   constexpr double found = 0.3; // share of the time
-  const Samples samples = FindSamples(part, combine, Between(progress, 0.0, found));
+  Samples samples = FindSamples(part, combine, Between(progress, 0.0, found));
+  if (samples.Edges.size() < fewestSamples)
+  {
+    samples = FindSamplesWithoutBackground(part, combine);
+  }
   if (samples.Edges.size() < fewestSamples)
   {
     return choice;
@@ -782,6 +949,7 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
   }
   search.FitBackground(background);
   search.AdaptNoiseToEdges();
+  search.AddWhiteNoise(WhiteNoiseOfDifferences(part, samples.Edges, combine, {}));
   for (std::size_t k = 0; k < scales; ++k)
   {
     search.LeastSquaredGradient.push_back(LeastGradientShare *
@@ -800,6 +968,16 @@ CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
     {
       best = k;
     }
+  }
+  // Where noise is no part of the error, smoothing would only trade one error of discretisation for
+  // another, unless the differences do not resolve the edges at all.
+  constexpr double notable = 0.1;    // of the squared error of the differences
+  constexpr double unresolved = 0.1; // of it, by smoothing
+  if (best > 0 && search.Variance[0] <= notable * search.Bias[0] &&
+    search.Variance[best] + search.Bias[best] > unresolved * search.Bias[0])
+  {
+    search.BoundBiasWithoutSmoothing(best);
+    best = 0;
   }
   // As in the array CurvatureScale: used as a fixed scale, it gives the same result.
   choice.Scale = static_cast<double>(static_cast<float>(search.Scales[best] * unit));

@@ -11,7 +11,10 @@
  * The filter does not know which level set is of interest, so variance and bias are estimated at up
  * to 2000 nodes of a regular lattice whose gradient is that of edges. The noise, white or coloured,
  * is measured at nodes without an edge, and bounded by what changes at the edges from scale to
- * scale. With H = -(tangential Laplacian) / (2 |g|), to first order in the noise,
+ * scale; white noise, as that of values rounded to few digits, also by differences of high order at
+ * the edges. Where the noise is no part of the error without smoothing, there is no smoothing,
+ * unless it would reduce the error threefold, as at edges that the grid does not resolve. With H =
+ * -(tangential Laplacian) / (2 |g|), to first order in the noise,
  *
  *     Var H = (Var L / 4 + H^2 Var g) / |g|^2
  *

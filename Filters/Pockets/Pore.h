@@ -37,12 +37,20 @@ struct PoreSample
 {
   Point3 Center;
   double Radius = 0.0;
+  /// How far the radius between this plane and the next ones may be from the line between theirs.
+  double RadiusError = 0.0;
+  double Least = 0.0;     ///< the smallest radius there
   double ArcLength = 0.0; ///< along the centers
   std::int64_t NearestAtom = -1;
 };
 
 struct Pore
 {
+  /// How much smaller than that of `sample` the radius may be before the next planes.
+  static double DipBelow(const PoreSample& sample);
+  /// The same in the whole pore, for the narrowest sample.
+  double DipBelowNarrowest() const;
+
   std::vector<PoreSample> Samples;
   std::vector<std::size_t> Bottlenecks; ///< samples that are local minima, the narrowest first
   double Span = 0.0;                    ///< distance between the first and the last sample

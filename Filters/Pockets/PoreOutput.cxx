@@ -68,10 +68,11 @@ std::string ResiduesAround(
 class SampleArrays
 {
 public:
-  void Add(int pore, const PoreSample& sample, const MoleculeAtoms& atoms)
+  void Add(int pore, const PoreSample& sample, double radiusError, const MoleculeAtoms& atoms)
   {
     this->PoreId->InsertNextValue(pore);
     this->Radius->InsertNextValue(sample.Radius);
+    this->RadiusError->InsertNextValue(radiusError);
     this->ArcLength->InsertNextValue(sample.ArcLength);
     this->Nearest->InsertNextValue(
       sample.NearestAtom < 0 ? -1 : atoms.Points[static_cast<std::size_t>(sample.NearestAtom)]);
@@ -83,8 +84,9 @@ public:
   template <typename AddArray>
   void ForEachArray(AddArray add) const
   {
-    for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{ this->PoreId,
-           this->ArcLength, this->Radius, this->WidthClass, this->Nearest, this->Residue })
+    for (vtkAbstractArray* array :
+      std::initializer_list<vtkAbstractArray*>{ this->PoreId, this->ArcLength, this->Radius,
+        this->RadiusError, this->WidthClass, this->Nearest, this->Residue })
     {
       add(array);
     }
@@ -93,6 +95,7 @@ public:
 private:
   vtkNew<vtkIntArray> PoreId = NamedArray<vtkIntArray>("PoreId");
   vtkNew<vtkDoubleArray> Radius = NamedArray<vtkDoubleArray>("Radius");
+  vtkNew<vtkDoubleArray> RadiusError = NamedArray<vtkDoubleArray>("RadiusError");
   vtkNew<vtkDoubleArray> ArcLength = NamedArray<vtkDoubleArray>("ArcLength");
   vtkNew<vtkIdTypeArray> Nearest = NamedArray<vtkIdTypeArray>("NearestAtom");
   vtkNew<vtkStringArray> Residue = NamedArray<vtkStringArray>("NearestResidue");
@@ -127,7 +130,7 @@ void FillPoreLines(const PoreReport& report, vtkPolyData* output)
     for (const PoreSample& sample : samples)
     {
       lines->InsertCellPoint(points->InsertNextPoint(sample.Center.data()));
-      arrays.Add(PoreNumber(p), sample, report.Atoms);
+      arrays.Add(PoreNumber(p), sample, sample.RadiusError, report.Atoms);
     }
   }
   output->SetPoints(points);
@@ -145,7 +148,7 @@ void FillPoreSamples(const PoreReport& report, vtkTable* output)
   {
     for (const PoreSample& sample : report.Pores[p].Samples)
     {
-      arrays.Add(PoreNumber(p), sample, report.Atoms);
+      arrays.Add(PoreNumber(p), sample, sample.RadiusError, report.Atoms);
       places.push_back(sample.Center);
     }
   }
@@ -165,6 +168,7 @@ void FillPoreTable(const PoreReport& report, vtkTable* output)
   { AddComputedColumn<vtkDoubleArray>(data, name, report.Pores, of); };
   AddComputedColumn<vtkIntArray>(data, "PoreId", report.Pores.size(), PoreNumber);
   add("Radius", [](const Pore& pore) { return Narrowest(pore).Radius; });
+  add("RadiusError", [](const Pore& pore) { return pore.DipBelowNarrowest(); });
   add("Length", [](const Pore& pore) { return pore.Samples.back().ArcLength; });
   add("Span", [](const Pore& pore) { return pore.Span; });
   add("BottleneckX", [](const Pore& pore) { return Narrowest(pore).Center[0]; });
@@ -193,7 +197,7 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
       vertices->InsertNextCell(1, &id);
       rank->InsertNextValue(++number);
       residues->InsertNextValue(ResiduesAround(sample, field, report.Atoms));
-      arrays.Add(PoreNumber(p), sample, report.Atoms);
+      arrays.Add(PoreNumber(p), sample, Pore::DipBelow(sample), report.Atoms);
     }
   }
   output->SetPoints(points);

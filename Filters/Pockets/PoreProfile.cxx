@@ -210,6 +210,57 @@ std::vector<std::size_t> Bottlenecks(const std::vector<PoreSample>& samples)
   return found;
 }
 
+/// Beyond what was found at sixteenths of the way, and where climbs in planes end.
+double WithMargin(double error)
+{
+  constexpr double caution = 1.2, climbing = 1e-4; // angstrom
+  return caution * error + climbing;
+}
+
+/// What is between two planes: the clearance along the line between the centers of their balls. The
+/// largest ball in a plane there has at least that radius; in a straight pore it has that.
+struct BetweenPlanes
+{
+  double Deviation = 0.0; ///< of the clearance from the line between the radii
+  double Least = HUGE_VAL;
+};
+
+BetweenPlanes LookBetweenPlanes(
+  const AtomField& atoms, const PoreSample& first, const PoreSample& last)
+{
+  constexpr int parts = 16;
+  BetweenPlanes between{ 0.0, std::min(first.Radius, last.Radius) };
+  for (int i = 1; i < parts; ++i)
+  {
+    const double share = static_cast<double>(i) / parts;
+    const double line = first.Radius + share * (last.Radius - first.Radius);
+    const double clearance =
+      atoms.At(first.Center + share * (last.Center - first.Center), line).Radius;
+    between.Deviation = std::max(between.Deviation, std::abs(clearance - line));
+    between.Least = std::min(between.Least, clearance);
+  }
+  return between;
+}
+
+void EstimateRadiusErrors(
+  const AtomField& atoms, std::vector<PoreSample>& samples, const ProgressCallback& progress)
+{
+  for (PoreSample& sample : samples)
+  {
+    sample.Least = sample.Radius;
+  }
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+  {
+    Report(progress, static_cast<double>(i) / static_cast<double>(samples.size()));
+    const BetweenPlanes between = LookBetweenPlanes(atoms, samples[i], samples[i + 1]);
+    for (const std::size_t k : { i, i + 1 })
+    {
+      samples[k].RadiusError = std::max(samples[k].RadiusError, WithMargin(between.Deviation));
+      samples[k].Least = std::min(samples[k].Least, between.Least);
+    }
+  }
+}
+
 Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   const Point3& start, const ProgressCallback& progress)
 {
@@ -218,10 +269,10 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   const PlaneBall first = LargestBallInPlane(
     atoms, course.Planes[from], { in }, std::max(1.0, atoms.At(in).Radius), course.Enough);
   std::vector<PlaneBall> balls =
-    MarchAlong(atoms, course, from, -1, first, Between(progress, 0.0, 0.5));
+    MarchAlong(atoms, course, from, -1, first, Between(progress, 0.0, 0.45));
   std::reverse(balls.begin(), balls.end());
   balls.push_back(first);
-  const auto after = MarchAlong(atoms, course, from, 1, first, Between(progress, 0.5, 1.0));
+  const auto after = MarchAlong(atoms, course, from, 1, first, Between(progress, 0.45, 0.9));
   balls.insert(balls.end(), after.begin(), after.end());
   // Wide channels are marched beyond their mouths, since they end nowhere by their radius.
   if (course.End > course.Enough)
@@ -239,9 +290,10 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     length += i > 0 ? Length(balls[i].Center - balls[i - 1].Center) : 0.0;
-    pore.Samples.push_back({ balls[i].Center, balls[i].Radius, length,
+    pore.Samples.push_back({ balls[i].Center, balls[i].Radius, 0.0, 0.0, length,
       atoms.At(balls[i].Center, balls[i].Radius).Atom });
   }
+  EstimateRadiusErrors(atoms, pore.Samples, Between(progress, 0.9, 1.0));
   pore.Bottlenecks = Bottlenecks(pore.Samples);
   pore.Span = Length(pore.Samples.back().Center - pore.Samples.front().Center);
   return pore;
@@ -311,6 +363,22 @@ std::vector<Pore> MeasurePores(const AtomField& atoms, const std::vector<Channel
   return pores;
 }
 
+}
+
+double Pore::DipBelow(const PoreSample& sample)
+{
+  return WithMargin(sample.Radius - sample.Least);
+}
+
+double Pore::DipBelowNarrowest() const
+{
+  double narrowest = HUGE_VAL, least = HUGE_VAL;
+  for (const PoreSample& sample : this->Samples)
+  {
+    narrowest = std::min(narrowest, sample.Radius);
+    least = std::min(least, sample.Least);
+  }
+  return WithMargin(std::max(0.0, narrowest - least));
 }
 
 void Check(const PoreOptions& options)

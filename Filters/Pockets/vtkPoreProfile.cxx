@@ -94,6 +94,9 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
   using isthmus::ArrayPlace;
   static const std::vector<isthmus::OutputArray> table{
     { 0, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None, "of the largest ball" },
+    { 0, ArrayPlace::Points, "RadiusError", 1, "length", ArrayChoice::None,
+      "estimate: how far the radius between this plane and the next ones is from a line between "
+      "their radii" },
     { 0, ArrayPlace::Points, "ArcLength", 1, "length", ArrayChoice::None, "along the pore" },
     { 0, ArrayPlace::Points, "NearestAtom", 1, "", ArrayChoice::None, "point of the input" },
     { 0, ArrayPlace::Points, "NearestResidue", 1, "", ArrayChoice::None, "chain, name and number" },
@@ -102,6 +105,9 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
       "(from 2.30)" },
     { 0, ArrayPlace::Points, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
     { 1, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None, "of the largest ball" },
+    { 1, ArrayPlace::Rows, "RadiusError", 1, "length", ArrayChoice::None,
+      "estimate: how far the radius between this plane and the next ones is from a line between "
+      "their radii" },
     { 1, ArrayPlace::Rows, "ArcLength", 1, "length", ArrayChoice::None, "along the pore" },
     { 1, ArrayPlace::Rows, "NearestAtom", 1, "", ArrayChoice::None, "point of the input" },
     { 1, ArrayPlace::Rows, "NearestResidue", 1, "", ArrayChoice::None, "chain, name and number" },
@@ -115,6 +121,8 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Z", 1, "length", ArrayChoice::None, "center of the ball" },
     { 2, ArrayPlace::Rows, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
     { 2, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None, "the smallest" },
+    { 2, ArrayPlace::Rows, "RadiusError", 1, "length", ArrayChoice::None,
+      "estimate: the radius between the planes is as small as Radius - RadiusError" },
     { 2, ArrayPlace::Rows, "Length", 1, "length", ArrayChoice::None, "of the pore" },
     { 2, ArrayPlace::Rows, "Span", 1, "length", ArrayChoice::None, "distance between its ends" },
     { 2, ArrayPlace::Rows, "Bottlenecks", 1, "", ArrayChoice::None, "their number" },
@@ -128,6 +136,8 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
     { 3, ArrayPlace::Points, "Rank", 1, "", ArrayChoice::None,
       "1 is the narrowest bottleneck of the pore" },
     { 3, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None, "of the largest ball" },
+    { 3, ArrayPlace::Points, "RadiusError", 1, "length", ArrayChoice::None,
+      "estimate: the radius between the planes is as small as Radius - RadiusError" },
     { 3, ArrayPlace::Points, "ArcLength", 1, "length", ArrayChoice::None, "along the pore" },
     { 3, ArrayPlace::Points, "NearestAtom", 1, "", ArrayChoice::None, "point of the input" },
     { 3, ArrayPlace::Points, "NearestResidue", 1, "", ArrayChoice::None, "chain, name and number" },

@@ -5,6 +5,7 @@
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/DelaunayRemesh.h"
+#include "Remeshing/LineCorners.h"
 #include "Remeshing/PlanarRemesh.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
@@ -12,6 +13,7 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
 
@@ -113,6 +115,42 @@ TriangleMesh ExtractPart(const SurfaceView& mesh, const std::vector<int>& labels
   return part;
 }
 
+/// Boundaries and features of `surface`, which get balls that keep them, cut at their corners;
+/// CGAL's detect_features() cuts them at acute angles only. Sets the patches of `surface`.
+std::vector<SurfaceDomain::Polyline_with_context> FindLines(
+  SurfaceMesh& surface, double featureAngle, double tolerance)
+{
+  const auto patch = get(CGAL::face_patch_id_t<int>(), surface);
+  const auto isFeature = get(CGAL::edge_is_feature, surface);
+  CGAL::Polygon_mesh_processing::sharp_edges_segmentation(
+    surface, featureAngle, isFeature, patch, CGAL::parameters::first_index(1));
+  std::vector<bool> isLine(surface.num_edges());
+  for (const auto e : surface.edges())
+  {
+    isLine[e] = surface.is_border(e) || get(isFeature, e);
+  }
+  std::vector<SurfaceDomain::Polyline_with_context> lines;
+  for (const auto& line : cgal::CutLinesAtCorners(surface, isLine, tolerance))
+  {
+    auto& polyline = lines.emplace_back();
+    for (const auto v : line.Points)
+    {
+      polyline.polyline_content.push_back(surface.point(v));
+    }
+    for (const auto e : line.Edges)
+    {
+      for (const auto h : { surface.halfedge(e, 0), surface.halfedge(e, 1) })
+      {
+        if (!surface.is_border(h))
+        {
+          polyline.context.adjacent_patches_ids.insert(get(patch, surface.face(h)));
+        }
+      }
+    }
+  }
+  return lines;
+}
+
 /// Orients one connected part like the old surface where `made` lies on it.
 TriangleMesh RefinePart(const SurfaceView& part, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
@@ -126,12 +164,14 @@ TriangleMesh RefinePart(const SurfaceView& part, const SurfaceRemeshParameters& 
   SurfaceMesh surface = cgal::ToSurfaceMesh(part);
   const double length = parameters.EdgeLength;
   const double triangles = SurfaceArea(part) / (0.433 * length * length);
+  const double distance =
+    parameters.MaximumDistance > 0.0 ? parameters.MaximumDistance : length / 10.0;
+  const auto lines = FindLines(surface, parameters.FeatureAngle, 0.5 * distance);
   SurfaceDomain domain(std::vector<SurfaceMesh*>{ &surface }, 60.0 * triangles + 1e4, progress);
-  domain.detect_features(parameters.FeatureAngle);
+  domain.add_features_with_context(lines.begin(), lines.end());
   const DelaunayCriteria criteria(params::edge_size = length,
     params::facet_angle = parameters.MinimumAngle, params::facet_size = length / std::sqrt(3.0),
-    params::facet_distance =
-      parameters.MaximumDistance > 0.0 ? parameters.MaximumDistance : length / 10.0);
+    params::facet_distance = distance);
   const bool isClosed = FindDefects(part).BoundaryTriangles.empty();
   DelaunayComplex complex;
   const auto maximumPoints = static_cast<std::size_t>(parameters.MaximumPoints);

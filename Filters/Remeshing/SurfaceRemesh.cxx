@@ -5,6 +5,7 @@
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALVersions.h"
+#include "Remeshing/LineCorners.h"
 #include "Surfaces/SurfaceDefects.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/tangential_relaxation.h>
+#include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -227,21 +229,135 @@ private:
   std::int64_t Done = 0;
 };
 
-/// Stops at a number of edges; also reports progress, since CGAL calls it for each collapse.
-struct StopAtEdges
+/// Points of boundaries and feature lines, for simplification.
+enum class PlaceOnLine : char
 {
-  std::size_t Edges;
+  None,
+  Along, ///< may be moved along the line, or removed
+  Corner
+};
+using PlacesOnLines = SurfaceMesh::Property_map<SurfaceMesh::Vertex_index, PlaceOnLine>;
+
+/// The distance from a straight line below which points of a boundary are on it, when edges become
+/// `length` long. Small also where all of a boundary is shorter than that.
+double StraightLineTolerance(const SurfaceView& mesh, double length)
+{
+  constexpr double share = 1e-3;
+  return share * std::min(length, MeanEdgeLength(mesh));
+}
+
+/// Where the points of `mesh` are on the lines of the edges for which `isLine[edge]`.
+PlacesOnLines FindPlacesOnLines(
+  SurfaceMesh& mesh, const std::vector<bool>& isLine, double tolerance)
+{
+  PlacesOnLines places =
+    mesh.add_property_map<SurfaceMesh::Vertex_index, PlaceOnLine>("v:place", PlaceOnLine::None)
+      .first;
+  for (const cgal::LineBetweenCorners& line : cgal::CutLinesAtCorners(mesh, isLine, tolerance))
+  {
+    for (const auto v : line.Points)
+    {
+      places[v] = std::max(places[v], PlaceOnLine::Along);
+    }
+    places[line.Points.front()] = places[line.Points.back()] = PlaceOnLine::Corner;
+  }
+  return places;
+}
+
+/// Corners, as a property map for CGAL.
+struct Corners
+{
+  using key_type = SurfaceMesh::Vertex_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  PlacesOnLines Places;
+
+  friend bool get(const Corners& corners, key_type v)
+  {
+    return corners.Places[v] == PlaceOnLine::Corner;
+  }
+};
+
+template <typename Profile>
+bool IsBoundary(const Profile& profile)
+{
+  return profile.is_v0_v1_a_border() || profile.is_v1_v0_a_border();
+}
+
+/// Placement by Lindstrom and Turk for points inside; none that would change a boundary.
+struct PlacementKeepingBoundaries
+{
+  PlacesOnLines Places;
+
+  template <typename Profile>
+  cgal::Optional<cgal::Point> operator()(const Profile& profile) const
+  {
+    const PlaceOnLine place0 = this->Places[profile.v0()], place1 = this->Places[profile.v1()];
+    const PlaceOnLine last = std::max(place0, place1);
+    if (last == PlaceOnLine::None)
+    {
+      return SMS::LindstromTurk_placement<SurfaceMesh>()(profile);
+    }
+    if (place0 != place1)
+    {
+      const bool isFree = std::min(place0, place1) == PlaceOnLine::None || IsBoundary(profile);
+      return isFree ? Place(place0 == last ? profile.p0() : profile.p1()) : Place();
+    }
+    return last == PlaceOnLine::Along && IsBoundary(profile)
+      ? Place(CGAL::midpoint(profile.p0(), profile.p1()))
+      : Place();
+  }
+
+private:
+  using Place = cgal::Optional<cgal::Point>;
+};
+
+/// A point that two are merged into is where the one of them that stayed is. Counts the edges of
+/// boundaries.
+struct MergePlacesOnLines : SMS::Edge_collapse_visitor_base<SurfaceMesh>
+{
+  using Base = SMS::Edge_collapse_visitor_base<SurfaceMesh>;
+
+  MergePlacesOnLines(const PlacesOnLines& places, std::size_t* boundaryEdges)
+    : Places(places)
+    , BoundaryEdges(boundaryEdges)
+  {
+  }
+
+  void OnCollapsing(const Base::Profile& profile, const cgal::Optional<cgal::Point>&)
+  {
+    this->Merged = std::max(this->Places[profile.v0()], this->Places[profile.v1()]);
+    *this->BoundaryEdges -= IsBoundary(profile) ? 1 : 0;
+  }
+  void OnCollapsed(const Base::Profile&, const Base::vertex_descriptor& v)
+  {
+    this->Places[v] = this->Merged;
+  }
+
+  PlacesOnLines Places;
+  std::size_t* BoundaryEdges;
+  PlaceOnLine Merged = PlaceOnLine::None;
+};
+
+/// Stops at a number of triangles; also reports progress, since CGAL calls it for each collapse.
+struct StopAtTriangles
+{
+  std::size_t Triangles;
+  const std::size_t* BoundaryEdges;
   const ProgressCallback* Progress;
 
   template <typename Cost, typename Profile>
   bool operator()(const Cost&, const Profile&, std::size_t initial, std::size_t current) const
   {
+    const std::size_t edges = (3 * this->Triangles + *this->BoundaryEdges) / 2;
     if (current % 16 == 0) // around a point of a thousand triangles, each takes milliseconds
     {
-      Report(*this->Progress,
-        static_cast<double>(initial - current) / static_cast<double>(initial - this->Edges + 1));
+      const double all = static_cast<double>(initial) - static_cast<double>(edges) + 1.0;
+      Report(*this->Progress, std::min(1.0, static_cast<double>(initial - current) / all));
     }
-    return current <= this->Edges;
+    return current <= edges;
   }
 };
 
@@ -289,13 +405,24 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
         after.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_feature", false).first, &after
       };
       PMP::detect_sharp_edges(after, parameters.FeatureAngle, isFeature);
+      std::vector<bool> isLine(after.num_edges());
+      for (const auto e : after.edges())
+      {
+        isLine[e] = after.is_border(e) || get(isFeature, e);
+      }
+      const Corners corners{ FindPlacesOnLines(
+        after, isLine, StraightLineTolerance(mesh, length)) };
+      const auto cornerCount = std::count_if(
+        after.vertices().begin(), after.vertices().end(), [&](auto v) { return get(corners, v); });
       const auto rest = Between(progress, 0.05, 0.95);
-      Projection projection(old, 0.5 * expected * parameters.NumberOfIterations, rest);
+      Projection projection(old,
+        (0.5 * expected + static_cast<double>(cornerCount)) * parameters.NumberOfIterations, rest);
       for (int i = 0; i < parameters.NumberOfIterations; ++i)
       {
         // Its own relaxation requests null edges: see Features.
         PMP::isotropic_remeshing(faces(after), length, after,
           CGAL::parameters::edge_is_constrained_map(isFeature)
+            .vertex_is_constrained_map(corners)
             .number_of_relaxation_steps(0)
             .do_project(false));
         PMP::tangential_relaxation(
@@ -328,16 +455,22 @@ RemeshedSurface SimplifySurface(
       const OldSurface old(mesh, before);
       SurfaceMesh after = before;
       std::size_t border = 0;
+      std::vector<bool> isLine(after.num_edges());
       for (const auto e : after.edges())
       {
-        border += after.is_border(e) ? 1 : 0;
+        isLine[e] = after.is_border(e);
+        border += isLine[e] ? 1 : 0;
       }
+      const double length = std::sqrt(SurfaceArea(mesh) / static_cast<double>(triangles));
+      const PlacesOnLines places =
+        FindPlacesOnLines(after, isLine, StraightLineTolerance(mesh, length));
       const auto rest = Between(progress, 0.05, 0.95);
-      const StopAtEdges stop{ (3 * static_cast<std::size_t>(triangles) + border) / 2, &rest };
+      const StopAtTriangles stop{ static_cast<std::size_t>(triangles), &border, &rest };
       SMS::edge_collapse(after, stop,
         CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SurfaceMesh>())
-          .get_placement(SMS::LindstromTurk_placement<SurfaceMesh>())
-          .filter(SMS::Bounded_normal_change_filter<>()));
+          .get_placement(PlacementKeepingBoundaries{ places })
+          .filter(SMS::Bounded_normal_change_filter<>())
+          .visitor(MergePlacesOnLines(places, &border)));
       return LocatePoints(after, old);
     });
 }

@@ -46,8 +46,9 @@ struct SurfaceRemeshParameters
 VTKISTHMUSFILTERSREMESHING_EXPORT void Check(const SurfaceRemeshParameters& parameters);
 
 /**
- * Isotropic remeshing of `mesh`. New points lie on the old surface. Feature edges and boundary
- * edges are kept, but may be split.
+ * Isotropic remeshing of `mesh`. New points lie on the old surface. Boundaries and feature edges
+ * keep their shape to a thousandth of the edge length: they are split, and merged only where they
+ * are straight.
  *
  * @pre manifold and oriented, without triangles that have no area; boundaries are fine.
  * @throws std::invalid_argument otherwise, with the triangles concerned, when EdgeLength is not
@@ -59,10 +60,12 @@ VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface RemeshSurface(const SurfaceVie
   const SurfaceRemeshParameters& parameters, const ProgressCallback& progress = {});
 
 /**
- * Simplifies `mesh` by edge collapse to about this number of triangles. The result may have more if
- * a collapse would flip a triangle or change the topology. Preconditions and errors are as above.
- * O(n log n) where few triangles meet at a point. Where k do, as in the fans that close a cylinder
- * in CAD files, O(k^3). Cancelling is possible after every 16 collapses.
+ * Simplifies `mesh` by edge collapse to about this number of triangles. Boundaries keep their shape
+ * as above. Sharp edges inside cost more than others, so that they go last, but they go if the
+ * number requires it. The result may have more triangles if a collapse would change a boundary,
+ * flip a triangle or change the topology. Preconditions and errors are as above. O(n log n) where
+ * few triangles meet at a point. Where k do, as in the fans that close a cylinder in CAD files,
+ * O(k^3). Cancelling is possible after every 16 collapses.
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
   const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});

@@ -5,7 +5,9 @@
  * Input: vtkPolyData, manifold and oriented, boundaries allowed (polygons are triangulated).
  * Output: vtkPolyData of triangles. Points lie on the old surface; its point data are interpolated
  * to them (except vtkIdType and string arrays, which are dropped), field data are kept, cell data
- * are not. Boundaries, and edges whose adjacent normals differ by more than FeatureAngle, are kept.
+ * are not. Boundaries with all their corners, and edges whose adjacent normals differ by more than
+ * FeatureAngle, are kept: to a thousandth of the edge length, by Delaunay to MaximumDistance.
+ * Simplification keeps boundaries; other sharp edges go last, but go if the number requires it.
  *
  * Sources: M. Botsch, L. Kobbelt, doi:10.1145/1057432.1057457; J.-D. Boissonnat, S. Oudot,
  * doi:10.1016/j.gmod.2005.01.004; P. Lindstrom, G. Turk, doi:10.1109/VISUAL.1998.745314; all by

@@ -2,6 +2,7 @@
 
 #include "Core/DisjointSets.h"
 #include "Core/ParallelFor.h"
+#include "Surfaces/ChordError.h"
 #include "Surfaces/TriangleStars.h"
 
 #include <Eigen/Dense>
@@ -175,7 +176,7 @@ void FinishMeasure(SurfaceMeasure& measure)
 {
   if (!measure.IsClosed())
   {
-    measure.Volume = std::numeric_limits<double>::quiet_NaN();
+    measure.Volume = measure.VolumeError = std::numeric_limits<double>::quiet_NaN();
   }
   measure.Genus =
     measure.IrregularPoints > 0 ? -1 : (2 - measure.EulerNumber() - measure.BoundaryLoops) / 2;
@@ -188,6 +189,8 @@ SurfaceMeasure Sum(const std::vector<SurfaceMeasure>& components)
   {
     whole.Area += part.Area;
     whole.Volume += part.Volume; // not a number if any part's is not
+    whole.AreaError += part.AreaError;
+    whole.VolumeError += part.VolumeError;
     whole.Points += part.Points;
     whole.Edges += part.Edges;
     whole.Triangles += part.Triangles;
@@ -217,6 +220,12 @@ SurfaceMeasures MeasureSurface(const SurfaceView& mesh, const ProgressCallback& 
   SurfaceMeasures result;
   result.Components.resize(static_cast<std::size_t>(count));
   AddTriangles(mesh, componentOf, result.Components);
+  const std::vector<ChordError> errors = EstimateChordErrors(mesh, stars, componentOf, count);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    result.Components[i].AreaError = errors[i].Area;
+    result.Components[i].VolumeError = errors[i].Volume;
+  }
   for (std::size_t point = 0; point < kinds.size(); ++point)
   {
     if (kinds[point] != StarKind::Isolated)

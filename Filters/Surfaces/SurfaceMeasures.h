@@ -28,9 +28,11 @@ namespace isthmus
 /// Measures of one component, or of all together.
 struct SurfaceMeasure
 {
-  double Area = 0.0;    ///< length^2
-  double Volume = 0.0;  ///< length^3; not a number unless OpenEdges is 0
-  vtkIdType Points = 0; ///< those that triangles use
+  double Area = 0.0;        ///< length^2
+  double Volume = 0.0;      ///< length^3; not a number unless OpenEdges is 0
+  double AreaError = 0.0;   ///< estimates for a mesh of a smooth surface (ChordError.h)
+  double VolumeError = 0.0; ///< as Volume
+  vtkIdType Points = 0;     ///< those that triangles use
   vtkIdType Edges = 0;
   vtkIdType Triangles = 0;
   vtkIdType OpenEdges = 0; ///< with more triangles on one side than on the other: holes, flipped
@@ -53,7 +55,7 @@ struct SurfaceMeasures
  * Measures `mesh`. Triangles that share a point belong to one component.
  *
  * Degenerate triangles (without area, or with the same corner twice) are allowed; the latter make
- * their corners irregular. Time O(triangles), memory about 60 bytes per triangle.
+ * their corners irregular. Time O(triangles), memory about 150 bytes per triangle.
  * @throws Cancelled.
  */
 SurfaceMeasures MeasureSurface(const SurfaceView& mesh, const ProgressCallback& progress = {});

@@ -38,6 +38,8 @@ void AddFields(vtkFieldData* fields, const SurfaceMeasure& whole, vtkIdType comp
 {
   isthmus::AddColumn<vtkDoubleArray>(fields, "Area", { whole.Area });
   isthmus::AddColumn<vtkDoubleArray>(fields, "Volume", { whole.Volume });
+  isthmus::AddColumn<vtkDoubleArray>(fields, "AreaError", { whole.AreaError });
+  isthmus::AddColumn<vtkDoubleArray>(fields, "VolumeError", { whole.VolumeError });
   isthmus::AddColumn<vtkIdTypeArray>(fields, "Genus", { whole.Genus });
   isthmus::AddColumn<vtkIdTypeArray>(fields, "Components", { components });
   isthmus::AddColumn<vtkIdTypeArray>(fields, "EulerNumber", { whole.EulerNumber() });
@@ -59,6 +61,10 @@ void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
     data, "Area", rows, [](const Row& row) { return row.Area; });
   isthmus::AddComputedColumn<vtkDoubleArray>(
     data, "Volume", rows, [](const Row& row) { return row.Volume; });
+  isthmus::AddComputedColumn<vtkDoubleArray>(
+    data, "AreaError", rows, [](const Row& row) { return row.AreaError; });
+  isthmus::AddComputedColumn<vtkDoubleArray>(
+    data, "VolumeError", rows, [](const Row& row) { return row.VolumeError; });
   isthmus::AddComputedColumn<vtkIdTypeArray>(
     data, "Genus", rows, [](const Row& row) { return row.Genus; });
   isthmus::AddComputedColumn<vtkIdTypeArray>(
@@ -87,6 +93,10 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
     { 0, ArrayPlace::Field, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 0, ArrayPlace::Field, "Volume", 1, "length^3", ArrayChoice::None,
       "enclosed; NaN if the surface does not enclose a volume or crosses itself" },
+    { 0, ArrayPlace::Field, "AreaError", 1, "length^2", ArrayChoice::None,
+      "estimated, of a mesh of a smooth surface" },
+    { 0, ArrayPlace::Field, "VolumeError", 1, "length^3", ArrayChoice::None,
+      "estimated, of a mesh of a smooth surface" },
     { 0, ArrayPlace::Field, "Genus", 1, "", ArrayChoice::None,
       "number of handles, with the boundary loops closed; -1 if there are irregular points" },
     { 0, ArrayPlace::Field, "Components", 1, "", ArrayChoice::None, "parts that share no point" },
@@ -105,6 +115,10 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None,
       "enclosed; NaN if the surface does not enclose a volume or crosses itself" },
+    { 1, ArrayPlace::Rows, "AreaError", 1, "length^2", ArrayChoice::None,
+      "estimated, of a mesh of a smooth surface" },
+    { 1, ArrayPlace::Rows, "VolumeError", 1, "length^3", ArrayChoice::None,
+      "estimated, of a mesh of a smooth surface" },
     { 1, ArrayPlace::Rows, "Genus", 1, "", ArrayChoice::None,
       "number of handles, with the boundary loops closed; -1 if there are irregular points" },
     { 1, ArrayPlace::Rows, "EulerNumber", 1, "", ArrayChoice::None, "points - edges + triangles" },
@@ -235,7 +249,7 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   SurfaceMeasure& whole = measures.Whole;
   if (crossing)
   {
-    whole.Volume = std::numeric_limits<double>::quiet_NaN();
+    whole.Volume = whole.VolumeError = std::numeric_limits<double>::quiet_NaN();
     vtkWarningMacro(<< isthmus::JoinText("Volume is not a number. ", crossing->Message()));
   }
   isthmus::Report(progress, 1.0);

@@ -12,12 +12,16 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -42,6 +46,11 @@ GridPart<float> MakeGridPart(vtkImageData* image)
 }
 
 constexpr double radius = 11.0;
+
+double Squared(double x)
+{
+  return x * x;
+}
 
 /// A ball with an edge of two nodes, in nodes.
 double Ball(double x, double y, double z)
@@ -201,6 +210,170 @@ TEST(CurvatureScale, SmoothDataWithoutNoiseAreUnchanged)
   const auto image = SampledImage(CenteredCube(50, 24.5), density, VTK_FLOAT);
   EXPECT_EQ(ChooseCurvatureScale(MakeGridPart(image), 2).Scale, 0.0);
   EXPECT_EQ(ChooseCurvatureScale(MakeGridPart(image), 4).Scale, 0.0);
+}
+
+namespace
+{
+
+/// An ellipsoid with a smooth edge, a torus of distances, a sum of Gaussians, in a box of length 2.
+double EllipsoidWithEdge(double x, double y, double z)
+{
+  const double q = std::sqrt(x * x / 0.49 + y * y / 0.3 + z * z / 0.2);
+  const double slope =
+    std::sqrt(x * x / (0.49 * 0.49) + y * y / (0.3 * 0.3) + z * z / (0.2 * 0.2)) / (q + 1e-9);
+  return std::tanh((1.0 - q) / (slope + 1e-9) / 0.1);
+}
+
+double TorusDistance(double x, double y, double z)
+{
+  return 0.3 - std::hypot(std::hypot(x, y) - 0.6, z);
+}
+
+double Gaussians(double x, double y, double z)
+{
+  const auto one = [&](double a, double b, double c)
+  { return std::exp(-8.0 * (Squared(x - a) + Squared(y - b) + Squared(z - c))); };
+  return one(-0.3, 0.1, 0.0) + one(0.3, 0.0, -0.1) + one(0.05, 0.3, 0.2);
+}
+
+using Field = double (*)(double, double, double);
+
+/// `field` on n^3 nodes of the box from -1 to 1, after `change` of each value.
+vtkSmartPointer<vtkImageData> SampleInBox(
+  Field field, int n, const std::function<double(double)>& change = {})
+{
+  return SampledImage(
+    CenteredCube(n, 1.0),
+    [&](double x, double y, double z)
+    {
+      const double value = field(x, y, z);
+      return change ? change(value) : value;
+    },
+    VTK_FLOAT);
+}
+
+double ScaleInSpacings(vtkImageData* image, int accuracy = 2)
+{
+  return ChooseCurvatureScale(MakeGridPart(image), accuracy).Scale / image->GetSpacing()[0];
+}
+
+/// Values rounded to `levels` steps between -1 and 1.
+std::function<double(double)> RoundTo(double levels)
+{
+  return [=](double value) { return std::round(0.5 * value * levels) / (0.5 * levels); };
+}
+
+/// Normal noise of a deviation.
+std::function<double(double)> AddNoise(double deviation)
+{
+  return [=, random = std::mt19937(5), normal = std::normal_distribution<double>()](
+           double value) mutable { return value + deviation * normal(random); };
+}
+
+}
+
+// Coarse edges have high frequencies, as noise has; their tails look like noise, too.
+TEST(CurvatureScale, NothingIsSmoothedWithoutNoise)
+{
+  for (const Field field : { EllipsoidWithEdge, TorusDistance, Gaussians })
+  {
+    for (const int n : { 25, 33, 49, 70 })
+    {
+      const auto image = SampleInBox(field, n);
+      EXPECT_EQ(ScaleInSpacings(image, 2), 0.0) << n;
+      EXPECT_EQ(ScaleInSpacings(image, 4), 0.0) << n;
+    }
+  }
+}
+
+// The error of 16 bits is below that of the differences on 33 nodes, but not on 129, as it grows
+// with the square of the number of nodes.
+TEST(CurvatureScale, RoundingToFewDigitsIsNoise)
+{
+  for (const Field field : { EllipsoidWithEdge, TorusDistance, Gaussians })
+  {
+    EXPECT_GE(ScaleInSpacings(SampleInBox(field, 65, RoundTo(255.0))), 0.9);
+    EXPECT_EQ(ScaleInSpacings(SampleInBox(field, 33, RoundTo(65535.0))), 0.0);
+  }
+  EXPECT_GE(ScaleInSpacings(SampleInBox(TorusDistance, 97, RoundTo(65535.0))), 0.4);
+  EXPECT_GE(ScaleInSpacings(SampleInBox(EllipsoidWithEdge, 97, RoundTo(4095.0))), 0.4);
+}
+
+// Distances have no part without gradient, in which the noise could be measured.
+TEST(CurvatureScale, NoiseOfVolumesWithoutBackgroundIsMeasured)
+{
+  double before = 0.0;
+  for (const double deviation : { 0.001, 0.01, 0.05 })
+  {
+    const auto image = SampleInBox(TorusDistance, 65, AddNoise(deviation));
+    const CurvatureScale choice = ChooseCurvatureScale(MakeGridPart(image), 2);
+    EXPECT_NEAR(choice.Noise, deviation, 0.15 * deviation);
+    EXPECT_GE(choice.Scale, before);
+    before = choice.Scale;
+  }
+  EXPECT_GE(before, 1.9 / 32.0);
+  EXPECT_NEAR(
+    ChooseCurvatureScale(MakeGridPart(SampleInBox(EllipsoidWithEdge, 65, AddNoise(0.02))), 2).Noise,
+    0.02, 0.003);
+}
+
+namespace
+{
+
+/// Root mean square error of the mean curvature at 500 points of the ellipsoid, relative to its
+/// root mean square, with all defaults.
+double ErrorOnEllipsoid(int n, const std::function<double(double)>& change = {})
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::vector<double> exact;
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  const std::array<double, 3> squares{ 0.49, 0.3, 0.2 };
+  while (points->GetNumberOfPoints() < 500)
+  {
+    std::array<double, 3> p{ normal(random), normal(random), normal(random) };
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    double fourth = 0.0, trace = 0.0, across = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      p[i] *= std::sqrt(squares[i]) / length;
+      fourth += p[i] * p[i] / (squares[i] * squares[i]);
+      trace += 1.0 / squares[i];
+      across += p[i] * p[i] / (squares[i] * squares[i] * squares[i]);
+    }
+    points->InsertNextPoint(p.data());
+    exact.push_back(0.5 * (trace - across / fourth) / std::sqrt(fourth));
+  }
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(0, SampleInBox(EllipsoidWithEdge, n, change));
+  filter->SetInputData(1, places);
+  filter->Update();
+  vtkDataArray* mean = PointArray(filter->GetOutput(), "MeanCurvature");
+  double error = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    error += Squared(mean->GetComponent(static_cast<vtkIdType>(i), 0) - exact[i]);
+    all += Squared(exact[i]);
+  }
+  return std::sqrt(error / all);
+}
+
+}
+
+TEST(CurvatureScale, DefaultsConvergeWithTheOrderOfTheDifferences)
+{
+  const std::array<double, 3> errors{ ErrorOnEllipsoid(33), ErrorOnEllipsoid(65),
+    ErrorOnEllipsoid(129) };
+  std::printf("ellipsoid, defaults: relative errors %.2e, %.2e, %.2e at 33, 65, 129 nodes\n",
+    errors[0], errors[1], errors[2]);
+  EXPECT_GE(std::log2(errors[0] / errors[1]), 1.9);
+  EXPECT_GE(std::log2(errors[1] / errors[2]), 1.9);
+  // 8 bits, and noise: by two orders better than without smoothing.
+  EXPECT_LT(ErrorOnEllipsoid(97, RoundTo(255.0)), 0.02);
+  EXPECT_LT(ErrorOnEllipsoid(97, AddNoise(0.01)), 0.02);
 }
 
 // Once smoothing has removed the atoms, nothing changes from scale to scale: that is no small bias.

@@ -191,9 +191,12 @@ TEST(HessianCurvatureFilter, ScaleReducesNoise)
     }
     return largest;
   };
+  const double automatic = worst();
+  filter->SetScale(0.0);
   const double rough = worst();
   filter->SetScale(3.0);
   const double smooth = worst();
+  EXPECT_LT(automatic, 0.02);
   EXPECT_GT(rough, 0.2);
   EXPECT_LT(smooth, 0.02);
   EXPECT_EQ(image->GetPointData()->GetNumberOfArrays(), 1) << "the input is left as it was";

@@ -117,6 +117,80 @@ TEST(PoreProfile, HyperboloidHasItsThroatInTheMiddle)
   EXPECT_NEAR(pores[0].Samples[pores[0].Bottlenecks[0]].Center[2], 0.0, 0.2);
 }
 
+// The exact radius is known at all heights, since it is that of the nearest ring.
+TEST(PoreProfile, ErrorsBetweenPlanesAreCovered)
+{
+  const auto atoms = Hyperboloid(24);
+  const auto exact = [&](double z)
+  {
+    double least = HUGE_VAL;
+    for (double ring = -12.0; ring <= 12.0; ring += 1.0)
+    {
+      least = std::min(least, std::hypot(WallAt(ring), z - ring) - Radius);
+    }
+    return least;
+  };
+  for (const double spacing : { 0.25, 0.7, 1.3 })
+  {
+    PoreOptions options;
+    options.EndRadius = 4.5;
+    options.Spacing = spacing;
+    const Pore pore = PoreAlong(atoms, { 0.0, 0.0, 0.37 }, { 0.0, 0.0, 1.0 }, options);
+    ASSERT_GT(pore.Samples.size(), 5U);
+    int covered = 0, close = 0, all = 0;
+    double largest = 0.0;
+    for (std::size_t i = 1; i + 1 < pore.Samples.size(); ++i)
+    {
+      const PoreSample& here = pore.Samples[i];
+      double deviation = 0.0;
+      for (const std::size_t k : { i - 1, i + 1 })
+      {
+        const PoreSample& next = pore.Samples[k];
+        for (double share = 0.0; share <= 1.0; share += 0.01)
+        {
+          const double z = here.Center[2] + share * (next.Center[2] - here.Center[2]);
+          deviation = std::max(
+            deviation, std::abs(exact(z) - here.Radius - share * (next.Radius - here.Radius)));
+        }
+      }
+      ++all;
+      covered += here.RadiusError >= deviation ? 1 : 0;
+      close += here.RadiusError <= 5.0 * deviation + 2e-4 ? 1 : 0;
+      largest = std::max(largest, deviation);
+    }
+    EXPECT_GE(covered, 0.9 * all) << spacing;
+    EXPECT_GE(close, 0.9 * all) << spacing;
+    EXPECT_GT(largest, 1e-3) << "there is something to cover";
+    const double missed = Least(pore) - Throat;
+    EXPECT_GE(pore.DipBelowNarrowest(), missed) << spacing;
+    EXPECT_LE(pore.DipBelowNarrowest(), 5.0 * missed + 2e-4) << spacing;
+  }
+}
+
+TEST(PoreProfile, BottlenecksStateTheirErrors)
+{
+  vtkNew<vtkPoreProfile> filter;
+  filter->SetInputData(MakeAtoms(Hyperboloid(24)));
+  filter->SetMode(vtkPoreProfile::PointAndDirection);
+  filter->SetPoint(0.0, 0.0, 0.5);
+  filter->SetSpacing(1.0);
+  filter->SetEndRadius(4.5);
+  filter->Update();
+  vtkTable* pores = filter->GetPoreTable();
+  ASSERT_EQ(pores->GetNumberOfRows(), 1);
+  const double radius = pores->GetValueByName(0, "Radius").ToDouble();
+  const double error = pores->GetValueByName(0, "RadiusError").ToDouble();
+  EXPECT_GT(radius, Throat + 0.01) << "no plane is at the throat";
+  EXPECT_LE(radius - error, Throat);
+  EXPECT_GE(radius - 2.0 * error, Throat - 0.05);
+  ASSERT_GT(filter->GetBottlenecks()->GetNumberOfPoints(), 0);
+  vtkDataArray* errors = filter->GetBottlenecks()->GetPointData()->GetArray("RadiusError");
+  ASSERT_NE(errors, nullptr);
+  EXPECT_NEAR(errors->GetComponent(0, 0), error, 1e-3);
+  EXPECT_NE(filter->GetProfile()->GetColumnByName("RadiusError"), nullptr);
+  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("RadiusError"), nullptr);
+}
+
 TEST(PoreProfile, RadiusInPlanesIsTheHyperboloids)
 {
   // In the plane of a ring the nearest atoms are those of the rings around: the largest ball on the

@@ -8,6 +8,7 @@
 
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -101,6 +102,43 @@ TEST(SurfaceMeasures, Table41)
   EXPECT_NEAR(MeasureSurface(Icosphere(10, 1.0).View()).Whole.Volume, 4.1656, 1e-4);
 }
 
+// Estimates of the errors of a sphere: between the error and five times as much, of second order.
+TEST(SurfaceMeasures, ErrorsOfSmoothSurfacesAreCovered)
+{
+  const double area = 4.0 * pi * 4.0, volume = 4.0 / 3.0 * pi * 8.0;
+  double before = 0.0;
+  for (const int n : { 17, 33, 65 }) // 3.2 to 12.8 nodes for each radius
+  {
+    vtkNew<vtkFlyingEdges3D> contour;
+    contour->SetInputData(MakeImage(SphereDistance(n), n, VTK_DOUBLE));
+    contour->SetValue(0, 0.0);
+    vtkNew<vtkSurfaceMeasures> filter;
+    filter->SetInputConnection(contour->GetOutputPort());
+    filter->Update();
+    vtkDataObject* output = filter->GetOutputDataObject(0);
+    const double areaError = area - Number(output, "Area");
+    const double volumeError = volume - Number(output, "Volume");
+    EXPECT_GT(areaError, 0.0);
+    EXPECT_GE(Number(output, "AreaError"), areaError) << n;
+    EXPECT_LE(Number(output, "AreaError"), 5.0 * areaError) << n;
+    EXPECT_GE(Number(output, "VolumeError"), volumeError) << n;
+    EXPECT_LE(Number(output, "VolumeError"), 5.0 * volumeError) << n;
+    EXPECT_NEAR(filter->GetTable()->GetValueByName(0, "VolumeError").ToDouble(),
+      Number(output, "VolumeError"), 1e-14);
+    if (before > 0.0)
+    {
+      EXPECT_NEAR(std::log2(before / Number(output, "VolumeError")), 2.0, 0.2);
+    }
+    before = Number(output, "VolumeError");
+  }
+  // The same with points on the sphere.
+  const SurfaceMeasure sphere = MeasureSurface(Icosphere(10, 1.0).View()).Whole;
+  EXPECT_GE(sphere.AreaError, 4.0 * pi - sphere.Area);
+  EXPECT_LE(sphere.AreaError, 8.0 * (4.0 * pi - sphere.Area));
+  EXPECT_GE(sphere.VolumeError, 4.0 / 3.0 * pi - sphere.Volume);
+  EXPECT_LE(sphere.VolumeError, 5.0 * (4.0 / 3.0 * pi - sphere.Volume));
+}
+
 TEST(SurfaceMeasures, BoxFarFromTheOrigin)
 {
   Model box;
@@ -112,6 +150,8 @@ TEST(SurfaceMeasures, BoxFarFromTheOrigin)
     { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
   const SurfaceMeasure whole = MeasureSurface(box.View()).Whole;
   EXPECT_NEAR(whole.Area, 52.0, 1e-12);
+  EXPECT_EQ(whole.AreaError, 0.0) << "edges are sharp, sides are flat";
+  EXPECT_EQ(whole.VolumeError, 0.0);
   EXPECT_NEAR(whole.Volume, 24.0, 1e-12);
   TurnInsideOut(box);
   EXPECT_NEAR(MeasureSurface(box.View()).Whole.Volume, -24.0, 1e-12);
@@ -147,6 +187,9 @@ TEST(SurfaceMeasures, HolesAreCountedAndVolumeIsRefused)
   EXPECT_EQ(whole.Genus, 0);
   EXPECT_EQ(whole.IrregularPoints, 0);
   EXPECT_TRUE(std::isnan(whole.Volume));
+  EXPECT_TRUE(std::isnan(whole.VolumeError));
+  EXPECT_GT(whole.AreaError, 0.0);
+  EXPECT_LT(whole.AreaError, 0.2 * whole.Area);
 }
 
 TEST(SurfaceMeasures, NonManifoldAndFlippedAreReported)
