@@ -19,9 +19,9 @@
  *   helix, 5 nucleic acid
  * - `BFactor`, `pLDDT` (double): mean of its atoms, where the input has that array
  *
- * **Output 1**, vtkPolyData: ligands, ions and what else is selected as balls and sticks, of each
- * bond a half for either atom. Cell arrays: `Element` (unsigned short), `AtomName` (string) and
- * those of output 0, of the atom.
+ * **Output 1**, vtkPolyData: ligands, ions and other selected residues as balls and sticks; each
+ * bond is divided between its two atoms. Cell arrays: `Element` (unsigned short), `AtomName`
+ * (string) and those of output 0, of the atom.
  *
  * **Output 2**, vtkPolyData: a point and a vertex for each residue, at CA, C4' or P, else in the
  * middle of its atoms, with the same arrays as point arrays, and `ResidueName`, `Chain` and
@@ -29,7 +29,8 @@
  *
  * Secondary structure is that of the point array `SecondaryStructure`, which vtkMacromoleculeReader
  * takes from HELIX and SHEET records or their equivalent in mmCIF; without it, DSSP's by hydrogen
- * bonds (SecondaryStructure.h). The field array `Notes` says which, and what is not drawn.
+ * bonds (SecondaryStructure.h). The field array `Notes` states which was used, and what is not
+ * drawn.
  *
  * **Errors** (one message, empty outputs): coordinates that are not finite, lengths that are not
  * positive, not enough memory. If no residue of a chain is recognised, output 1 has all atoms.
@@ -63,7 +64,8 @@ public:
   ///@}
 
   ///@{
-  /// Width and thickness of helices and strands, in angstrom. Coil is as thick. Defaults 2.4 and
+  /// Width and thickness of helices and strands, in angstrom; the diameter of coil is the
+  /// thickness. Defaults 2.4 and
   /// 0.5.
   ISTHMUS_PARAMETER(RibbonWidth, double);
   ISTHMUS_PARAMETER(RibbonThickness, double);

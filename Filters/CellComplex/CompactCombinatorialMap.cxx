@@ -256,7 +256,7 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
   this->Umbrellas.shrink_to_fit();
 }
 
-/// (vertex, dart of one of its cells) for all cells at vertices whose star is not whole, sorted.
+/// (vertex, dart of one of its cells) for all cells at vertices whose star is incomplete, sorted.
 template <typename Id>
 auto CompactCombinatorialMap<Id>::CornersOfPinchedVertices() const
   -> std::vector<std::pair<Vertex, Dart>>

@@ -70,7 +70,7 @@ struct AnalysisCost
   /// without GeneratorCompletion.h.
   void LearnFrom(const AnalysisCost& before, double seconds);
 
-  /// Includes the cost of GeneratorCompletion.h on the surface's own `points`.
+  /// Adds the cost of GeneratorCompletion.h on the surface's own `points`.
   void ExpectCompletion(std::size_t points);
 
   /// Estimated time of GeneratorCompletion.h in seconds.

@@ -52,10 +52,10 @@
  *
  * Where the half maps are equal, outside of a mask, there is no noise; maps that are equal
  * everywhere are refused. Field data `HalfMapCorrelation`: Pearson's, of means over blocks of 4^3
- * nodes, without equal nodes; below 0.1, a warning says that the maps have nothing in common. Noise
+ * nodes, without equal nodes; below 0.1, a warning says that the maps do not correlate. Noise
  * is taken as symmetric, and as uncorrelated beyond blocks. Cost: that of vtkScalarPersistence on
- * noisy data for each resample, and 36 bytes a node (44 with scalars of type double or integers of
- * more than 16 bits). Results are bitwise identical for the same Seed.
+ * noisy data for each resample, and 36 bytes per node (44 with scalars of type double or integers
+ * of more than 16 bits). Results are bitwise identical for the same Seed.
  *
  * **Errors** (one message, empty outputs): a value that is not a number; an invalid range or
  * persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and
@@ -97,8 +97,8 @@ public:
   ///@}
 
   ///@{
-  /// Shortest interval of levels that counts, in standard deviations of the map; at least 0.
-  /// Default 0.5.
+  /// Shortest interval of levels for a feature to be reported, in standard deviations of the map;
+  /// at least 0. Default 0.5.
   vtkSetMacro(MinimumPersistence, double);
   vtkGetMacro(MinimumPersistence, double);
   ///@}

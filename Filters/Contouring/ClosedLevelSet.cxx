@@ -59,7 +59,7 @@ void RejectMask(const GridView<const T>& grid, double low, double high)
     throw std::invalid_argument("The volume has only the two values " + FormatNumber(low) +
       " and " + FormatNumber(high) +
       ", so its level sets have a corner at every node and refinement would not end: smooth it "
-      "first (Denoise Map, Gaussian sum of Molecular Density), or take Contour.");
+      "first (Denoise Map, Gaussian sum of Molecular Density), or use Contour.");
   }
 }
 

@@ -189,7 +189,7 @@ void RejectSeveralRanks(int ranks, const std::string& what)
   if (ranks > 1)
   {
     throw std::runtime_error("The " + what + " lie on " + std::to_string(ranks) +
-      " ranks, and all are needed on one: read them with a reader that gives them to one rank, or "
+      " ranks, and all are needed on one: read them with a reader that loads them on one rank, or "
       "run on one rank.");
   }
 }

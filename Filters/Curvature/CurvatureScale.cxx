@@ -109,7 +109,7 @@ double SquaredNorm(const std::array<double, 3>& v)
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/// The nodes that show noise, and those at edges.
+/// The nodes used to measure noise, and those at edges.
 struct Samples
 {
   std::vector<Node> Background, Edges;
@@ -552,7 +552,7 @@ void Search::AdaptNoiseToEdges()
     {
       share = std::min(share, changes[k] / variance(this->Kinds, k));
     }
-    constexpr double certain = 0.8; // of variances that are known to a tenth
+    constexpr double certain = 0.8; // of variances with an uncertainty of a tenth
     if (share < certain)
     {
       this->Kinds[0].Deviation *= std::sqrt(share);
@@ -566,7 +566,8 @@ void Search::AdaptNoiseToEdges()
   };
   const double square = excess(0);
   const double finest = LaplacianVariance(this->Kinds, { { 1.0, this->Filter(0) } }, this->Spacing);
-  constexpr double notable = 0.5; // of the background's variance, which is known to a tenth
+  constexpr double notable =
+    0.5; // of the background's variance, which has an uncertainty of a tenth
   const double next = excess(1);
   constexpr double alike = 1.3; // as in the next change: structure of the edges is not white
   if (square * LaplacianVariance(white, { { 1.0, this->Filter(0) } }, this->Spacing) >
@@ -578,9 +579,9 @@ void Search::AdaptNoiseToEdges()
 }
 
 /// The mean square bias of scale k that its change from finer scales shows, where it exceeds the
-/// noise, less the error of the finer scale's differences. Smoothing that has removed features
-/// makes no further changes: judged by the next scale, it would seem free of bias. For the same
-/// reason, the bias is at least that of the finer scales.
+/// noise, less the error of the finer scale's differences. Once smoothing has removed features,
+/// nothing changes: compared with the next scale, the bias would seem to be zero. For the
+/// same reason, the bias is at least that of the finer scales.
 double Search::BiasSinceFinerScales(std::size_t k) const
 {
   const double least = LeastGradientShare * Square(this->EdgeGradient);

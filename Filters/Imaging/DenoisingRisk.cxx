@@ -705,7 +705,7 @@ private:
     {
       if (time < 0.04 * parameters.Time)
       {
-        return; // too little to be the best
+        return; // too short a time to be the best
       }
       steps.Time.push_back(time);
       std::vector<float> inner(this->Nodes[index].size());

@@ -88,7 +88,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DiffusionParameters& parameters
 struct DiffusionReport
 {
   std::vector<double> Time;     ///< at the end of the step
-  std::vector<double> Change;   ///< root mean square of what the step changed
+  std::vector<double> Change;   ///< root mean square of the change in the step
   std::vector<double> Residual; ///< root mean square of the rate of change at the step's start
   std::int64_t Evaluations = 0; ///< of a right-hand side, those under PreSmoothing included
 };

@@ -21,7 +21,7 @@ namespace isthmus
  * boundaries stay, as chains of edges; triangles that touch them may have smaller angles.
  *
  * @pre as for RemeshSurface(). @throws as that, and std::runtime_error when refinement does not end
- * below MaximumPoints, as at very sharp features, or loses a part: ask for a smaller EdgeLength.
+ * below MaximumPoints, as at very sharp features, or loses a part: use a smaller EdgeLength.
  * Time: linear in the points of the result.
  */
 RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,

@@ -236,7 +236,8 @@ struct StopAtEdges
   template <typename Cost, typename Profile>
   bool operator()(const Cost&, const Profile&, std::size_t initial, std::size_t current) const
   {
-    if (current % 16 == 0) // around a point of a thousand triangles, each takes milliseconds
+    if (current % 16 ==
+      0) // around a point with a thousand triangles, each collapse takes milliseconds
     {
       Report(*this->Progress,
         static_cast<double>(initial - current) / static_cast<double>(initial - this->Edges + 1));
@@ -293,7 +294,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
       Projection projection(old, 0.5 * expected * parameters.NumberOfIterations, rest);
       for (int i = 0; i < parameters.NumberOfIterations; ++i)
       {
-        // Its own relaxation requests null edges: see Features.
+        // CGAL's own relaxation requests null edges: see Features.
         PMP::isotropic_remeshing(faces(after), length, after,
           CGAL::parameters::edge_is_constrained_map(isFeature)
             .number_of_relaxation_steps(0)

@@ -10,8 +10,8 @@
  * or volume) and, of tetrahedra, `Volume` (signed: positive in VTK's order of the corners), and
  * field data `QualitySummary` (one line) and `QualityMeasures` (smallest angle, largest angle,
  * largest radius-edge ratio, slivers, inverted, named components). A sliver is a tetrahedron with a
- * dihedral angle below 5 degrees, which the radius-edge ratio does not detect. Inverted are
- * tetrahedra whose corners are ordered opposite to those of most of the volume, as where a mesh
+ * dihedral angle below 5 degrees, which the radius-edge ratio does not detect. Tetrahedra are
+ * inverted if their corners are ordered opposite to those of most of the volume, as where a mesh
  * overlaps itself: a warning names them, and the volume in the summary counts them as negative.
  *
  * Output 1: vtkTable, one row for each of NumberOfBins bins over 0 to 180 degrees: `Angle` (middle

@@ -42,7 +42,7 @@ constexpr std::array<Kind, 6> quadraticKinds{ Kind{ "EdgesP2", CellShape::Quadra
   Kind{ "PrismsP2", CellShape::BiquadraticWedge },
   Kind{ "HexahedraQ2", CellShape::TriquadraticHexahedron } };
 
-/// Null: the section does not contain cells, or cells of an unsupported kind.
+/// Null if the section does not contain cells, or cells of an unsupported kind.
 const Kind* FindKind(std::string_view name)
 {
   const auto isIt = [name](const Kind& known) { return known.Name == name; };

@@ -10,9 +10,9 @@ and complex shapes".
 
 --fetch FOLDER  downloads the entries of PDB and EMDB that the thesis uses into FOLDER, with their checksums
     (thesis_entries.py); then WHAT, if anything is named, with these entries.
---entries FOLDER  takes 1MAG, 1PPL and the maps from FOLDER, where they are there, instead of stand-ins.
---pictures FOLDER  draws into FOLDER: Figure 5.6 (1PPL, else lysozyme), 5.7, 5.8 and the gallery of 4.7 where their maps
-    are there; without a screen, put xvfb-run -a in front.
+--entries FOLDER  takes 1MAG, 1PPL and the maps from FOLDER, if they exist, instead of substitutes.
+--pictures FOLDER  draws into FOLDER: Figure 5.6 (1PPL, else lysozyme), 5.7, 5.8 and the gallery of 4.7 if their maps
+    exist; without a screen, put xvfb-run -a in front.
 --page FILE  writes each table into the page FILE as well, between <!-- thesis.py WHAT --> and <!-- end -->.
 
 Data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone. If the entry used in the thesis is not available, the
@@ -78,7 +78,7 @@ ENTRIES = []  # the folder of fetched entries, if there is one
 
 
 def fetched(entry):
-    """The file of an entry of the PDB or EMDB; None where a stand-in is needed."""
+    """The file of an entry of the PDB or EMDB; None if a substitute is needed."""
     return thesis_entries.path_of(entry, ENTRIES[0]) if ENTRIES else None
 
 
@@ -252,7 +252,7 @@ def spheres():
         rows.append((f"sqrt({square})", count, beside(a, area, ".2f"), f"{4 * math.pi * square:.2f}",
                      beside(v, volume, ".2f"), f"{4 / 3 * math.pi * square ** 1.5:.2f}"))
     return table(("radius", "points", "area", "exact", "volume", "exact"), rows) + [
-        "", "Stand-ins for the thesis' spheres: icosahedra whose edges are cut into 10, 14, 17 parts, so that the "
+        "", "Substitutes for the thesis' spheres: icosahedra whose edges are cut into 10, 14, 17 parts, so that the "
         "areas agree. The first volume is 4.166: the thesis cut it off instead of rounding it."]
 
 
@@ -476,8 +476,8 @@ def crossings():
         row.append("" if math.isnan(here) else f"{here:.2f} ({theirs:.2f})")
     return table(("h", "crossings", "mean error", "order"), rows) + [
         "", "The error is that of the triangles, not of the grid: it does not decrease if only h is reduced. "
-        "Stand-ins: "
-        "icosahedral spheres whose triangles are refined with h; the thesis must have done the same."]
+        "Substitutes: icosahedral "
+        "spheres whose triangles are refined with h; the thesis must have done the same."]
 
 
 @reproduces("5.2", "Sharp area of a sphere (r = 2): error")
@@ -599,7 +599,7 @@ def open_to_water(path, spacing):
 
 
 def gramicidin():
-    """1MAG, where it was fetched, else its stand-in 1GRM."""
+    """1MAG if it was downloaded, otherwise its substitute 1GRM."""
     return open_to_water(fetched("1MAG") or data("molecules/1grm_gramicidin_model1.pdb"), 0.35)
 
 

@@ -173,7 +173,7 @@ TEST(OffsetSurface, FacesOutward)
   }
 }
 
-// The other way to the same number: by brute force over all triangles' nearest points in a tree.
+// The same number computed independently, by a tree search for the nearest point.
 TEST(OffsetSurface, DistancesToPointsAgreeWithTheFormula)
 {
   std::vector<Point3> points;

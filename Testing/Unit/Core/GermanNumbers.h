@@ -99,7 +99,7 @@ private:
 
 }
 
-/// First line of a test that sets the locale `numbers`.
+/// First line of a test that sets the locale.
 #define ISTHMUS_NEEDS_GERMAN(numbers)                                                              \
   if (!(numbers).AreSet())                                                                         \
   {                                                                                                \

@@ -215,7 +215,7 @@ TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreTold)
   filter->SetInputData(noise(4));
   filter->SetOtherHalfData(noise(5));
   filter->Update();
-  EXPECT_NE(observer->GetWarningMessage().find("nothing in common"), std::string::npos)
+  EXPECT_NE(observer->GetWarningMessage().find("do not share a signal"), std::string::npos)
     << observer->GetWarningMessage();
 }
 

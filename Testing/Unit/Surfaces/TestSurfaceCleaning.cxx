@@ -162,7 +162,7 @@ TEST(SurfaceCleaning, AFlatTriangleIsFlippedInPlace)
 
 TEST(SurfaceCleaning, FlatTrianglesUponEachOtherGoLayerByLayer)
 {
-  // The side 0-4 with three points on it, each between its neighbours of the layer before.
+  // Three points on the edge 0-4, each on an edge of a flat triangle of the previous layer.
   TriangleMesh mesh = OctahedronWithFlat();
   mesh.Points.push_back({ 0.75, 0, 0.25 });
   mesh.Points.push_back({ 0.25, 0, 0.75 });

@@ -178,7 +178,7 @@ namespace
 {
 
 /// A sphere with five points elsewhere (surface 284 of RandomDamage.py, seed 20261125): CGAL's
-/// removal of self-intersections left it torn, and went out of its arrays in the next round.
+/// removal of self-intersections left it torn, and read beyond its arrays in the next round.
 TriangleMesh SphereThatTears()
 {
   vtkNew<vtkSphereSource> source;

@@ -142,7 +142,7 @@ TEST(TetrahedralMesher, TetGenKeepsItsBounds)
   parameters.TetGen.MaximumVolume = 0.5;
   parameters.TetGen.RadiusEdgeRatio = 1.4;
   const TetrahedralMesh mesh = MeshTetrahedra(NestedCubes(), parameters);
-  ASSERT_GT(mesh.Tetrahedra.size(), 2u * 793u); // no fewer hold the volume of 793
+  ASSERT_GT(mesh.Tetrahedra.size(), 2u * 793u); // fewer cannot fill the volume of 793
   double largest = 0.0, worst = 0.0;
   std::size_t above = 0;
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)

@@ -1,4 +1,4 @@
-"""Messages of the window in plain sentences. The text of an unexpected exception is written to a file, which the user can
+"""Messages of the window in plain language. The text of an unexpected exception is written to a file, which the user can
 send with a report.
 
 Where a message goes: an error where there is no result; a warning where the result is not what was asked for, or not to be
@@ -57,7 +57,7 @@ def reports_faults(what):
 
 
 def fault(what):
-    """Called in an except clause: `what` failed for a reason that nobody has foreseen."""
+    """Called in an except clause: `what` failed for an unforeseen reason."""
     with tempfile.NamedTemporaryFile("w", prefix="isthmus-fault-", suffix=".txt", delete=False) as report:
         report.write(traceback.format_exc())
     show_error(f"{what} failed. This is a fault in Isthmus: please report it with the file {report.name} and, if "

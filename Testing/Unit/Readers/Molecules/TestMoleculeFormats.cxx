@@ -239,7 +239,7 @@ TEST(MacromoleculeReader, BadFilesAreReported)
     EXPECT_NE(CatchMessage(c.Text, c.Format).find(c.Words), std::string::npos)
       << c.Text << "\nsaid: " << CatchMessage(c.Text, c.Format);
   }
-  // gemmi takes small letters as well, and would make 0 of what is no number.
+  // gemmi takes small letters as well, and would read 0 from anything that is not a number.
   EXPECT_NE(CatchMessage("atom      1  ca  ser a  10       0.000   0.000     nan  1.00 10.00\n",
               MoleculeFormat::PDB)
               .find("columns 47 to 54"),

@@ -138,7 +138,7 @@ TEST(ReadingReport, MOL2)
 
 TEST(ReadingReport, TypesOfForceFieldsInMOL2AreNoElements)
 {
-  // GAFF's, in ADP: os is no osmium, nb no niobium, ca no calcium, ho no holmium.
+  // GAFF's types in ADP: os is not osmium, nb not niobium, ca not calcium, ho not holmium.
   const auto file = [](const char* types)
   {
     std::string text = "@<TRIPOS>MOLECULE\nx\n5 0\nSMALL\nUSER_CHARGES\n@<TRIPOS>ATOM\n";
