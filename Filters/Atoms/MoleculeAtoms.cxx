@@ -274,7 +274,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   {
     atoms.Warnings.push_back(radii.Warning);
   }
-  // Before copies are looked for: alternate locations may lie at one place.
+  // Before copies are searched for: alternate locations may lie at one place.
   const PolymerChoice choice = Select(input, options, atoms);
   atoms.Notes = choice.Notes;
   if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&

@@ -235,7 +235,8 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
       reached += cells;
     },
     progress);
-  // Nearly all meshes end here; the slower search for other umbrellas is for pinched ones only.
+  // Nearly all meshes end here; the slower search for other umbrellas is needed only for pinched
+  // ones.
   if (reached == this->Cv2V.size())
   {
     return;

@@ -11,8 +11,8 @@ namespace isthmus
 namespace
 {
 
-// Half faces that match have the same smallest vertex, so each bucket is matched by itself, in a
-// hash table that stays in the cache.
+// Half faces that match have the same smallest vertex, so each bucket is matched independently, in
+// a hash table that stays in the cache.
 constexpr std::size_t CellsPerChunk = 1u << 16;
 constexpr std::size_t HalfFacesPerBucket = 1u << 13;
 constexpr std::uint32_t Free = 0xFFFFFFFFu;

@@ -85,7 +85,7 @@ struct ChokingAnalysis;
 
 /**
  * The analysis of one surface. The constructor does the work; selecting features and computing a
- * membrane is fast, and membranes are cached. Membranes may be asked for on several threads at
+ * membrane is fast, and membranes are cached. Membranes may be requested on several threads at
  * once.
  */
 class ChokingLoops

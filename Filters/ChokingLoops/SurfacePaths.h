@@ -46,7 +46,7 @@ using SurfaceChain = std::vector<SurfaceEdgeId>;
 class SurfaceAdjacency
 {
 public:
-  /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
+  /// O(n log n), 28 bytes per half edge. @pre The owner of `mesh` outlives this object.
   explicit SurfaceAdjacency(const SurfaceView& mesh);
   explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
@@ -106,7 +106,7 @@ inline SimplexId SurfaceAdjacency::From(HalfEdgeId h) const
 
 /**
  * A hash map from ids to values, for some of very many ids: points of a surface, tetrahedra of a
- * complex. Values that were never set are `unset`. Constant time; 36 to 72 bytes a value of four
+ * complex. Values that were never set are `unset`. Constant time; 36 to 72 bytes per value of four
  * bytes.
  *
  * CGAL's Unique_hash_map, which allocates no node for each value. In breadth-first walks over 200
@@ -345,7 +345,7 @@ double AngleOnOtherSide(const SurfaceAdjacency& surface, const EdgeStrip& other,
 /// True for a curve that passes through the end p of its edge.
 bool Touches(const SurfaceAdjacency& surface, const SurfaceCurvePoint& c, SimplexId p);
 
-/// The end of its edge that a curve passes through, or -1.
+/// The end of the edge of `c` at which the curve passes through a vertex, or -1.
 SimplexId TouchedBy(const SurfaceAdjacency& surface, const SurfaceCurvePoint& c);
 
 }

@@ -55,7 +55,7 @@ std::vector<vtkIdType> FindFirstCoincident(vtkPolyData* surface)
       x += 0.0; // -0 becomes 0
     }
   }
-  // By their bytes, so that NaN is ordered, too.
+  // By their bytes, so that NaN is ordered as well.
   const auto compare = [&places](vtkIdType a, vtkIdType b)
   {
     // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bytes are meant

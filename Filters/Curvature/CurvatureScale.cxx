@@ -32,7 +32,8 @@ double MeanSpacing(const std::array<double, 3>& spacing)
   return std::cbrt(spacing[0]) * std::cbrt(spacing[1]) * std::cbrt(spacing[2]);
 }
 
-/// The scales, in the unit of the spacing; the last one serves as next one only.
+/// The scales, in the unit of the spacing; the last one is used only as the successor of the one
+/// before.
 std::vector<double> CandidateScales(const std::array<double, 3>& spacing, const Node& whole)
 {
   const double unit = MeanSpacing(spacing);
@@ -520,9 +521,9 @@ void Search::FitBackground(const std::vector<double>& measured)
 }
 
 /// Noise as estimated from the edges: how the Laplacians there change from scale to scale. Smooth
-/// data add to the change, so it is an upper bound of the noise: what the background
-/// has beyond that is its own structure. White noise that the edges have beyond the background's
-/// falls from one change to the next as only white noise does.
+/// data add to the change, so it is an upper bound of the noise: what exceeds it in the background
+/// is structure of the background. White noise that the edges have beyond the background's falls
+/// from one change to the next as only white noise does.
 void Search::AdaptNoiseToEdges()
 {
   const double perGradient = this->MeanOverEdges(edgeIndex,

@@ -77,7 +77,7 @@ GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
   this->Matrix = std::make_unique<InterfaceOperator>(
     this->Box, this->Inside, parameters.SoluteDielectric, parameters.SolventDielectric);
   this->Assemble({}, Between(progress, 0.6, 1.0));
-  // The preconditioner sees permittivities in series, not the fitted rows, so it stays symmetric.
+  // The preconditioner uses permittivities in series, not the fitted rows, so it stays symmetric.
   this->Multigrid = std::make_unique<MultigridPoisson>(
     this->Box.Dimensions, AxisWeights(this->Box), this->Permittivities());
   if (last)

@@ -39,7 +39,7 @@ enum class BoundaryCondition
 {
   Zero = 0,                 ///< u = 0
   SingleDebyeHueckel = 1,   ///< the net charge at the center of charge, in a sphere of the solute
-  MultipleDebyeHueckel = 2, ///< every charge by itself
+  MultipleDebyeHueckel = 2, ///< each charge alone
   SelfConsistent = 3, ///< the former, corrected by the continuation of a solution on a coarser grid
   Given = 4           ///< by PoissonBoltzmannParameters::Boundary
 };

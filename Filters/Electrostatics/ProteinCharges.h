@@ -22,7 +22,7 @@ enum class ChargeTable
   PARSE = 1  ///< D. Sitkoff, K. Sharp, B. Honig, J. Phys. Chem. 98 (1994) 1978
 };
 
-/// An atom that the force field knows.
+/// An atom for which the force field has parameters.
 struct ForceFieldAtom
 {
   Point3 Place{ 0.0, 0.0, 0.0 }; ///< angstrom

@@ -113,7 +113,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
  * @pre values are finite.
  * @throws std::invalid_argument for bad parameters, for fixed Steps that are larger than the
  * integrator can take (the message names the limit) and std::runtime_error for values that cease
- * to be finite. `observer` sees the values after each step.
+ * to be finite. `observer` is called with the values after each step.
  *
  * Memory: volumes of T in addition to values, input and source. SuperTimeStepping needs 4: two for
  * stages, the first rate, and the coefficient (3 if it is constant), and two more for order 0 on

@@ -1,6 +1,6 @@
 /**
  * @file SmoothedNoise.h
- * @brief Finds noise with a Gaussian correlation in blocks that hold signal, too.
+ * @brief Finds noise with a Gaussian correlation even in blocks that contain signal.
  *
  * White noise that was smoothed by a Gaussian of standard deviation sigma, as by interpolation, by
  * a low-pass filter or by a detector, has the spectral density A exp(-sigma^2 |omega|^2). Signal

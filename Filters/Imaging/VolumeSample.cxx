@@ -215,7 +215,7 @@ double LargestModulus(const DiffusionGrid<T>& grid, const T* values)
   return ofPlanes.empty() ? 0.0 : *std::max_element(ofPlanes.begin(), ofPlanes.end());
 }
 
-/// The value that most nodes have whose neighbours in a block all have it, too.
+/// The most frequent value among nodes whose neighbours in a block all have the same value.
 void FindFill(
   const std::vector<std::vector<double>>& blocks, const Index3& size, VolumeSample& sample)
 {

@@ -16,7 +16,7 @@ namespace isthmus
 {
 
 /**
- * Delaunay remeshing of `mesh`, each connected part by itself. New points lie on the old surface;
+ * Delaunay remeshing of `mesh`, each connected part separately. New points lie on the old surface;
  * no triangle has a larger circumscribed circle than an equilateral one of EdgeLength. Features and
  * boundaries stay, as chains of edges; triangles that touch them may have smaller angles.
  *

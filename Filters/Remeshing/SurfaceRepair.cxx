@@ -83,7 +83,7 @@ Soup CloseCracks(
     SurfaceView(mesh.Points, correction.Joined > 0 ? View<Triangle>(joined) : mesh.Triangles), {});
 }
 
-/// Number of holes filled; those that can't be stay open.
+/// Number of holes filled; those that cannot be filled stay open.
 std::size_t FillHoles(SurfaceMesh& mesh)
 {
   std::size_t filled = 0;

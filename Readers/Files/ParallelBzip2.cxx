@@ -166,7 +166,7 @@ std::uint32_t Bzip2BlockFinder::WordAt(std::uint64_t bit) const
   return static_cast<std::uint32_t>(bit % 8 ? word >> (8 - bit % 8) : word);
 }
 
-/// A block, its first MiB, and libbz2 where there is more of it.
+/// A block, its first MiB, and libbz2 for the rest.
 class ParallelBzip2::DecodedBlock
 {
 public:

@@ -74,7 +74,7 @@ MRCHeader ParseMRCHeader(
 
 /**
  * True if `bytes` are certainly or probably the header of a map: grid and mode make sense, and
- * there is "MAP " or all other fields make sense, too. Never throws.
+ * there is "MAP " or all other fields make sense as well. Never throws.
  */
 bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes);
 

@@ -152,7 +152,7 @@ private:
     else
     {
       this->Words.Reject("a section should begin where '" + Printable(name.substr(0, 30)) +
-        "' is: the one before has more rows than it says, or the file is damaged.");
+        "' is: the one before has more rows than it declares, or the file is damaged.");
     }
     return std::string(this->Words.Word());
   }

@@ -301,7 +301,7 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
     {
       lines.Fail(
         "the box should follow the last atom: three numbers or nine. The file is truncated "
-        "or has another number of atoms than it says. Fetch or write it again.");
+        "or has another number of atoms than it declares. Fetch or write it again.");
     }
     ++molecule.NumberOfModels;
   }

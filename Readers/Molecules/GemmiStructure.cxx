@@ -263,7 +263,7 @@ double GetConfidence(const Confidence& values, std::int64_t model, const gemmi::
   return found == values.end() ? Atom::Unknown : found->second;
 }
 
-/// Copies one model and the connections that gemmi knows.
+/// Copies one model and the connections that gemmi has found.
 Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted, ReadingReport& report,
   const Confidence& confidence = Confidence())
 {

@@ -1,6 +1,6 @@
 // Nodes and points per second of the curvature filter, beside the machine's memory bandwidth and
 // vtkCurvatures on the same isosurface. Each is the whole filter, allocation of its output
-// included. The CPU column counts all threads, so that it says something on a busy machine, too.
+// included. The CPU column counts all threads, so that it is meaningful even on a busy machine.
 #include "CopyBandwidth.h"
 #include "Core/ParallelFor.h"
 #include "FieldImage.h"

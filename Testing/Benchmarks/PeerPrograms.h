@@ -10,7 +10,7 @@
  *   ttk_mesh_persistence IN.tetrahedra OUT.diagram OUT.seconds [THREADS]
  *     TTK with Peers/ttk_mesh_persistence.cxx, on tetrahedra.
  * Volumes (.complex) and pairs (.diagram) are in DIPHA's format (Peers/DiphaFiles.h), meshes
- * (.tetrahedra) as Peers/TetrahedraFiles.h says; OUT.seconds gets the CPU and the wall seconds
+ * (.tetrahedra) as Peers/TetrahedraFiles.h describes; OUT.seconds gets the CPU and the wall seconds
  * without files. Missing programs are named in the row, which then has no ratio.
  */
 #ifndef isthmus_PeerPrograms_h

@@ -1,7 +1,7 @@
 // libFuzzer target: vtkMRCMapReader reads the bytes as a file, plain, gzip or bzip2.
 //
 // The first 8 bytes choose what is done with the rest, so that the fuzzer need not invent
-// compressed streams: how it is packed, the file's ending, and the reader's properties. Built by
+// compressed streams: the compression, the file's ending, and the reader's properties. Built by
 // -DISTHMUS_FUZZ=ON, or alone by clang++ -fsanitize=fuzzer,address,undefined with the sources of
 // Readers and Filters/Core. Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from
 // a valid map.

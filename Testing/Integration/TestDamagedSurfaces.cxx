@@ -144,8 +144,8 @@ TriangleMesh WithCoordinates(std::uint64_t seed, const std::vector<double>& valu
   return mesh;
 }
 
-/// `known` seeds, as many as `usual`, and those of this run's share; ISTHMUS_FUZZ_CASES=6000 runs
-/// more.
+/// The `known` seeds, `usual` further ones, and those of this run (LongTests.h);
+/// ISTHMUS_FUZZ_CASES=6000 runs more.
 std::vector<std::uint64_t> SeedsAnd(std::vector<std::uint64_t> known, std::uint64_t usual)
 {
   const char* const wanted = std::getenv("ISTHMUS_FUZZ_CASES");

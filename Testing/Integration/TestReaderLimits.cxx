@@ -112,7 +112,7 @@ TEST(ReaderLimits, PipesAreRefusedWithoutWaiting)
     Complaint<vtkMRCMapReader>(stem + ".mrc").first.find("not a regular file"), std::string::npos);
 }
 
-TEST(ReaderLimits, FoldersAreCalledFolders)
+TEST(ReaderLimits, FoldersAreReportedAsFolders)
 {
   for (const char* name : { "folder.cmesh", "folder.vert", "folder.pqr" })
   {
@@ -169,7 +169,8 @@ TEST(ReaderLimits, MSMSCountsMustMatchTheHeader)
 TEST(ReaderLimits, DecompressionBombsAreRefusedEarly)
 {
   const TemporaryFile newlines(Gzip(std::string(100'000'000, '\n')), "newlines.cif.gz");
-  EXPECT_NE(Complaint<vtkMacromoleculeReader>(newlines.Path()).first.find("decompress to more than"),
+  EXPECT_NE(
+    Complaint<vtkMacromoleculeReader>(newlines.Path()).first.find("decompress to more than"),
     std::string::npos);
   const std::string line =
     "ATOM      1  N   ALA A   1      11.104   6.134  -6.504  1.00  0.00           N  \n";

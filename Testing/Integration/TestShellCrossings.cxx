@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> CrossingSpheres()
 
 }
 
-TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiSay)
+TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiImply)
 {
   std::mt19937 random(39);
   std::uniform_real_distribution<double> part(0.0, 1.0);

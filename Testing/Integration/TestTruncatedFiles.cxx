@@ -1,6 +1,6 @@
 // A small file of each format, cut at every byte: an error and an empty output, the data of the
-// whole file, or what the headers of the readers say of files that cannot be distinguished from
-// whole ones.
+// whole file, or, for files that cannot be distinguished from whole ones, what the readers' headers
+// state.
 
 #include "TemporaryFile.h"
 #include "vtkCombinatorialMeshReader.h"

@@ -191,7 +191,7 @@ private:
   std::map<Corners, std::vector<Pair>> Sides;
 };
 
-/// The faces at an edge that a cell has, by their corners: two, found without darts.
+/// The two faces of a cell that meet at an edge, by their corners; found without darts.
 inline std::set<Corners> FacesAtEdge(const BruteForce& truth, const Pair& edge, std::int64_t cell)
 {
   std::set<Corners> faces;

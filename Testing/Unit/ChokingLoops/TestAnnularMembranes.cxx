@@ -193,7 +193,7 @@ TEST(AnnularMembranes, RoundAWireThatGoesThrough)
   EXPECT_EQ(shown.FieldValue("NumberOfTunnels"), 1.0);
 }
 
-// A tube with a waist, closed to a ring, and a wire in it that is closed to a ring, too. Of the
+// A tube with a waist, closed to a ring, and a wire in it that is closed to a ring as well. Of the
 // four classes of the two tori's loops, each bounds in the space between them together with its
 // counterpart: round the tube, and along it. The handle at the waist is an annulus.
 TEST(AnnularMembranes, RoundAWireClosedToARing)

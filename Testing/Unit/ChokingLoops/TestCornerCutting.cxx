@@ -61,7 +61,8 @@ public:
   int MiddleRing() const { return (this->Rings - 1) / 2; }
   double RingHeight(int rings) const { return 6.0 * rings / (this->Rings - 1); }
 
-  /// Once round from (angle 0, z 0): half way at z 0, `rings` rings up, on round, and down again.
+  /// Once around from (angle 0, z 0): half of it at z 0, `rings` rings up, on round, and down
+  /// again.
   std::vector<SimplexId> Stair(int rings) const
   {
     std::vector<SimplexId> loop;

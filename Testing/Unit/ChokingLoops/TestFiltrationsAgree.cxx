@@ -1,5 +1,5 @@
 // Handles, tunnels and narrowings by both filtrations of Choking Loops, on tori and necklaces whose
-// values are known and on shared surfaces; three of the thirty at each turn (LongTests.h).
+// values are known and on shared surfaces; three of the thirty in each run (LongTests.h).
 
 #include "BeadShapes.h"
 #include "ChokingSurfaces.h"

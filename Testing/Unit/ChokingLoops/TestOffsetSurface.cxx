@@ -68,7 +68,7 @@ public:
   std::string Error() const { return this->Observer->GetErrorMessage(); }
   double Spacing() { return this->Result()->GetFieldData()->GetArray("GridSpacing")->GetTuple1(0); }
 
-  /// Largest difference between `exact` at the result's points and the distance asked for.
+  /// Largest difference between `exact` at the result's points and the requested distance.
   template <typename Exact>
   double WorstError(const Exact& exact)
   {

@@ -196,7 +196,7 @@ TEST(SurfacePaths, DoNotDependOnUnitOrNumbering)
   }
 }
 
-TEST(SurfacePaths, StayOnTheirPartAndPassNoPointOfNoTriangle)
+TEST(SurfacePaths, StayOnTheirPartAndAvoidUnusedPoints)
 {
   TriangleMesh mesh = Torus(1.0, 0.3, 12, 8);
   const auto part = static_cast<SimplexId>(mesh.Points.size());

@@ -174,7 +174,7 @@ TEST(AdaptiveContouring, NoTrianglesCrossWhereThatIsPromised)
 }
 
 /// Edges of machine parts, found by their dihedral angles: within 0.05 h where the grid can resolve
-/// them (EdgeSamples.h), and most of the others, too.
+/// them (EdgeSamples.h), and most of the others as well.
 TEST(AdaptiveContouring, SharpEdgesOfMachinePartsAreKept)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");

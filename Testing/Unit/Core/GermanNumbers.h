@@ -76,7 +76,7 @@ private:
       const std::string target = folder + "/" + Name;
       const auto compile = [&](const std::string& input)
       {
-        // The exit status is 1 for warnings, too.
+        // The exit status is 1 for warnings as well.
         return std::system(
                  ("localedef --no-archive -c " + input + " '" + target + "' >/dev/null 2>&1")
                    .c_str()) >= 0 &&

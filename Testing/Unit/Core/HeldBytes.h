@@ -3,8 +3,8 @@
  * @brief Counts the heap memory of a program and its peak (glibc).
  *
  * Replaces malloc and its kin for the whole program (glibc's manual, "Replacing malloc"), so that
- * operator new and calloc of every library in it are counted, too. Requested bytes count, touched
- * or not: the same on every kernel, at any load. Include it in one source of a program.
+ * operator new and calloc of every library in it are counted as well. Requested bytes count,
+ * touched or not: the same on every kernel, at any load. Include it in one source of a program.
  */
 #ifndef isthmus_HeldBytes_h
 #define isthmus_HeldBytes_h

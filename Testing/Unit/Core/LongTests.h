@@ -45,7 +45,7 @@ public:
     return this->All || (this->Some && index % this->Hands == this->Turn);
   }
 
-  /// The first of `count` further random seeds, others at each turn; 0 where none are to be run.
+  /// The first of `count` further random seeds, other ones in each run; 0 where none are to be run.
   std::uint64_t FirstSeed(std::uint64_t count) const
   {
     return this->Some ? 1000 + this->Turn * count : 0;

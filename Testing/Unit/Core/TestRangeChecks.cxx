@@ -1,4 +1,4 @@
-// Ranges with and without their ends; what the refusals say.
+// Ranges with and without their ends; the messages of refused values.
 
 #include "Core/RangeChecks.h"
 

@@ -183,7 +183,7 @@ TEST(DenoiseFromHalfMaps, HalvesOfOtherScaleOrSignAreBroughtTogether)
   }
 }
 
-TEST(DenoiseFromHalfMaps, ShiftedHalvesAreTold)
+TEST(DenoiseFromHalfMaps, ShiftedHalvesAreReported)
 {
   for (const int shift : { -7, -3, 4, 8 })
   {
@@ -196,7 +196,7 @@ TEST(DenoiseFromHalfMaps, ShiftedHalvesAreTold)
   EXPECT_NE(both.Warning.find("shifted by 4, 0, 0 nodes"), std::string::npos) << both.Warning;
 }
 
-TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreTold)
+TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreReported)
 {
   vtkNew<vtkDenoiseFromHalfMaps> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -318,7 +318,7 @@ TEST(LocalResolution, FrequenciesAreLinearBetweenTheWindows)
   }
 }
 
-TEST(DenoiseFromHalfMaps, RefusesWithASentence)
+TEST(DenoiseFromHalfMaps, RefusesWithAMessage)
 {
   const auto half = Half(0.4, 2);
   Refused(half, half, 0.5, "are equal");

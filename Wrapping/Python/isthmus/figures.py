@@ -59,7 +59,7 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
     font_points: size of all text in print.
     background: red, green, blue from 0 to 1. Text is black on a light one, white on a dark one.
     scale_bar: of a round length, in angstrom below 100 angstrom, else in nanometres. With parallel projection it holds
-    everywhere; with perspective in the plane of the focal point, which its text then says. Charts have none. shadows:
+    everywhere; with perspective only in the plane of the focal point, as its text then states. Charts have none. shadows:
      ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
     silhouettes: black lines where the depth jumps. Opaque surfaces only; none where a server renders.
     The view itself is not changed."""

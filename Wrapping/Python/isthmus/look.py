@@ -511,7 +511,7 @@ def _proposed_level(port):
 
 def show(*proxies, view=None, tables=False):
     """Shows the last proxies of a pipeline as the window would, and returns the last display. tables: open
-    the tables and charts of pockets and pores beside the view, too."""
+    the tables and charts of pockets and pores beside the view as well."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
         display = pockets_and_pores.show(proxies[-1], view, tables)

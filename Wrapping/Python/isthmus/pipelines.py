@@ -270,7 +270,7 @@ def protein_to_sites(source, potential=None):
     and likely binding sites, which are the pockets; or patches of the surface, where the molecule has no
     pocket. Ligands and ions, if there are any, are not included.
 
-    potential: a source of it (kT/e) on a grid, an opened .dx file, say. Without one it is computed
+    potential: a source of it (kT/e) on a grid, for instance an opened .dx file. Without one it is computed
     from the charges of the chains in 0.15 mol/l of salt; File > Save Data keeps it as a .dx file. A PQR
     file has charges; those of a PDB or mmCIF file are a force field's (Force Field Charges, by the
     program pdb2pqr).
