@@ -13,7 +13,7 @@ from pathlib import Path
 
 WATER = ("HOH", "WAT", "DOD")
 INCOMPLETE = re.compile(r"reconstruct or cap residue (\S+) (\S) (-?\d+)")
-GRID_SIDES = [32 * c + 1 for c in range(1, 17)]  # what APBS' multigrid takes
+GRID_SIDES = [32 * c + 1 for c in range(1, 17)]  # numbers of nodes that APBS' multigrid accepts
 INPUT = """read
   mol pqr {pqr}
 end

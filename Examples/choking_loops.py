@@ -208,7 +208,7 @@ def scene(surface, loops, direction):
     smooth = normals(Input=surface, Splitting=0)
     paint(simple.Show(smooth, view), GREY, 0.30, 0.2)
     show_tubes(loops, (HANDLE, TUNNEL), RED, 0.0042 * size, view)
-    show_tubes(loops, (ADDITIONAL,), YELLOW, 0.0038 * size, view)  # red wins where both are
+    show_tubes(loops, (ADDITIONAL,), YELLOW, 0.0038 * size, view)  # red has precedence where both are
     show_choke_points(loops, view)
     look_along(view, points, direction)
     return view
@@ -267,7 +267,7 @@ def main(surface, picture=None, radius=100.0, persistence=5.0, side="Both"):
     source = simple.OpenDataFile(str(surface))
     simple.UpdatePipeline(proxy=source)
     if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
-        sys.exit(f"{surface} is no surface: make one first, of a map with map_to_mesh.py for instance.")
+        sys.exit(f"{surface} is not a surface: create one first, e.g. from a map with map_to_mesh.py.")
     picture = picture or output_folder() / "choking_loops.png"
     loops = loops_of(source, radius, persistence, side)
     with step("Choking loops", loops) as this:

@@ -37,8 +37,8 @@ except ImportError:
 
 MARGIN = 5.0  # standard deviations: 6e-7 of a Gaussian lie beyond
 STENCIL = 3  # nodes that one evaluation looks at on each side: Gaussian, gradient, mean of the coefficient
-PROGRAM = 0.4  # GB that pvpython and its libraries take themselves
-BYTES_A_NODE = 4 * 9  # the block, its result and the six volumes of vtkHighOrderDiffusion, and one to spare
+PROGRAM = 0.4  # GB used by pvpython and its libraries
+BYTES_A_NODE = 4 * 9  # the block, its result and the six volumes of vtkHighOrderDiffusion, and one in reserve
 
 
 class Blocks:
@@ -58,7 +58,7 @@ class Blocks:
             if best is None or work < best[0]:
                 best = work, parts_y, parts_z
         if best is None:
-            sys.exit(f"Not even a row of {size[0]} nodes with a margin of {margin} fits: give more --memory.")
+            sys.exit(f"Memory does not suffice for a row of {size[0]} nodes with a margin of {margin}: increase --memory.")
         self.size, self.margin = size, margin
         self.parts = best[1:]
 
@@ -97,7 +97,7 @@ class Map:
         extent = information.Get(self.reader.GetExecutive().WHOLE_EXTENT())
         self.size = [extent[2 * axis + 1] + 1 for axis in range(3)] if extent else [0, 0, 0]
         if min(self.size) < 1:
-            sys.exit(f"{path} is no map that could be read.")
+            sys.exit(f"{path} is not a map that can be read.")
 
     def read(self, extent):
         self.reader.Modified()  # else a larger extent read before would be kept

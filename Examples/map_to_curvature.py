@@ -190,14 +190,14 @@ def six_views(curvature, data):
 
 
 def noise_levels(denoised):
-    """Standard deviation of the noise that Denoise Map found in its input, and of what is left of it: an error by
-    estimate, from the gain in dB."""
+    """Standard deviation of the noise that Denoise Map found in its input, and of the remaining noise, estimated from the gain in
+    dB."""
     level, gain = (denoised.FieldData[name].GetRange(0)[0] for name in ("NoiseLevel", "EstimatedGain"))
     return level, level * 10 ** (-gain / 20)
 
 
 def with_added_noise(image, deviation):
-    """The map with added Gaussian noise of known deviation, to show denoising on any map."""
+    """The map with added Gaussian noise of known deviation, to demonstrate denoising on any map."""
     noisy = image.NewInstance()
     noisy.CopyStructure(image)
     density = vtk_to_numpy(image.GetPointData().GetArray("Density")).astype(numpy.float32)

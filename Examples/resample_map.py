@@ -36,7 +36,7 @@ def main(path, output, *counts):
     volume = simple.OpenDataFile(path)
     volume.UpdatePipeline()
     if volume.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
-        sys.exit(f"{path} is no volume that ParaView could read.")
+        sys.exit(f"{path} is not a volume that ParaView can read.")
     resampled = resample(volume, nodes * 3 if len(nodes) == 1 else nodes)
     simple.SaveData(output, resampled)
     print(f"{path}: {' x '.join(map(str, resampled.SamplingDimensions))} nodes in {output}")

@@ -13,10 +13,10 @@ from vtkmodules.vtkFiltersModeling import vtkSelectEnclosedPoints
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
-DECAY = 1.2  # of the Gaussians: see BindingSites.md for what it was tuned on
+DECAY = 1.2  # of the Gaussians: BindingSites.md describes the data used for tuning
 SPACING = 0.6  # angstrom
 WATER, SALT = 78.54, 0.15  # dielectric constant; mol/l
-WITHOUT_HYDROGENS = 1.25  # makes up for the hydrogens in the radii of heavy atoms, roughly
+WITHOUT_HYDROGENS = 1.25  # roughly compensates for missing hydrogens in the radii of heavy atoms
 
 
 def read_atoms(path):

@@ -54,7 +54,7 @@ void IsthmusFirstLook::Start()
     model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ScheduleForget);
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
-  // A plugin that is loaded automatically starts while the application is still being made.
+  // A plugin that is loaded automatically starts while the application is still being created.
   QTimer::singleShot(0, this,
     [this]
     {
@@ -188,7 +188,7 @@ void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
       if (source->modifiedState() != pqProxy::UNINITIALIZED ||
         IsthmusProgress::Instance().IsRunning())
       {
-        return; // of a state file, a script's or a button's: it has its values
+        return; // from a state file, a script or a button, which has set its values
       }
       const QString id = QString::number(source->getProxy()->GetGlobalID());
       isthmus::RunPipelines("first_values(" + id + ')');

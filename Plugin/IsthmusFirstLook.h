@@ -1,6 +1,6 @@
 /**
  * @file IsthmusFirstLook.h
- * @brief Makes the first look at our filters' results right: what XML can't say.
+ * @brief Sets the initial display of our filters' results, as far as XML cannot.
  *
  * Follows the representations of the window and has pipelines.first_look set colours and
  * their range, tubes and opacity; a filter that waits for its first Apply gets values of the data

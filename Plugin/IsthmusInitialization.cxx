@@ -90,7 +90,7 @@ bool IsFirst(vtkSMProxy* proxy, vtkPVXMLElement* hint)
   return true;
 }
 
-/// A number has been set: it is not automatic any more. Resetting it to its default does not count.
+/// A number has been set: it is no longer automatic. Resetting it to its default does not count.
 void SwitchOff(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* const changed = vtkSMProperty::SafeDownCast(caller);
@@ -186,7 +186,7 @@ void Propose(vtkSMProperty* property, vtkMTimeType made)
     {
       continue;
     }
-    // The array whose range is proposed is chosen before, as it would be afterwards.
+    // Reset the array first: the default of the property is the range of that array.
     vtkSMProperty* array = domain->GetRequiredProperty("ArraySelection");
     if (array && array->GetMTime() <= made)
     {

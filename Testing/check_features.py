@@ -15,7 +15,7 @@
 - `test` names tests of Unit (Suite.Test), of Python (Python.File), and benchmarks (BenchName).
 - Several names are divided by ", "; "-" is none.
 
-With the SPECIFICATION (spec.md, which is no part of the repository), ids and kinds are compared with it.
+With the SPECIFICATION (spec.md, which is not part of the repository), ids and kinds are compared with it.
 Prints one line per error and the counts; the exit status is 1 if there are any errors.
 """
 import collections
@@ -88,7 +88,7 @@ class Names:
 
 
 def rows_of(path):
-    """(number of the line, its fields) of each line that is no comment."""
+    """(number of the line, its fields) of each line that is not a comment."""
     return [(number, line.split("\t")) for number, line in enumerate(path.read_text().splitlines(), 1)
             if line and not line.startswith("#")]
 
@@ -113,7 +113,7 @@ def check_ids(rows):
         if count > 1:
             yield f"{id_} has {count} rows"
         if id_ not in IDS:
-            yield f"{id_} is no feature of the thesis"
+            yield f"{id_} is not a feature of the thesis"
     yield from (f"{id_} has no row" for id_ in IDS if id_ not in found)
     if sorted(found) != found:
         yield "the rows are not in the order of their ids"

@@ -20,7 +20,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Documentation" / "site"))
 import pages  # noqa: E402
 
-# Parts of filters/ that are no panel's.
+# Parts of filters/ that belong to no panel.
 OTHER = {"index"}
 
 

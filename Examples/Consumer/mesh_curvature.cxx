@@ -48,7 +48,7 @@ int main()
               << " (exact " << -1.0 / (Small * (Big - Small)) << ")\n";
     return EXIT_SUCCESS;
   }
-  catch (const std::exception& error) // says what is wrong with mesh or options
+  catch (const std::exception& error) // reports what is wrong with mesh or options
   {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

@@ -1,5 +1,5 @@
-// mesh_parts MAP LEVEL: tetrahedra within a level of a density map, what they consist of, and the
-// mesh cut in two and glued again, by the compact combinatorial map.
+// mesh_parts MAP LEVEL: tetrahedra within a level of a density map, their incidences, and the mesh
+// cut in two and glued again, by the compact combinatorial map.
 
 #include <CellComplex/Attribute.h>
 #include <CellComplex/CutAndMerge.h>

@@ -8,7 +8,7 @@
 
 #include "Core/FilterProperties.h"
 
-#include <ostream> // the wrappers see it declared only
+#include <ostream> // VTK's wrappers need only its declaration
 
 /**
  * Properties of a filter (FilterProperties.h).

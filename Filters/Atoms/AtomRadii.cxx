@@ -82,7 +82,7 @@ double LookUp(const Radii& radii, int element)
 bool MatchTable(
   const std::vector<double>& radii, const std::vector<int>& elements, RadiusTable table)
 {
-  constexpr double rounding = 1e-5; // of radii kept as floats
+  constexpr double rounding = 1e-5; // for radii stored as floats
   for (std::size_t i = 0; i < radii.size(); ++i)
   {
     const double expected = VanDerWaalsRadius(elements[i], table);

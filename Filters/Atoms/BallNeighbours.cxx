@@ -42,7 +42,7 @@ struct Circle
     const double squared = a.Radius * a.Radius - along * along;
     if (!(distance > 1e-9 * a.Radius) || !(squared > 0.0))
     {
-      return; // Radius 0: there is none
+      return; // Radius 0: no circle
     }
     this->Radius = std::sqrt(squared);
     Place axis;

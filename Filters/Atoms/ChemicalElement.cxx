@@ -100,7 +100,7 @@ std::array<std::uint8_t, LettersSquared> ElementsByLetters()
   return elements;
 }
 
-/// Ions whose names in CHARMM's and AMBER's force fields are no symbols; 0 for all others.
+/// Ions whose names in CHARMM's and AMBER's force fields are not element symbols; 0 for all others.
 int ElementFromCharmmIon(std::string_view name)
 {
   constexpr std::pair<std::string_view, int> ions[] = { { "SOD", 11 }, { "POT", 19 }, { "CLA", 17 },

@@ -149,8 +149,8 @@ void CheckBalls(const std::vector<Ball>& balls)
       !std::isfinite(ball.Center[2]) || !std::isfinite(ball.Radius) || ball.Radius < 0.0)
     {
       throw std::invalid_argument("Atom " + std::to_string(i) +
-        " has a coordinate or radius that is not finite, or a negative radius: correct it or leave "
-        "it out.");
+        " has a coordinate or radius that is not finite, or a negative radius: correct or remove "
+        "it.");
     }
   }
 }
@@ -233,7 +233,7 @@ DensityGrid GridAroundBalls(
   for (std::size_t axis = 0; axis < 3 && !balls.empty(); ++axis)
   {
     RequireRange("Padding", padding[axis], 0.0, LargestLength,
-      "It is the room around the atoms along an axis.");
+      "It is the margin around the atoms along an axis.");
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Ball& ball : balls)

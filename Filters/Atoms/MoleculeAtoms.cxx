@@ -32,7 +32,7 @@ vtkStringArray* FindTexts(vtkDataObject* input, const char* name)
   return vtkStringArray::SafeDownCast(AtomData(input)->GetAbstractArray(name));
 }
 
-/// An array of one number for each atom; none where it has several.
+/// The array if it has one component, otherwise null.
 vtkDataArray* FindNumbers(vtkDataObject* input, const char* name)
 {
   vtkDataArray* array = AtomData(input)->GetArray(name);
@@ -71,7 +71,7 @@ bool IsFinite(const std::array<double, 3>& x)
 [[noreturn]] void RejectCoordinate(std::size_t atom)
 {
   throw std::invalid_argument("Atom " + std::to_string(atom) +
-    " has a coordinate that is not finite: correct it, or leave the atom out.");
+    " has a coordinate that is not finite: correct it, or remove the atom.");
 }
 
 void CheckBall(const Ball& ball, std::size_t atom, double maximum)
@@ -84,7 +84,7 @@ void CheckBall(const Ball& ball, std::size_t atom, double maximum)
   {
     throw std::invalid_argument("The radius of atom " + std::to_string(atom) + " is " +
       FormatNumber(ball.Radius) +
-      ", but a radius is a finite length of 0 or more: correct it, or leave the atom out.");
+      ", but a radius is a finite length of 0 or more: correct it, or remove the atom.");
   }
   if (ball.Radius >= maximum)
   {
@@ -123,7 +123,7 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
 }
 
 /// Of the atoms `kept`, those that lie exactly at the place of another one with a larger radius, or
-/// with the same and an earlier number, in ascending order.
+/// with an equal radius and a smaller id, in ascending order.
 std::vector<std::size_t> FindCopies(
   vtkDataObject* input, const std::vector<std::size_t>& kept, const AtomRadii& radii)
 {
@@ -163,8 +163,8 @@ std::vector<std::size_t> FindCopies(
   return copies;
 }
 
-/// Finds and reports the copies, and removes them from `kept` unless they are to stay. A surface is
-/// not a molecule, and may have such points.
+/// Finds and reports the copies, and removes them from `kept` unless they are to be used. A surface
+/// is not a molecule, and may have such points.
 void RemoveCopies(vtkDataObject* input, const AtomRadii& radii, const AtomOptions& options,
   std::vector<std::size_t>& kept, MoleculeAtoms& atoms)
 {
@@ -179,7 +179,7 @@ void RemoveCopies(vtkDataObject* input, const AtomRadii& radii, const AtomOption
   }
   atoms.Warnings.push_back(std::to_string(copies.size()) + " of " + std::to_string(kept.size()) +
     " atoms lie exactly where another one lies and were left out; of each such group the largest "
-    "is used. Is the molecule there twice, for instance in several models?");
+    "is used. Does the input contain the molecule twice, for instance in several models?");
   atoms.Copies.assign(copies.begin(), copies.end());
   if (!options.KeepCopies)
   {
@@ -229,7 +229,7 @@ void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const 
 
 }
 
-/// Surfaces and energies are those of all that is bound, so only water is dropped.
+/// Surfaces and energies include everything that is bound, so only water is dropped.
 AtomOptions SelectWholeMolecule(const std::string& radiusArray, bool keepWaters, bool unitedAtoms)
 {
   PolymerOptions all;
@@ -274,7 +274,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   {
     atoms.Warnings.push_back(radii.Warning);
   }
-  // Before copies are looked for: alternate locations may lie at one place.
+  // Before copies are searched for: alternate locations may lie at one place.
   const PolymerChoice choice = Select(input, options, atoms);
   atoms.Notes = choice.Notes;
   if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&
@@ -290,7 +290,7 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   if (atoms.Balls.empty() && options.RequireBalls)
   {
     throw std::invalid_argument("None of the " + std::to_string(atoms.NumberOfAtoms) +
-      " atoms has a radius above 0, so there is nothing to make a surface of: choose another table "
+      " atoms has a radius above 0, so no surface can be computed: choose another table "
       "of radii in the reader, or another array.");
   }
   return atoms;
@@ -323,7 +323,7 @@ std::vector<double> AtomCharges(
     if (!std::isfinite(charges.back()))
     {
       throw std::invalid_argument("The charge of atom " + std::to_string(point) +
-        " is not a finite number: correct it, or leave the atom out.");
+        " is not a finite number: correct it, or remove the atom.");
     }
   }
   return charges;
@@ -358,7 +358,8 @@ std::vector<int> AtomElements(vtkDataObject* atoms)
   }
   if (array)
   {
-    const vtkIdType count = AtomPoints(atoms)->GetNumberOfPoints(); // the array may be longer
+    const vtkIdType count =
+      AtomPoints(atoms)->GetNumberOfPoints(); // the array may have more values than there are atoms
     for (vtkIdType i = 0; i < count; ++i)
     {
       const double element = array->GetComponent(i, 0);

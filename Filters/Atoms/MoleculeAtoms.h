@@ -11,7 +11,7 @@
  * - names: the point arrays `AtomName`, `ResidueName`, `ResidueId`, `Chain`, `InsertionCode`,
  *   `AltLoc`, `Occupancy` and `IsHetero` of vtkMacromoleculeReader, as far as they exist;
  * - atoms exactly at the same place: the largest of them (the first of equal ones) is used, and a
- *   warning states how many others were dropped, with their charges; a molecule that is there twice
+ *   warning states how many others were dropped, with their charges; a molecule that occurs twice
  *   would otherwise count twice in sums over atoms;
  * - waters, ions, ligands, hydrogens and alternate locations: PolymerAtoms.h.
  */

@@ -114,7 +114,7 @@ public:
     }
   }
 
-  /// A flat lid over the section, facing along `direction` (1 or -1) times the tangent.
+  /// A flat cap over the section, facing along `direction` (1 or -1) times the tangent.
   void AddLid(const Frame& frame, const Section& section, double direction, std::int64_t item)
   {
     const Point3 normal = direction * frame.Tangent;

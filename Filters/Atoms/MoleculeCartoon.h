@@ -29,7 +29,7 @@ namespace isthmus
 struct CartoonShape
 {
   double RibbonWidth = 2.4;         ///< of helices and strands
-  double RibbonThickness = 0.5;     ///< of them, and the diameter of coil
+  double RibbonThickness = 0.5;     ///< of helices and strands, and the diameter of coil
   double StickRadius = 0.2;         ///< of bonds
   double BallScale = 0.25;          ///< radius of balls over the van der Waals radius
   std::int64_t Sides = 12;          ///< of a section, from 3 to 64
@@ -52,9 +52,9 @@ struct CartoonMesh
 };
 
 /**
- * Draws the chains: each piece of residues that are linked on its own, so that gaps stay open; a
- * closed chain (the last residue linked to the first) as a closed curve; a single residue as a
- * ball; bases as sticks from the curve. Items are the numbers of residues.
+ * Draws the chains: each piece of linked residues separately, so that gaps stay open; a closed
+ * chain (the last residue linked to the first) as a closed curve; a single residue as a ball; bases
+ * as sticks from the curve. Items are the numbers of residues.
  *
  * O(residues).
  * @throws Cancelled.

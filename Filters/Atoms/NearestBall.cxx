@@ -66,7 +66,7 @@ std::size_t NearestBall::At(const std::array<double, 3>& place) const
   std::size_t nearest = 0;
   for (std::int64_t shell = 0; shell <= last; ++shell)
   {
-    // What lies in this shell or beyond is at least so far away.
+    // Lower bound of the distance of everything in this shell and beyond.
     if (static_cast<double>(shell - 1) * this->Size - this->Largest > best)
     {
       break;

@@ -20,7 +20,7 @@ class NearestBall
 public:
   explicit NearestBall(const std::vector<Ball>& balls);
 
-  /// Number of the ball with the least |place - center| - radius; the lower of two alike.
+  /// Id of the ball with the least |place - center| - radius; the lowest id if several are equal.
   std::size_t At(const std::array<double, 3>& place) const;
 
 private:

@@ -22,7 +22,7 @@ namespace isthmus
  * Points sorted by the bin they are in (32 bytes per point). Where their box has few bins for their
  * number, a table says where each bin begins; else only bins with points take memory (24 bytes per
  * point more), so that stray points far away do no harm. O(n log n). Points at coordinates over
- * size beyond 2^53, or not finite, are near none within that.
+ * size beyond 2^53, or not finite, are never found near a place.
  */
 class PointBins
 {
@@ -79,8 +79,8 @@ public:
       });
   }
 
-  /// Calls `visit(first, last)` for ranges of the positions in Order() that have all points within
-  /// `reach` of `place`, and others.
+  /// Calls `visit(first, last)` for ranges of the positions in Order() that include all points
+  /// within `reach` of `place`, and possibly others.
   template <typename Visit>
   void NearRanges(const Point3& place, double reach, Visit&& visit) const
   {

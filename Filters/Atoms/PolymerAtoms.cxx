@@ -165,7 +165,7 @@ Kind ClassifyResidue(const Residue& residue, bool anyPolymer)
   {
     return Kind::Water;
   }
-  // Without a known residue (no names, or others), a chain says nothing about the polymer.
+  // Without a known residue (no names, or others), a chain does not determine the polymer.
   if (residue.IsPolymer || !anyPolymer)
   {
     return Kind::Polymer;

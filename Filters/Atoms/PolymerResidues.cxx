@@ -7,7 +7,7 @@ namespace isthmus
 namespace
 {
 
-constexpr double LongestPeptideBond = 2.0; ///< 1.33 angstrom and errors of models
+constexpr double LongestPeptideBond = 2.0; ///< 1.33 angstrom with a tolerance for errors of models
 constexpr double LongestPhosphodiester = 2.2;
 constexpr double LongestStep = 4.5; ///< CA to CA: 2.9 (cis) or 3.8 angstrom
 constexpr double LongestNucleotideStep = 8.0;

@@ -1,6 +1,6 @@
 /**
  * @class   vtkAtomSelection
- * @brief   the atoms of a molecule that count: chains, ligands, ions, water
+ * @brief   selection of atoms of a molecule: chains, ligands, ions, water
  *
  * Input: atoms with the names that vtkMacromoleculeReader gives them, any vtkPointSet. Output, of
  * the same type: the points that are kept, in the same order, with all point arrays and field data;

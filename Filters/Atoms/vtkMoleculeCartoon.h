@@ -18,7 +18,8 @@
  *
  * Secondary structure is that of the point array `SecondaryStructure`, which vtkMacromoleculeReader
  * takes from HELIX and SHEET records or their equivalent in mmCIF; without it, DSSP's by hydrogen
- * bonds (SecondaryStructure.h). The field array `Notes` says which, and what is not drawn.
+ * bonds (SecondaryStructure.h). The field array `Notes` states which was used, and what is not
+ * drawn.
  *
  * **Errors** (one message, empty outputs): coordinates that are not finite, lengths that are not
  * positive, not enough memory. If no residue of a chain is recognised, output 1 has all atoms.
@@ -56,7 +57,8 @@ public:
   ///@}
 
   ///@{
-  /// Width and thickness of helices and strands, in angstrom. Coil is as thick. Defaults 2.4 and
+  /// Width and thickness of helices and strands, in angstrom; the diameter of coil is the
+  /// thickness. Defaults 2.4 and
   /// 0.5.
   ISTHMUS_PARAMETER(RibbonWidth, double);
   ISTHMUS_PARAMETER(RibbonThickness, double);

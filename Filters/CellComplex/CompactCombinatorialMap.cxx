@@ -235,7 +235,8 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
       reached += cells;
     },
     progress);
-  // Nearly all meshes end here; the slower search for other umbrellas is for pinched ones only.
+  // Nearly all meshes end here; the slower search for other umbrellas is needed only for pinched
+  // ones.
   if (reached == this->Cv2V.size())
   {
     return;
@@ -256,7 +257,7 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
   this->Umbrellas.shrink_to_fit();
 }
 
-/// (vertex, dart of one of its cells) for all cells at vertices whose star is not whole, sorted.
+/// (vertex, dart of one of its cells) for all cells at vertices whose star is incomplete, sorted.
 template <typename Id>
 auto CompactCombinatorialMap<Id>::CornersOfPinchedVertices() const
   -> std::vector<std::pair<Vertex, Dart>>

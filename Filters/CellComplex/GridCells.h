@@ -54,7 +54,7 @@ public:
 
   CellList List() const;
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }
-  /// The number in the grid of cell `cell` of the list.
+  /// The id in the grid of cell `cell` of the list.
   vtkIdType GridId(std::size_t cell) const { return this->GridIds[cell]; }
   /// A message about cells that were simplified or dropped or, with ByVolume, are inverted; empty
   /// if there are none.

@@ -11,8 +11,8 @@ namespace isthmus
 namespace
 {
 
-// Half faces that match have the same smallest vertex, so each bucket is matched by itself, in a
-// hash table that stays in the cache.
+// Half faces that match have the same smallest vertex, so each bucket is matched independently, in
+// a hash table that stays in the cache.
 constexpr std::size_t CellsPerChunk = 1u << 16;
 constexpr std::size_t HalfFacesPerBucket = 1u << 13;
 constexpr std::uint32_t Free = 0xFFFFFFFFu;
@@ -126,7 +126,8 @@ void HalfFaceMatching<Id>::Run(const ProgressCallback& progress)
       Between(progress, from, to));
   };
   eachChunk(&HalfFaceMatching::CountChunk, 0.0, 0.2);
-  // Each chunk has its own places in each bucket: no locks, and an order that threads don't change.
+  // Each chunk has its own places in each bucket: no locks, and an order independent of the
+  // threads.
   const std::size_t total = this->ConvertCountsToOffsets();
   this->Entries.reset(new Entry[total]); // not filled twice
   eachChunk(&HalfFaceMatching::DistributeChunk, 0.2, 0.5);
@@ -292,7 +293,7 @@ void HalfFaceMatching<Id>::ThrowFirstClashes()
         "than two cells. Remove the cells that overlap."
                                   : "Cells " + pairs +
         " see their common face in the same direction, or disagree on the order "
-        "of its vertices. Turn over cells that are inside out, remove cells that overlap.");
+        "of its vertices. Reverse cells that are inverted, remove cells that overlap.");
 }
 
 template class HalfFaceMatching<std::uint32_t>;

@@ -77,8 +77,8 @@ public:
     {
     }
 
-    /// The slot of `id`, or a free one for it, if its first choice, `taken`, is occupied by another
-    /// id.
+    /// The slot of `id`, or a free one for it, if its preferred slot, `taken`, is occupied by
+    /// another id.
     [[gnu::noinline, gnu::cold]] Slot* Probe(Slot* taken, Id id) const
     {
       Slot* const end = this->Slots + (std::size_t(1) << (64 - this->Shift));
@@ -155,7 +155,7 @@ struct TetrahedronTransitions
 
   static constexpr unsigned Darts = 13; ///< local ones; 0: outside
 
-  /// By spoke, the face of the spoke itself first, else in the order of its vertex' darts.
+  /// By spoke; the face of the spoke itself first, then in the order of its vertex' darts.
   std::array<std::array<Transition, 3>, Darts> Transitions;
   std::array<std::array<std::uint8_t, 3>, Darts> Spoke; ///< by dart across and position
 

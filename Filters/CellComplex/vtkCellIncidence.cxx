@@ -116,7 +116,7 @@ struct Elements
       vtkNew<vtkIdList> from;
       from->SetNumberOfIds(this->Size());
       std::copy_n(this->First->GetPointer(0), this->Size(), from->GetPointer(0));
-      data->CopyGlobalIdsOff(); // the global number of a cell is not that of its faces
+      data->CopyGlobalIdsOff(); // the global id of a cell is not valid for its faces
       data->CopyAllocate(input->GetCellData(), this->Size());
       data->CopyData(input->GetCellData(), from, vtkIdType(0));
     }

@@ -171,8 +171,8 @@ private:
 
   Map Mesh;
   isthmus::StarWalk<Number_> Star;
-  std::vector<vtkIdType> GridCell;   ///< number in the grid
-  std::vector<vtkIdType> CellOfGrid; ///< and back; -1: no volume cell
+  std::vector<vtkIdType> GridCell;   ///< id in the grid
+  std::vector<vtkIdType> CellOfGrid; ///< the inverse; -1: not a volume cell
 };
 
 /// Visits all darts of an element.
@@ -247,9 +247,11 @@ void vtkCombinatorialMap::vtkTypedInternals<Map>::Find(
   {
     if (from != Vertex && from != Cell && from != HalfFace)
     {
-      throw std::invalid_argument(std::string("Neighbours of one kind are those of vertices, cells "
-                                              "and half faces; ask the ") +
-        KindNames[isthmus::At(from)] + " for what it meets.");
+      throw std::invalid_argument(
+        std::string(
+          "Only vertices, cells and half faces have neighbours of their own kind; request "
+          "what is incident to the ") +
+        KindNames[isthmus::At(from)] + " in another kind.");
     }
     this->ForEachDart(from, id,
       [&](DartId dart)

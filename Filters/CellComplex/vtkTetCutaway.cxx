@@ -141,7 +141,8 @@ public:
     output->SetPolys(polygons);
     this->PassData(output, owners);
     output->GetCellData()->AddArray(exposed);
-    output->GetCellData()->SetActiveScalars("Exposed"); // else regions, of which there may be one
+    output->GetCellData()->SetActiveScalars(
+      "Exposed"); // otherwise regions, of which there may be just one
   }
 
   void WriteCells(const isthmus::GridCells& cells, vtkUnstructuredGrid* output) const
@@ -240,7 +241,7 @@ int vtkTetCutaway::RequestData(
     {
       vtkWarningMacro(
         "Nothing is removed: the seed cell lies on the side of the plane that is kept. "
-        "Move the seed or turn PlaneNormal round.");
+        "Move the seed or reverse PlaneNormal.");
     }
     const Remainder remainder(input, gone);
     remainder.WriteSurface(map, cells, surface);

@@ -54,7 +54,7 @@ void Check(const LoopSearchParameters& parameters)
 void Check(const LoopShorteningParameters& parameters)
 {
   RequireRange("MaximumRounds", parameters.MaximumRounds, 1, 100000);
-  RequireRange("Tolerance", parameters.Tolerance, 1e-12, 1.0, "It is a part of the length.");
+  RequireRange("Tolerance", parameters.Tolerance, 1e-12, 1.0, "It is a fraction of the length.");
 }
 
 void Check(const HandleFillingParameters& parameters)

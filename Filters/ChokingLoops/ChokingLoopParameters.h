@@ -73,8 +73,9 @@ struct FeatureSelection
   double MinimumPersistence = 5.0;
   LengthUnit MinimumPersistenceUnit = LengthUnit::Percent;
   isthmus::ThresholdMode ThresholdMode = isthmus::ThresholdMode::Given;
-  /// Report handles and tunnels whatever MaximumRadius is. MinimumPersistence never applies to
-  /// them: a ring of constant width does not widen behind the narrowing, and yet it is a handle.
+  /// Report handles and tunnels of any radius, beyond MaximumRadius as well. MinimumPersistence
+  /// never applies to them: a ring of constant width does not widen behind the narrowing, and yet
+  /// it is a handle.
   bool AlwaysIncludeHandles = true;
   /// Drop features that may be caused by the sampling (see ShapeFeature::Trusted).
   bool TrustedOnly = false;

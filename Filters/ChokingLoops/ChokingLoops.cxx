@@ -27,8 +27,8 @@ namespace
 constexpr double FixedBytes = 8e6;
 
 /// Bytes per sample for the complex, its pairs and the surface: 1.3 KB on a million samples, more
-/// if an abandoned finer sampling was in memory at the same time. Each own point needs as much
-/// again.
+/// if an abandoned finer sampling was in memory at the same time. Each point of the surface itself
+/// needs as much again.
 constexpr double BytesOfSample = 1700.0;
 
 /// For each of a sample's three edges, one bit for each dual loop that crosses it.
@@ -151,7 +151,8 @@ struct ChokingAnalysis
     }
   }
 
-  /// Handles and tunnels that the samples did not settle, from tetrahedra that keep `surface`.
+  /// Handles and tunnels that the samples did not determine, from tetrahedra that conform to
+  /// `surface`.
   void Complete(const SurfaceView& surface, ConformingMesh* mesh, const ProgressCallback& progress)
   {
     if (AllResolved(this->Found))
@@ -236,12 +237,12 @@ struct ChokingAnalysis
 namespace
 {
 
-/// Rounds of refinement around features that the sampling blurs.
+/// Rounds of refinement around features that the sampling does not resolve.
 constexpr int Rounds = 3;
 
-/// What is left unresolved by a finer sampling everywhere is also left by a locally finer one. If a
-/// round resolves less than half of its places, the next would resolve fewer and take as long
-/// again.
+/// Features that a uniformly finer sampling does not resolve are not resolved by a locally finer
+/// one either. If a round resolves less than half of its places, the next would resolve fewer and
+/// take as long again.
 bool IsInVain(std::size_t before, std::size_t left)
 {
   return 2 * left > before || (before > ManyPlaces && left <= ManyPlaces);
@@ -262,8 +263,8 @@ AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   return cost;
 }
 
-/// Does `before` leave handles or tunnels that the next round may not settle either? Mostly it does
-/// not, so TetGen begins beside it, where memory allows both.
+/// Does `before` leave handles or tunnels that the next round may not determine either? If so,
+/// TetGen runs concurrently with it if memory allows both.
 bool MayNeedCompletion(
   const ChokingAnalysis& before, AnalysisCost cost, std::size_t own, int memoryLimit)
 {
@@ -466,7 +467,7 @@ std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection)
 
 const Membrane& ChokingLoops::GetMembrane(std::size_t feature)
 {
-  // That of a handle or tunnel is there already, so none is made that others would read meanwhile.
+  // Membranes of handles and tunnels exist already, so none is created while other threads read it.
   ChokingAnalysis& state = *this->State;
   std::optional<Membrane>& membrane = state.Found.Membranes[feature];
   {
@@ -491,7 +492,7 @@ const Membrane& ChokingLoops::GetExistingMembrane(std::size_t feature) const
   const std::optional<Membrane>& made = this->State->Found.Membranes[feature];
   if (!made)
   {
-    throw std::logic_error("the membrane of this feature was not made");
+    throw std::logic_error("the membrane of this feature has not been computed");
   }
   return *made;
 }

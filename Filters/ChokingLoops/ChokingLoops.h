@@ -70,7 +70,7 @@ struct AnalysisCost
   /// without GeneratorCompletion.h.
   void LearnFrom(const AnalysisCost& before, double seconds);
 
-  /// Includes the cost of GeneratorCompletion.h on the surface's own `points`.
+  /// Adds the cost of GeneratorCompletion.h on the surface's own `points`.
   void ExpectCompletion(std::size_t points);
 
   /// Estimated time of GeneratorCompletion.h in seconds.
@@ -85,7 +85,7 @@ struct ChokingAnalysis;
 
 /**
  * The analysis of one surface. The constructor does the work; selecting features and computing a
- * membrane is fast, and membranes are cached. Membranes may be asked for on several threads at
+ * membrane is fast, and membranes are cached. Membranes may be requested on several threads at
  * once.
  */
 class ChokingLoops

@@ -125,8 +125,8 @@ bool PassesNear(
     });
 }
 
-/// The feature whose loop `borrower` can share if the surface holds no loop of its own, or null.
-/// With an encircling loop it shares only that of an earlier feature, if that is not longer.
+/// The feature whose loop `borrower` can share if the surface has no loop of its own for it, or
+/// null. With an encircling loop it shares only that of an earlier feature, if that is not longer.
 const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
   const std::vector<char>& isFree, const ShownFeature& borrower)
 {
@@ -158,7 +158,7 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
 
 void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
 {
-  std::vector<char> isFree; // its own loop is not held by the surface
+  std::vector<char> isFree; // the surface has no loop of its own for it
   isFree.reserve(features.size());
   for (const ShownFeature& shown : features)
   {

@@ -265,7 +265,8 @@ public:
   }
 
 private:
-  std::array<std::vector<CellError>, 2> Errors; ///< by Least; each has the largest up to it
+  std::array<std::vector<CellError>, 2>
+    Errors; ///< sorted by Least; each has the largest error up to it
 };
 
 /// Relative difference of squared radii that rounding may make.
@@ -305,7 +306,7 @@ private:
     feature.PairDeath = std::sqrt(death);
     feature.Error = std::sqrt(error2);
     feature.FunctionError = this->Levels.UpTo(feature.PairDeath, side);
-    // A handle or tunnel is there at birth, without an error.
+    // A handle or tunnel exists at birth, without an error.
     const double errors = (birth > 0.0 ? 2.0 : 1.0) * feature.FunctionError;
     feature.Trusted = death - birth > error2 && feature.PairDeath - feature.PairBirth > errors;
     return feature;

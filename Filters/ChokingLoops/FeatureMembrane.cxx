@@ -155,7 +155,7 @@ SurfaceChain LoopEdges(const SurfaceAdjacency& surface, const std::vector<Simple
 namespace
 {
 
-/// What fills the feature's sum of basis loops, as far as it lies on the feature's side.
+/// The chain that fills the feature's sum of basis loops, restricted to the feature's side.
 TriangleChain FillingOfSum(
   const FeatureContext& context, SpaceRegions& regions, const ShapeFeature& feature)
 {
@@ -321,8 +321,8 @@ HomologySpan BoundingClasses(
 namespace
 {
 
-/// Lengths looked at begin with once round the ball, but no less than this part of the longest, and
-/// grow by this factor until there are loops enough.
+/// The search begins with the length of the ball's circumference, or this fraction of the longest
+/// if that is more, and increases the length by this factor until there are enough loops.
 constexpr double FirstPart = 0.05;
 constexpr double Growth = 1.5;
 
@@ -466,8 +466,8 @@ void LoopsThrough::Search(double longest)
   const HomologyClass back = this->One.ClassTo(this->Other.Root());
   HomologyClass c;
   // From the edge's end to the other root it is no farther than back over the edge: a loop there is
-  // at most twice as long as `straight`, the path to the point and the edge. Such were known
-  // before.
+  // at most twice as long as `straight`, the path to the point and the edge. Shorter ones were
+  // found before.
   for (std::size_t i = one.FirstBeyond(0.5 * this->Searched - straight - one.LongestEdge());
        i < one.Points().size(); ++i)
   {
@@ -479,7 +479,7 @@ void LoopsThrough::Search(double longest)
       h = surface.Turn(h);
       const std::ptrdiff_t place = other.GetPlace(surface.To(over));
       const auto k = static_cast<std::size_t>(place);
-      if (place < 0 || (&one == &other && k < i)) // the latter: the same loop, reversed
+      if (place < 0 || (&one == &other && k < i)) // the latter is the same loop reversed
       {
         continue;
       }
@@ -546,7 +546,7 @@ Membrane FanFrom(const FeatureContext& context, const Point3& center, std::vecto
   return membrane;
 }
 
-/// What all searches find up to a length, ascending.
+/// Loops that all searches find up to a length, ascending.
 std::vector<Closed> NextLoops(
   std::vector<LoopsThrough>& searches, const HomologySpan& bounding, double longest)
 {
@@ -577,7 +577,7 @@ void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
 
 std::deque<Tree> GrowTrees(const FeatureContext& context, const ShapeFeature& f, double reach)
 {
-  std::deque<Tree> trees; // a deque does not move them
+  std::deque<Tree> trees; // a deque keeps their addresses
   for (const SimplexId p : context.Filtration.TrianglePoints(f.Choke))
   {
     if (context.Surface.Leaving(p).Exists())

@@ -66,7 +66,7 @@ private:
  * bound.
  *
  * Results are sorted by Radius on each side; loops of one side are independent in H1(M).
- * @param mesh the mesh of `surface`, if it was begun earlier; made here without it.
+ * @param mesh the mesh of `surface`, if it was started earlier; otherwise it is created here.
  * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h).
  * @throws what ConformingMesh::Take() throws. Time and memory: see MeshTetrahedra().
  */

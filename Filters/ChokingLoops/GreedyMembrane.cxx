@@ -174,7 +174,7 @@ Ring GreedyGrowth::CollectRing(SimplexId v, const std::vector<TetrahedronId>& st
   return ring;
 }
 
-/// The cheapest path in a ring, both ends included; empty: there is none.
+/// The cheapest path in a ring, both ends included; empty if there is none.
 std::vector<SimplexId> GreedyGrowth::Path(
   const Ring& ring, SimplexId from, SimplexId to, bool avoid)
 {

@@ -122,8 +122,8 @@ Frame ComputeFrame(const std::vector<Point3>& loop, const std::vector<Triangle>&
   return frame;
 }
 
-/// The filling of the rim, above and below, and a wall. Corners are off the loop, since many a wall
-/// is straight enough for theirs to lie on it but for rounding.
+/// The filling of the rim, above and below, and a wall. Corners are off the loop, since on a
+/// straight wall theirs could lie on it, up to rounding.
 TriangleMesh MakeSolid(const MembranePlate& plate, const std::vector<Triangle>& filling,
   const Frame& frame, double rim, bool isAlong)
 {
@@ -152,7 +152,7 @@ TriangleMesh MakeSolid(const MembranePlate& plate, const std::vector<Triangle>& 
   return solid;
 }
 
-/// True where the filling runs along the loop from a point to the next.
+/// True if an edge of the filling connects consecutive points of the loop.
 bool RunsAlong(const std::vector<Triangle>& filling, std::size_t n)
 {
   for (const Triangle& t : filling)
@@ -243,7 +243,7 @@ double DistanceBetween(const std::vector<Point3>& a, const std::vector<Point3>& 
   return least;
 }
 
-/// The features of one analysis, and what is made of the surface by filling them.
+/// The features of one analysis, and the surface that results from filling them.
 class FillingRound
 {
 public:
@@ -265,7 +265,7 @@ public:
   }
 
   std::size_t Filled = 0;
-  std::size_t Waiting = 0; ///< cross one that was filled
+  std::size_t Waiting = 0; ///< cross a membrane that was filled
   std::size_t Failed = 0;
 
 private:
@@ -320,7 +320,7 @@ private:
     }
   }
 
-  /// One of the other side that was filled: on the same side, plates may share room.
+  /// A filled feature of the other side: on the same side, plates may overlap.
   bool Crosses(FeatureKind kind, const std::vector<Point3>& loop) const
   {
     return std::any_of(this->Plates.begin(), this->Plates.end(),
@@ -372,7 +372,7 @@ private:
     }
     catch (const std::runtime_error&)
     {
-      return false; // another plate may do; if none does, it is counted
+      return false; // another plate may succeed; if none does, it is counted as failed
     }
     const Topology then(after.Mesh);
     const double change = (isTunnel ? 1.0 : -1.0) * (then.Volume - this->Now.Volume);

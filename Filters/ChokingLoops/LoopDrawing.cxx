@@ -23,7 +23,7 @@ namespace isthmus
 namespace
 {
 
-/// Points of the hull that are tried; the nearest is known to a hundredth after far fewer.
+/// Number of points of the hull to try; far fewer give the nearest to a hundredth.
 constexpr int Steps = 200;
 
 }
@@ -290,7 +290,7 @@ namespace
 /// Other loops are tried for those longer than the shortest girth by this factor.
 constexpr double Roomy = 1.5;
 
-/// Of ShortestGirth(): by how much discretisation may shorten a loop.
+/// Factor of ShortestGirth(): by how much discretisation may shorten a loop.
 constexpr double Slack = 0.98;
 
 std::vector<Point3> LoopPoints(
@@ -324,7 +324,7 @@ bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t index, const Loo
 namespace
 {
 
-/// A loop that the surface does not hold may be longer by this factor than one that it holds.
+/// A loop that is not tight on the surface may be longer by this factor than one that is.
 constexpr double Freedom = 1.05;
 
 /// Maximum length of the encircling loops searched, in circumferences of the ball; their number.
@@ -361,10 +361,10 @@ public:
   {
   }
 
-  /// Drawn as tight as M holds them.
+  /// Drawn as tight as possible on M.
   void TryFree(const Membrane& membrane, bool isEncircling, const ProgressCallback& progress = {});
 
-  /// Held at some of the points where the ball touches M, all of them first.
+  /// Fixed at some of the points where the ball touches M; first, at all of them.
   void TryHeld(const Membrane& membrane, bool isEncircling);
 
   bool BelongsToChokePoint() const { return this->BestGrade >= Grade::Jagged; }
@@ -380,9 +380,9 @@ private:
     None,
     Collapsed,
     Short,   ///< there is no room for the ball in it
-    Hairpin, ///< belongs to the choke point, but runs there and back
+    Hairpin, ///< belongs to the choke point, but goes back along itself
     Strays,  ///< tight, but elsewhere
-    Jagged,  ///< belongs, but is held where it turns sharply
+    Jagged,  ///< belongs to the choke point, but is fixed at a sharp turn
     Fits
   };
 

@@ -170,7 +170,7 @@ void SumAlong(std::vector<double>& values, const Index& n, std::size_t axis)
     });
 }
 
-/// The same whatever the standard library: its distributions differ.
+/// Independent of the standard library, whose distributions differ.
 std::int64_t Draw(std::mt19937_64& random, std::int64_t count)
 {
   return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(count));

@@ -65,7 +65,7 @@ std::array<std::int64_t, 3> BettiAt(const FeatureList& features, bool superlevel
 struct HandleSupport
 {
   std::vector<double> Support; ///< share of resamples with the handle
-  std::vector<double> PValue;  ///< that noise caused it at the level; 1: not there at all
+  std::vector<double> PValue;  ///< for the hypothesis that noise caused it; 1: absent at the level
 };
 
 /// Distance, in nodes, within which a handle of a resample can be the same handle.

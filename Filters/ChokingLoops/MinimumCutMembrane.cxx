@@ -48,7 +48,7 @@ public:
     this->Reverse.push_back(there);
   }
 
-  /// One char a node: 1 for those that flow from `source` could still reach.
+  /// One char per node: 1 for those that more flow from `source` could reach.
   std::vector<char> Reached(std::int32_t source, std::int32_t sink)
   {
     const std::size_t nodes = num_vertices(this->Graph);
@@ -210,9 +210,9 @@ namespace
 /// Radii of the search, in radii of the choke: each costs almost three times the one before; a
 /// membrane that needs more than the last is not used.
 constexpr std::array<double, 3> Reaches = { 3.0, 4.25, 6.0 };
-constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii
+constexpr double Anchor = 1.5;           ///< of the uncut region on either side, in radii
 constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii
-constexpr std::size_t MostCells = 50000; ///< seconds of work, for each feature that asks
+constexpr std::size_t MostCells = 50000; ///< seconds of work for each feature that needs a membrane
 
 /// The flow from one side of a choke to the other, and its bottleneck.
 class ChokeFlow
@@ -246,15 +246,15 @@ private:
   std::array<std::int64_t, 3> FindCube(CellPlace place, bool& isNowhere) const;
 
   const CellFiltration& F;
-  bool ByRank; ///< what opens is what enters after the choke, of equal values too
+  bool ByRank; ///< cells that enter after the choke are open, also those of equal value
   TriangleId Choke;
   Point3 Center;
   double Radius;
   ChokeSurroundings Around;
 };
 
-/// The cells that stay uncut on either side. Both sides grow alternately, so that each gets half
-/// where they would meet.
+/// The cells that the cut does not separate on either side. Both sides grow alternately, so that
+/// each gets half where they would meet.
 std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
 {
   const double depth2 = this->Radius * this->Radius * (1.0 + 1e-9);
@@ -293,8 +293,8 @@ std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
   return ends;
 }
 
-/// The small cube that the middle of a cell lies in; what lies beyond the complex, and flat cells,
-/// whose middle is nowhere, have none.
+/// The small cube that the middle of a cell lies in; cells beyond the complex, and flat cells,
+/// whose middle is undefined, have none.
 std::array<std::int64_t, 3> ChokeFlow::FindCube(CellPlace place, bool& isNowhere) const
 {
   std::array<std::int64_t, 3> cube{};
@@ -313,7 +313,7 @@ std::array<std::int64_t, 3> ChokeFlow::FindCube(CellPlace place, bool& isNowhere
   return cube;
 }
 
-/// Per cell, the node of the flow: 0 and 1 for what stays whole on either side, one for all cells
+/// Per cell, the node of the flow: 0 and 1 for the uncut region on either side, one for all cells
 /// whose middles share a small cube. Fine sampling makes very many of these, and the choice among
 /// them does not change the loops.
 ChokeFlow::NodeByCell ChokeFlow::Nodes(std::int32_t& count) const
@@ -419,7 +419,7 @@ TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeat
   const Point3& center, const ProgressCallback& progress, bool chords)
 {
   const auto sides = context.Filtration.TriangleSides(feature.Choke);
-  // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
+  // Values on a mesh need not be lengths: a choke whose value is not positive has no surroundings.
   // And nothing passes through a triangle of M.
   if (sides[0] == sides[1] || !(feature.Radius() > 0.0) || context.IsWall(feature.Choke))
   {

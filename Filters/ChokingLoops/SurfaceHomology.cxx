@@ -146,7 +146,7 @@ SurfaceChain SurfaceHomology::Loop(std::size_t i) const
       edges.push_back(this->Surface.Edge(this->Parent[At(p)]));
     }
   }
-  // The part that both paths to the root share cancels.
+  // The common part of both paths to the root cancels.
   std::sort(edges.begin(), edges.end());
   SurfaceChain odd;
   for (std::size_t k = 0; k < edges.size(); ++k)

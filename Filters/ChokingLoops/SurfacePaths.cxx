@@ -363,7 +363,7 @@ std::vector<FunnelTurn> Funnel(const UnfoldedStrip& plane, const Point2& p, cons
       }
     }
   }
-  // The end itself, met as a corner, is no bend.
+  // The end itself does not count as a bend.
   while (!bends.empty() && bends.back().Edge >= n)
   {
     bends.pop_back();

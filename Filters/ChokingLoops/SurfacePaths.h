@@ -46,7 +46,7 @@ using SurfaceChain = std::vector<SurfaceEdgeId>;
 class SurfaceAdjacency
 {
 public:
-  /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
+  /// O(n log n), 28 bytes per half edge. @pre The owner of `mesh` outlives this object.
   explicit SurfaceAdjacency(const SurfaceView& mesh);
   explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
@@ -106,7 +106,7 @@ inline SimplexId SurfaceAdjacency::From(HalfEdgeId h) const
 
 /**
  * A hash map from ids to values, for some of very many ids: points of a surface, tetrahedra of a
- * complex. Values that were never set are `unset`. Constant time; 36 to 72 bytes a value of four
+ * complex. Values that were never set are `unset`. Constant time; 36 to 72 bytes per value of four
  * bytes.
  *
  * CGAL's Unique_hash_map, which allocates no node for each value. In breadth-first walks over 200
@@ -158,9 +158,10 @@ private:
  * The tree of shortest paths (E. W. Dijkstra, Numer. Math. 1 (1959) 269). O(n log n) in the number
  * of points met.
  *
- * With `to` it ends there and looks that way first, by the straight line that is left (P. E. Hart,
- * N. J. Nilsson, B. Raphael, IEEE Trans. Syst. Sci. Cybern. 4 (1968) 100): the path to that point
- * is the shortest, and of the others only those are met over which a shorter one could lead.
+ * With `to` it ends there and searches in that direction first, by the remaining straight-line
+ * distance (P. E. Hart, N. J. Nilsson, B. Raphael, IEEE Trans. Syst. Sci. Cybern. 4 (1968) 100):
+ * the path to that point is the shortest, and only those other points are visited through which a
+ * shorter one could lead.
  */
 class SurfacePaths
 {
@@ -186,7 +187,8 @@ public:
       std::upper_bound(this->Lengths.begin(), this->Lengths.end(), length) - this->Lengths.begin());
   }
 
-  /// Of the edges between these points and others; no edge between two of them is longer.
+  /// The shortest length among edges between these points and others; no edge between two of them
+  /// is longer.
   double LongestEdge() const { return this->Longest; }
 
   bool Has(SimplexId p) const { return this->Places[p] >= 0; }
@@ -200,7 +202,7 @@ public:
 private:
   struct Entry
   {
-    double Least; ///< of a path that leads this way: Length, and what is left to `to`
+    double Least; ///< of a path through this point: Length, and the remaining distance to `to`
     SimplexId Point;
     HalfEdgeId Last;
     double Length;
@@ -243,10 +245,10 @@ Point3 ComputePosition(const SurfaceAdjacency& surface, const SurfaceCurvePoint&
 /// there: seen along the curve, From is on the left and To on the right.
 using EdgeStrip = std::vector<SurfaceCurvePoint>;
 
-/// Takes out crossings that go back at once over the same edge.
+/// Removes crossings that immediately return over the same edge.
 void RemoveBacktracking(const SurfaceAdjacency& surface, EdgeStrip& strip);
 
-/// The same of an open strip.
+/// The same for an open strip.
 EdgeStrip WithoutBacktracking(const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
@@ -257,8 +259,8 @@ EdgeStrip LeftStrip(const SurfaceAdjacency& surface, const std::vector<SimplexId
 /// The same for an open path of points, from the first to the last: neither end is passed.
 EdgeStrip StripLeftOfPath(const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
 
-/// Takes out crossings that go back at once over the same edge, and those of edges that the ends
-/// `from` and `to` of an open path lie on.
+/// Removes crossings that immediately return over the same edge, and those of edges on which the
+/// ends `from` and `to` of an open path lie.
 void RemoveBacktracking(
   const SurfaceAdjacency& surface, EdgeStrip& strip, SimplexId from, SimplexId to);
 
@@ -270,7 +272,7 @@ inline double Cross2(const Point2& o, const Point2& a, const Point2& b)
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-/// The corner left of (a, b), at these distances from both.
+/// The point to the left of (a, b) at these distances from a and b.
 inline Point2 UnfoldCorner(const Point2& a, const Point2& b, double toA, double toB)
 {
   const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -329,9 +331,9 @@ void FunnelCrossings(
 double CornerAngle(const SurfaceAdjacency& surface, HalfEdgeId h);
 
 /**
- * The edges at point p on its other side, for a curve that enters over half edge `enter`, passes
+ * The edges at point p on the other side of a curve that enters over half edge `enter`, passes
  * edges that all end at p, and leaves through triangle `last`: with p on its right it turns
- * clockwise there, and the other way is counter-clockwise. Fractions lie at p.
+ * clockwise there, and the rerouted path counter-clockwise. Fractions lie at p.
  */
 EdgeStrip StripOnOtherSide(
   const SurfaceAdjacency& surface, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p);
@@ -340,10 +342,10 @@ EdgeStrip StripOnOtherSide(
 double AngleOnOtherSide(const SurfaceAdjacency& surface, const EdgeStrip& other, SimplexId p,
   const Point3& before, const Point3& after);
 
-/// True for a curve that runs through the end p of its edge.
+/// True for a curve that passes through the end p of its edge.
 bool Touches(const SurfaceAdjacency& surface, const SurfaceCurvePoint& c, SimplexId p);
 
-/// The end of its edge that a curve runs through, or -1.
+/// The end of the edge of `c` at which the curve passes through a vertex, or -1.
 SimplexId TouchedBy(const SurfaceAdjacency& surface, const SurfaceCurvePoint& c);
 
 }

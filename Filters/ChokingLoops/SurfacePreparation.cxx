@@ -263,7 +263,7 @@ bool IsMerelyOpen(const SurfaceDefects& defects)
 }
 
 /// The surface without its thin triangles; empty if it has none, or if removing them would cause a
-/// defect, since they are no defect by themselves.
+/// defect, since they are not a defect by themselves.
 std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allowCrossings,
   RepairReport& report, const ProgressCallback& progress)
 {

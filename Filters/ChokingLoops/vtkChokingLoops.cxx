@@ -222,7 +222,7 @@ void vtkChokingLoops::Report(const isthmus::ChokingLoops& analysis)
   {
     vtkWarningMacro(<< analysis.Repairs().Message);
   }
-  // With TrustedOnly the remark would be about features that are not reported.
+  // With TrustedOnly, this note would concern features that are not reported.
   if (!analysis.Remark().empty() && !this->Parameters.TrustedOnly)
   {
     vtkWarningMacro(<< analysis.Remark());

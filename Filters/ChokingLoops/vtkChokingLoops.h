@@ -172,7 +172,7 @@ public:
   ///@}
 
   ///@{
-  /// Report handles and tunnels whatever MaximumRadius says. Default on.
+  /// Report handles and tunnels of any radius, beyond MaximumRadius as well. Default on.
   ISTHMUS_PARAMETER_SWITCH(AlwaysIncludeHandles);
   ///@}
 

@@ -456,7 +456,7 @@ void vtkMapHandles::FillSurfaces(const vtkInternals& work, vtkInformationVector*
   surface->ShallowCopy(contour);
   vtkNew<vtkChokingLoops> loops;
   loops->SetInputData(surface);
-  loops->SetContainerAlgorithm(this); // stops with this one
+  loops->SetContainerAlgorithm(this); // aborted together with this filter
   std::string complaint;              // bridges, windows and levels are valid without the loops
   const auto complain = [&](const std::string& message)
   { complaint += (complaint.empty() ? "" : " ") + message; };
@@ -472,7 +472,7 @@ void vtkMapHandles::FillSurfaces(const vtkInternals& work, vtkInformationVector*
   {
     complain(error.what());
   }
-  isthmus::Report(progress, 1.0); // leaves where it was stopped
+  isthmus::Report(progress, 1.0); // returns at the abort
   if (!complaint.empty())
   {
     vtkWarningMacro(<< isthmus::JoinText("The choking loops of the contour: ", complaint));

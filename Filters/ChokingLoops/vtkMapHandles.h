@@ -90,8 +90,8 @@ public:
   ///@}
 
   ///@{
-  /// Shortest interval of levels that counts, in standard deviations of the map; at least 0.
-  /// Default 0.5.
+  /// Shortest interval of levels for a feature to be reported, in standard deviations of the map;
+  /// at least 0. Default 0.5.
   vtkSetMacro(MinimumPersistence, double);
   vtkGetMacro(MinimumPersistence, double);
   ///@}

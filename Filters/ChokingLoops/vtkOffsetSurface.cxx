@@ -91,7 +91,8 @@ int vtkOffsetSurface::RequestData(
       contour->SetInputData(image);
       contour->SetValue(0, sign * this->Parameters.Distance);
       contour->ComputeNormalsOn();
-      contour->ComputeScalarsOff(); // the distance everywhere, which would be the colour
+      contour
+        ->ComputeScalarsOff(); // the distance is constant on the surface and useless as a colour
       isthmus::UpdateInner(contour);
       isthmus::Report(isthmus::MakeProgress(this), 1.0);
       result->ShallowCopy(contour->GetOutput());

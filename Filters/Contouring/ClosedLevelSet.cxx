@@ -59,7 +59,7 @@ void RejectMask(const GridView<const T>& grid, double low, double high)
     throw std::invalid_argument("The volume has only the two values " + FormatNumber(low) +
       " and " + FormatNumber(high) +
       ", so its level sets have a corner at every node and refinement would not end: smooth it "
-      "first (Denoise Map, Gaussian sum of Molecular Density), or take Contour.");
+      "first (Denoise Map, Gaussian sum of Molecular Density), or use Contour.");
   }
 }
 
@@ -105,7 +105,8 @@ template <typename T>
 ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsHigher)
 {
   const auto [low, high] = FiniteRange(grid);
-  // As far beyond the level as the inside goes at most, so that it is closed half way.
+  // The level mirrors the extreme inside value, so that the surface is closed half way between
+  // nodes.
   const double outside =
     insideIsHigher ? std::min(low, 2.0 * level - high) : std::max(high, 2.0 * level - low);
   ClosedLevelSet result;

@@ -31,7 +31,7 @@ struct DelaunayIsosurfaceParameters
   double Radius = 0.0;
   /// its center to the triangle's circumcenter at most; 0: see SetAutomaticSizes
   double Distance = 0.0;
-  std::int64_t MaximumNumberOfPoints = 5'000'000; ///< refinement that passes it ends in an error
+  std::int64_t MaximumNumberOfPoints = 5'000'000; ///< refinement beyond it is an error
 };
 
 /// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.
@@ -59,7 +59,7 @@ struct DelaunayIsosurfaceResult
  * on the level set to 1e-7 of the diagonal of the bounds.
  *
  * @throws std::invalid_argument on parameters that can't be met, e.g. sizes of 0;
- * std::runtime_error when refinement does not end below MaximumNumberOfPoints (as at a level where
+ * std::runtime_error if refinement does not end below MaximumNumberOfPoints (as at a level where
  * the level set is not a manifold); Cancelled. Time: linear in the points of the result.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT DelaunayIsosurfaceResult DelaunayIsosurface(

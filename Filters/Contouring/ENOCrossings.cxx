@@ -19,7 +19,7 @@ struct GridLine
 {
   const T* Node;
   std::int64_t Step;
-  std::int64_t First, Last; ///< the nodes that there are
+  std::int64_t First, Last; ///< the available nodes
 
   bool Has(std::int64_t j) const { return j >= this->First && j <= this->Last; }
   double At(std::int64_t j) const { return static_cast<double>(this->Node[j * this->Step]); }
@@ -94,7 +94,7 @@ struct Parabola
 struct Root
 {
   double Fraction;
-  double Slope; ///< where a kink is beside it
+  double Slope; ///< where a kink is next to it
   int Side;     ///< of the kink: -1, before it; 1, behind it; 0 where there is none
 };
 

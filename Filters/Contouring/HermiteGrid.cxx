@@ -188,7 +188,7 @@ SharpFeatureGrid::SharpFeatureGrid(const SharpEdges& sharp, const GridShape& gri
 void SharpFeatureGrid::AddPieces(const std::array<Point3, 2>& segment, const GridShape& grid)
 {
   const Point3 along = segment[1] - segment[0];
-  // Cut at the planes of the grid, since a cell only sees the pieces in it.
+  // Cut at the planes of the grid, since a cell only uses the pieces in it.
   std::vector<double> stops{ 0.0, 1.0 };
   for (std::size_t a = 0; a < 3; ++a)
   {

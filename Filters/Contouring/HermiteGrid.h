@@ -42,7 +42,7 @@ struct HermiteGrid
   GridShape Shape;
   std::vector<unsigned char> Inside;   ///< of each node: 1 inside, else 0
   std::vector<GridCrossing> Crossings; ///< ordered by node and axis; normals outward
-  SharpEdges Sharp;                    ///< where known: points of their cells go there
+  SharpEdges Sharp;                    ///< where known: points of their cells are moved there
 };
 
 /**

@@ -17,7 +17,7 @@ double Quantile(const std::vector<double>& sorted, double fraction)
   return sorted[static_cast<std::size_t>(std::lround(position))];
 }
 
-/// Otsu's threshold of sorted values: half way between the last of one class and the first of the
+/// Otsu's threshold of sorted values: halfway between the last of one class and the first of the
 /// other.
 double OtsuThreshold(const std::vector<double>& sorted)
 {
@@ -75,7 +75,7 @@ double EstimateLevel(std::vector<double>& values)
   // Noise or solvent that fills the box has no two classes: Otsu's threshold would lie within it.
   const double background = Quantile(values, 0.5) + 3.0 * LowerDeviation(values);
   const double top = Quantile(values, 0.99);
-  // A few hot voxels would draw the threshold to them.
+  // A few hot voxels would raise the threshold to their values.
   for (double& value : values)
   {
     value = std::clamp(value, low, high);

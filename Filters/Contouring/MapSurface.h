@@ -26,7 +26,7 @@ VTKISTHMUSFILTERSCONTOURING_EXPORT void Check(const DustParameters& parameters);
 
 struct DustResult
 {
-  TriangleMesh Surface;                 ///< what stays, in its order
+  TriangleMesh Surface;                 ///< what remains, in its original order
   std::vector<std::int64_t> Components; ///< of each triangle, 0 for the largest
   std::vector<double> Areas;            ///< of each component that stays, largest first
   std::int64_t Found = 0;               ///< components before

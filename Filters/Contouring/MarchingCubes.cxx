@@ -26,7 +26,8 @@ enum Axis : std::size_t
   Z
 };
 
-/// The layers of a grid of `Nx` x `Ny` nodes, x fastest. Rows without a cut cost one comparison.
+/// The layers of a grid of `Nx` x `Ny` nodes, x fastest. Rows that the level does not cross cost
+/// one comparison.
 struct LayerCuts
 {
   std::int64_t Nx = 0;

@@ -63,7 +63,7 @@ private:
 //
 // The tangent planes of a curved face do not meet on it: relative to a point x of a sphere of
 // radius R, the tangent plane at a distance s passes s^2 / 2 R outside. The plane through the
-// crossing p_i whose normal is halfway between that there and that at x,
+// crossing p_i whose normal is halfway between the normals at p_i and at x,
 //
 //     (n_i + n(x)) . (x - p_i) = 0,
 //

@@ -217,7 +217,7 @@ bool VertexPlacement::AllPassNear(
 bool VertexPlacement::MeetOnEdge(const QuadricError& planes, const Point3& x) const
 {
   const int rank = planes.Rank(this->Parameters.FeatureThreshold);
-  // More planes than would meet anyway: two always meet in a line, three in a point.
+  // More planes than always intersect: two always meet in a line, three in a point.
   return rank > 1 && planes.NumberOfPlanes() > rank && this->AllPassNear(planes, x, 0.02);
 }
 
@@ -336,7 +336,8 @@ private:
     wanted.Axis = static_cast<int>(axis);
     const auto [first, last] =
       std::equal_range(this->Grid.Crossings.begin(), this->Grid.Crossings.end(), wanted, before);
-    // Inside and crossings are decided apart, so a node exactly on the surface may contradict.
+    // Inside tests and crossings are computed separately, so they may contradict at a node exactly
+    // on the surface.
     if (first == last)
     {
       throw std::runtime_error("The surface changes sides without a crossing between two nodes: it "

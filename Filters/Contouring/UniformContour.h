@@ -91,7 +91,7 @@ private:
 };
 
 //--------------------------------------------------------------------------------------------------
-// Where in its cell, or in an empty one beside it, a point of dual contouring goes.
+// Position of a point of dual contouring in its cell, or in an empty cell next to it.
 //
 // A vertex is placed where the planes of its crossings meet best. If that is outside its cell, in a
 // cell without crossings, the vertex may stay there: an edge that extends through a face of a cell
@@ -126,7 +126,8 @@ private:
   bool IsEmpty(std::int64_t cell) const;
   /// Whether the planes pass within `spacings` of `x`, as a root mean square.
   bool AllPassNear(const QuadricError& planes, const Point3& x, double spacings) const;
-  /// Whether there are more planes than define an edge or corner, and all of them pass near `x`.
+  /// Whether there are more planes than needed to define an edge or corner, and all of them pass
+  /// near `x`.
   bool MeetOnEdge(const QuadricError& planes, const Point3& x) const;
 
   const HermiteGrid& Grid;

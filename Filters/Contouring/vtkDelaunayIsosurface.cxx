@@ -68,7 +68,7 @@ int vtkDelaunayIsosurface::FillInputPortInformation(int, vtkInformation* informa
 int vtkDelaunayIsosurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // Refinement sees all of the surface at once, so every rank would need the whole volume.
+  // Refinement needs all of the surface at once, so every rank would need the whole volume.
   isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }

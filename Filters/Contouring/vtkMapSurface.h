@@ -7,7 +7,7 @@
  *
  * Output: vtkPolyData, triangles facing away from the inside, a manifold, closed unless
  * CloseAtBorder is off, with the field data of the input and the arrays of OutputArrayTable().
- * There is a warning beside InvertedContrast (MapContrast in LevelEstimate.h).
+ * If InvertedContrast is 1, there is also a warning (MapContrast in LevelEstimate.h).
  *
  * AutomaticLevel uses the level that the depositors of the map recommend, if the reader found it
  * (field data RecommendedLevel, from emd-NNNN.xml beside the map), otherwise one that separates the

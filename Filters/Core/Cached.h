@@ -52,7 +52,7 @@ public:
     return this->Entry && this->Entry->first == key ? &this->Entry->second : nullptr;
   }
 
-  /// The cached value whatever its key; null if there is none.
+  /// The cached value of any key; null if there is none.
   Value* Last() { return this->Entry ? &this->Entry->second : nullptr; }
 
   void Clear() { this->Entry.reset(); }

@@ -21,7 +21,7 @@ namespace isthmus
 namespace
 {
 
-/// A started program; killed by the destructor unless it has been waited for.
+/// A started program; killed by the destructor unless it has ended and was waited for.
 class Child
 {
 public:
@@ -98,7 +98,7 @@ public:
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
     {
-      return; // the program's own limit of time remains
+      return; // the time limit of the program itself remains
     }
     this->Lifeline = ends[1];
     const std::string pid = std::to_string(program);
@@ -189,13 +189,13 @@ TemporaryFolder::TemporaryFolder()
   {
     const char* named = std::getenv("TMPDIR");
     throw std::runtime_error("The folder for temporary files, " +
-      std::string(named ? named : "/tmp") + ", is not there (" + missing.message() +
-      "): make it, or set TMPDIR to one that is.");
+      std::string(named ? named : "/tmp") + ", does not exist (" + missing.message() +
+      "): create it, or set TMPDIR to an existing folder.");
   }
   std::string name = (place / "isthmus-XXXXXX").string();
   if (!mkdtemp(name.data()))
   {
-    throw std::runtime_error("No temporary folder could be made in " + place.string() + " (" +
+    throw std::runtime_error("No temporary folder could be created in " + place.string() + " (" +
       std::strerror(errno) + "): free some space or set TMPDIR.");
   }
   this->Folder = name;

@@ -55,7 +55,7 @@ std::vector<vtkIdType> FindFirstCoincident(vtkPolyData* surface)
       x += 0.0; // -0 becomes 0
     }
   }
-  // By their bytes, so that NaN is ordered, too.
+  // By their bytes, so that NaN is ordered as well.
   const auto compare = [&places](vtkIdType a, vtkIdType b)
   {
     // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bytes are meant
@@ -189,7 +189,7 @@ void RejectSeveralRanks(int ranks, const std::string& what)
   if (ranks > 1)
   {
     throw std::runtime_error("The " + what + " lie on " + std::to_string(ranks) +
-      " ranks, and all are needed on one: read them with a reader that gives them to one rank, or "
+      " ranks, and all are needed on one: read them with a reader that loads them on one rank, or "
       "run on one rank.");
   }
 }

@@ -71,7 +71,7 @@ void RequestWholeExtent(vtkInformation* input)
   if (input->Has(Pipeline::WHOLE_EXTENT()))
   {
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-    // Otherwise, a source that can produce a part produces this rank's, whatever the extent.
+    // Otherwise, a source that can produce a part produces that of this rank for any extent.
     RequestAll(input);
   }
 }

@@ -53,7 +53,8 @@ void RequireOnePerNode(vtkImageData* image, vtkDataArray* scalars, bool onCells)
   {
     throw std::invalid_argument("Array '" + name + "' has " +
       std::to_string(scalars->GetNumberOfComponents()) +
-      " components, but one number for each node is needed: take a component or the magnitude.");
+      " components, but one number for each node is needed: extract a component or use the "
+      "magnitude.");
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {

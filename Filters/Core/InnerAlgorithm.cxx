@@ -82,7 +82,7 @@ private:
     {
       self->Warn(message);
     }
-    else if (self->Error.empty()) // the executive's follow that of the algorithm
+    else if (self->Error.empty()) // errors of the executive only follow that of the algorithm
     {
       self->Error = message;
     }

@@ -31,9 +31,10 @@ namespace isthmus
 /// Requirements on the position of an input relative to the first one.
 struct OverlapRule
 {
-  double Refused = 0.0; ///< a share of this or less is an error; negative: none is
+  double Refused = 0.0; ///< a share up to this is an error; negative: never an error
   double Warned = 0.5;  ///< a smaller share is a warning
-  bool Units = true; ///< whether a ratio of sizes of 10 (angstrom and nanometre) is a warning, too
+  bool Units =
+    true; ///< whether a ratio of sizes of 10 (angstrom and nanometre) also causes a warning
 };
 
 struct InputOverlap

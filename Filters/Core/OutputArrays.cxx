@@ -32,7 +32,8 @@ vtkDataArraySelection* OutputArraySelection::Get()
   {
     if (array.Choice != ArrayChoice::None && !this->Selection->ArrayExists(array.Name))
     {
-      this->Selection->AddArray(array.Name, false); // ParaView removes all before it sets some
+      this->Selection->AddArray(
+        array.Name, false); // ParaView removes all names before it sets the selected ones
     }
   }
   return this->Selection;

@@ -69,7 +69,7 @@ public:
   bool Has(const char* name) const;
   bool HasAny(std::initializer_list<const char*> names) const;
 
-  /// Removes those of `names` that are not chosen, where several are computed together.
+  /// Removes the arrays of `names` that are not chosen, if several are computed together.
   void RemoveOthers(std::initializer_list<const char*> names, vtkFieldData* data) const;
 
   /// @throws std::invalid_argument if the selection has a name that is none of the table's optional

@@ -56,7 +56,7 @@ bool Fits(vtkAlgorithm* self, int port, vtkDataObject* data, std::string& wanted
   return wanted.empty();
 }
 
-/// No array of `data` ends before the last element of its kind.
+/// Checks that no array of `data` has fewer values than `data` has points or cells.
 void RequireWholeArrays(vtkDataObject* data)
 {
   for (const auto& [kind, elements] :
@@ -197,7 +197,7 @@ void CheckInputs(vtkAlgorithm* self)
       {
         throw std::invalid_argument("Input " + std::to_string(port) + " got a " +
           data->GetClassName() + ", but this filter works on a " + wanted +
-          " there: take out what is of another kind (Extract Block), or convert it.");
+          " there: remove data of other types (Extract Block), or convert them.");
       }
       if (data)
       {

@@ -29,7 +29,7 @@ namespace isthmus
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /// @throws std::invalid_argument, naming the point, if one is at a position that is not finite;
-/// points that no cell uses are not looked at where there are cells. `name`: "the surface". This is
+/// points that no cell uses are ignored where there are cells. `name`: "the surface". This is
 /// for filters whose algorithm has no such message of its own. O(points).
 VTKISTHMUSFILTERSCORE_EXPORT void RequireFinitePositions(
   vtkPointSet* data, const std::string& name);

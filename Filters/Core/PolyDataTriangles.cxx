@@ -143,7 +143,7 @@ void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
 {
   vtkNew<vtkPolygon> polygon;
   vtkNew<vtkIdList> split;
-  vtkNew<vtkPoints> places; // vtkCell's call, which all versions have, asks for them
+  vtkNew<vtkPoints> places; // vtkCell's call, which all versions have, requires them
   ForEachCell(surface->GetPolys(), this->FirstCell,
     [&](vtkIdType corners, const vtkIdType* ids, vtkIdType cell)
     {

@@ -78,7 +78,7 @@ UnitScale::UnitScale(const SurfaceView& surface)
     {
       if (!isPoint(t[k]) || !isPoint(t[(k + 1) % 3]))
       {
-        continue; // reported by the code that checks corners
+        continue; // reported by the check of corners
       }
       const Point3 a = this->TheFactor * surface.Point(t[k]);
       const Point3 b = this->TheFactor * surface.Point(t[(k + 1) % 3]);

@@ -49,7 +49,7 @@ public:
 
 private:
   double TheFactor = 1.0;
-  double Least = 0.0; ///< what is below, scaled, becomes 0
+  double Least = 0.0; ///< smaller scaled coordinates become 0
 };
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file CurvatureArrays.h
- * @brief What the filters of curvature have in common: arrays and properties.
+ * @brief Arrays and properties that the curvature filters share.
  */
 #ifndef isthmus_CurvatureArrays_h
 #define isthmus_CurvatureArrays_h
@@ -8,7 +8,7 @@
 #include "Core/FilterProperties.h"
 #include "Core/OutputArrays.h"
 
-#include <ostream> // the wrappers see only its declaration
+#include <ostream> // VTK's wrappers need only its declaration
 
 /**
  * Properties of a filter (FilterProperties.h), which holds its CurvatureDescriptorOptions as

@@ -72,7 +72,7 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
   arrays.SurfaceType = AddIf<unsigned char>(wanted.SurfaceType, "SurfaceType", 1, places, output);
   arrays.Normal = array(wanted.Normal, "GaussMap", 3);
   array(wanted.Error, "CurvatureScale");
-  arrays.Gradient = array(wanted.Error, "CurvatureError"); // replaced by the errors later
+  arrays.Gradient = array(wanted.Error, "CurvatureError"); // later overwritten by the errors
   arrays.Valid = AddIf<unsigned char>(true, "CurvatureValid", 1, places, output);
   if (wanted.SurfaceType)
   {
@@ -311,7 +311,8 @@ void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Ext
     vtkTemplateMacro({
       using Result = ResultType<VTK_TT>;
       const auto* mean = FindValues<Result>(output, "MeanCurvature");
-      auto* reference = FindValues<Result>(output, "CurvatureScale"); // until the scale is written
+      auto* reference =
+        FindValues<Result>(output, "CurvatureScale"); // released once the scale is written
       if (options.Accuracy == referenceAccuracy)
       {
         std::copy_n(mean, output->GetNumberOfPoints(), reference);

@@ -33,7 +33,8 @@ double MeanSpacing(const std::array<double, 3>& spacing)
   return std::cbrt(spacing[0]) * std::cbrt(spacing[1]) * std::cbrt(spacing[2]);
 }
 
-/// The scales, in the unit of the spacing; the last one serves as next one only.
+/// The scales, in the unit of the spacing; the last one is used only as the successor of the one
+/// before.
 std::vector<double> CandidateScales(const std::array<double, 3>& spacing, const Node& whole)
 {
   const double unit = MeanSpacing(spacing);
@@ -110,7 +111,7 @@ double SquaredNorm(const std::array<double, 3>& v)
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/// The nodes that show noise, and those at edges.
+/// The nodes used to measure noise, and those at edges.
 struct Samples
 {
   std::vector<Node> Background, Edges;
@@ -649,9 +650,9 @@ void Search::FitBackground(const std::vector<double>& measured)
 }
 
 /// Noise as estimated from the edges: how the Laplacians there change from scale to scale. Smooth
-/// data add to the change, so it is an upper bound of the noise: what the background
-/// has beyond that is its own structure. White noise that the edges have beyond the background's
-/// falls from one change to the next as only white noise does.
+/// data add to the change, so it is an upper bound of the noise: what exceeds it in the background
+/// is structure of the background. White noise that the edges have beyond the background's falls
+/// from one change to the next as only white noise does.
 void Search::AdaptNoiseToEdges()
 {
   const double perGradient = this->MeanOverEdges(edgeIndex,
@@ -681,7 +682,7 @@ void Search::AdaptNoiseToEdges()
     {
       share = std::min(share, changes[k] / variance(this->Kinds, k));
     }
-    constexpr double certain = 0.8; // of variances that are known to a tenth
+    constexpr double certain = 0.8; // of variances with an uncertainty of a tenth
     if (share < certain)
     {
       this->Kinds[0].Deviation *= std::sqrt(share);
@@ -695,7 +696,8 @@ void Search::AdaptNoiseToEdges()
   };
   const double square = excess(0);
   const double finest = LaplacianVariance(this->Kinds, { { 1.0, this->Filter(0) } }, this->Spacing);
-  constexpr double notable = 0.5; // of the background's variance, which is known to a tenth
+  constexpr double notable =
+    0.5; // of the background's variance, which has an uncertainty of a tenth
   const double next = excess(1);
   constexpr double alike = 1.3; // as in the next change: structure of the edges is not white
   if (square * LaplacianVariance(white, { { 1.0, this->Filter(0) } }, this->Spacing) >
@@ -720,9 +722,9 @@ void Search::AddWhiteNoise(double deviation)
 }
 
 /// The mean square bias of scale k that its change from finer scales shows, where it exceeds the
-/// noise, less the error of the finer scale's differences. Smoothing that has removed features
-/// makes no further changes: judged by the next scale, it would seem free of bias. For the same
-/// reason, the bias is at least that of the finer scales.
+/// noise, less the error of the finer scale's differences. Once smoothing has removed features,
+/// nothing changes: compared with the next scale, the bias would seem to be zero. For the
+/// same reason, the bias is at least that of the finer scales.
 double Search::BiasSinceFinerScales(std::size_t k) const
 {
   const double least = LeastGradientShare * Square(this->EdgeGradient);

@@ -205,7 +205,7 @@ TensorSums EdgeTensorIntegrator::IntegrateOverBall(vtkIdType point)
   this->Pending.assign(star, star + this->Stars.Size(point));
   std::for_each(
     this->Pending.begin(), this->Pending.end(), [&](MeshTriangle t) { this->Visit(t); });
-  // Only across edges that reach into the ball: another sheet that comes near does not count.
+  // Only across edges that reach into the ball: another sheet that is close does not count.
   while (!this->Pending.empty())
   {
     const MeshTriangle triangle = this->Pending.back();

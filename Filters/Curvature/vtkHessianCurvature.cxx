@@ -241,7 +241,7 @@ int vtkHessianCurvature::RequestUpdateExtent(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
-  // Pieces that one process requests one after the other have the scale of the whole.
+  // Pieces that one process requests one after another (streaming) use the scale of the whole.
   if (this->AutomaticScale && isthmus::NumberOfRanks() == 1)
   {
     isthmus::RequestWholeExtent(imageInfo);
@@ -295,7 +295,7 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
     : std::max(1, isthmus::LayersBetween(piece, needed)); // once is enough
   if (together)
   {
-    MaximumAcrossRanks(&layers, 1); // all ranks run again if one has to
+    MaximumAcrossRanks(&layers, 1); // all ranks run again if one must
   }
   if (!(layers > 0.0))
   {
@@ -436,7 +436,7 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
   if (this->AutomaticScale)
   {
     isthmus::AddReferenceCurvature(image, values, box, points, this->Parameters, output, step(0.1));
-    values = nullptr; // its memory serves the next
+    values = nullptr; // its memory is reused
     values = smoothed(scale.NextScale, 0.7 * (remaining - first));
     isthmus::AddErrors(
       image, values, box, points, this->Parameters, selection, scale, output, step(1.0));
@@ -529,7 +529,7 @@ int vtkHessianCurvature::RequestData(
       }
       catch (const std::exception&)
       {
-        failure = std::current_exception(); // the other ranks wait for the share of this one
+        failure = std::current_exception(); // the other ranks wait for this rank's contribution
         scalars = nullptr;
       }
       isthmus::CurvatureScale scale;

@@ -220,7 +220,7 @@ void FillHistogram(vtkTable* table, const SurfaceView& mesh, const ThresholdedSc
   }
   if (!(low < high))
   {
-    bins = low == high ? 1 : 0; // a constant, or no surface
+    bins = low == high ? 1 : 0; // a constant scalar, or an empty surface
   }
   const double width = bins > 1 ? (high - low) / bins : 0.0;
   std::vector<double> inner;
@@ -240,7 +240,7 @@ void FillHistogram(vtkTable* table, const SurfaceView& mesh, const ThresholdedSc
     table->GetRowData(), "Fraction", rows, [&](std::size_t i) { return Share(areas[i], total); });
 }
 
-/// Regions of points, then those of cells: the middle ones of their corners'.
+/// Regions of points, and those of cells: the median of the regions of a cell's corners.
 struct Labels
 {
   Labels(const ThresholdedScalar& scalar, vtkPolyData* surface, const char* name)

@@ -12,8 +12,8 @@
  *
  * phi in kT/e just outside: the field draws the solvent towards the charges. The boundary of the
  * ions moves with the surface. The pull there is their osmotic pressure relative to the bulk, sum c
- * (exp(-z phi) - 1), or sum c z^2 phi^2 / 2 for the linear equation. Which atom carries what:
- * SurfaceMotion.
+ * (exp(-z phi) - 1), or sum c z^2 phi^2 / 2 for the linear equation. The share of each atom in the
+ * motion of the surface: SurfaceMotion.
  *
  * A point of the surface moves along its normal by sum_i Part_i . dr_i when the atoms move by dr_i.
  * The vectors Part_i of a point add up to its normal, so the surface moves with the whole molecule.

@@ -16,9 +16,9 @@ namespace isthmus
 using PotentialFunction = std::function<double(const Point3&)>;
 
 /**
- * sum C q_i exp(-kappa (|x - r_i| - a_i)) / (eps_s |x - r_i| (1 + kappa a_i)), each charge by
- * itself in the solvent. It decays and solves the linear equation outside, but does not account for
- * the dielectric cavity of the solute.
+ * sum C q_i exp(-kappa (|x - r_i| - a_i)) / (eps_s |x - r_i| (1 + kappa a_i)), each charge alone in
+ * the solvent. It decays and solves the linear equation outside, but does not account for the
+ * dielectric cavity of the solute.
  */
 PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,
   double solventDielectric, double kappa);

@@ -15,7 +15,7 @@ namespace
 constexpr std::size_t Lanes = 8;
 
 /// The ten sums over `blocks` x 8 charges, in the order of SecondOrderTaylor, each in eight lanes
-/// that the compiler can hold in vector registers without leave to reorder additions.
+/// that the compiler can keep in vector registers without permission to reorder additions.
 ISTHMUS_VECTOR_CLONES void CoulombLoop(std::size_t blocks, const double* px, const double* py,
   const double* pz, const double* pq, const double* at, double (*sums)[Lanes])
 {

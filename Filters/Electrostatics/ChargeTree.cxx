@@ -152,7 +152,7 @@ void ChargeTree::AddStandIns(
   }
 }
 
-/// Whether the box's equivalent charges may stand in for its charges, for targets within a ball.
+/// Whether the box's equivalent charges may replace its charges, for targets within a ball.
 bool ChargeTree::IsFar(const Box& box, const Point3& center, double radius)
 {
   double size2 = 0.0;

@@ -23,7 +23,8 @@ class ChargeTree
 public:
   explicit ChargeTree(const ChargeList& charges);
 
-  /// `seen` = what targets within `radius` of `center` may sum over instead of all charges.
+  /// Sets `seen` to the charges over which targets within `radius` of `center` may sum instead of
+  /// all charges.
   void Gather(const Point3& center, double radius, ChargeList& seen) const;
 
   /// sum q exp(-kappa |x - r|) / |x - r| at a point.
@@ -47,7 +48,7 @@ private:
   void Gather(std::int64_t box, const Point3& center, double radius, ChargeList& seen) const;
   double ScreenedSum(std::int64_t box, const Point3& x, double kappa) const;
 
-  ChargeList Sorted; ///< the charges of a box in a row
+  ChargeList Sorted; ///< the charges of a box are consecutive
   std::vector<Box> Boxes;
 };
 

@@ -50,7 +50,7 @@ double BrickRadius(const SolverBox& box)
 std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const SolverBox& box,
   const std::vector<Point3>& points, const ProgressCallback& progress)
 {
-  // The tree is walked once for a brick of points, which see the same boxes.
+  // The tree is traversed once for a brick of points, which use the same boxes.
   std::vector<std::pair<BrickNumber, std::size_t>> order(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
   {

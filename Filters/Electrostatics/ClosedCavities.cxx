@@ -160,7 +160,7 @@ struct FluxSum
     }
     this->RightSide -= factor * v.Constant;
   }
-  /// Moves it into a cavity, each column once.
+  /// Moves the sum into a cavity, with each column once.
   void Move(CavityFlux& cavity)
   {
     std::stable_sort(this->Entries.begin(), this->Entries.end(),

@@ -14,7 +14,7 @@
  *
  *     row_p += (edges of p through the wall / all of them) sum over the wall (F+ - F-),
  *
- * which leaves to the fits how the flux is spread. With ghost-fluid values F+ equals F-.
+ * so that the fits determine how the flux is distributed. With ghost-fluid values F+ equals F-.
  */
 #ifndef isthmus_ClosedCavities_h
 #define isthmus_ClosedCavities_h

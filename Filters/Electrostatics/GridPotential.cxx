@@ -77,7 +77,7 @@ GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
   this->Matrix = std::make_unique<InterfaceOperator>(
     this->Box, this->Inside, parameters.SoluteDielectric, parameters.SolventDielectric);
   this->Assemble({}, Between(progress, 0.6, 1.0));
-  // The preconditioner sees permittivities in series, not the fitted rows, so it stays symmetric.
+  // The preconditioner uses permittivities in series, not the fitted rows, so it stays symmetric.
   this->Multigrid = std::make_unique<MultigridPoisson>(
     this->Box.Dimensions, AxisWeights(this->Box), this->Permittivities());
   if (last)
@@ -468,7 +468,7 @@ double GridPotential::TakeStep(const std::vector<double>& step, double before)
   double factor = 1.0;
   for (int halving = 0; halving < 8; ++halving)
   {
-    // The first trial adds the whole step, each further one takes back half of what is left.
+    // The first trial takes the full step; each further one halves it.
     const double change = halving == 0 ? factor : -factor;
     ForEachNode(this->U.size(), [&](std::size_t i) { this->U[i] += change * step[i]; });
     const double after = this->NonlinearResidual(this->U, this->Work.Residual);
@@ -485,7 +485,7 @@ double GridPotential::TakeStep(const std::vector<double>& step, double before)
 
 void GridPotential::ClipStart()
 {
-  // The linear solution exceeds the nonlinear one where potentials are high, and exp(u) with it.
+  // Where potentials are high, the linear solution exceeds the nonlinear one, and so does exp(u).
   constexpr double clip = 3.0;
   ForEachNode(this->U.size(),
     [&](std::size_t i)

@@ -77,7 +77,8 @@ void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
     lowerInside ? problem.Medium.SolventDielectric : problem.Medium.SoluteDielectric;
   const double sl = epsLower / theta;
   const double su = epsUpper / (1.0 - theta);
-  // Totals at the ends; the value on the surface makes the flux along the edge continuous.
+  // Total potentials at the ends; the value on the surface makes the flux along the edge
+  // continuous.
   FitFunctional lower{}, upper{};
   for (std::size_t i = 0; i < nodes.Count; ++i)
   {

@@ -65,9 +65,9 @@ struct InterfaceExtrapolation
  *
  *     1 / eps_f = part inside / eps_m + part outside / eps_s
  *
- * on an edge's face: symmetric, an M-matrix, what leaves a node arrives at the next. Second order
- * in the energy, first in the potential next to the surface. (Thesis 4.16 has eps(S) at nodes, S
- * smeared over cells, which is far less accurate.)
+ * on an edge's face: symmetric, an M-matrix, conservative: the flux out of a node enters the next.
+ * Second order in the energy, first in the potential next to the surface. (Thesis 4.16 has eps(S)
+ * at nodes, S smeared over cells, which is far less accurate.)
  *
  * SharpInterface: values by InterfaceJumpConditions. The ghost-fluid values are used where nothing
  * can be fitted, and where fewer surrounding nodes are outside than a harmonic quadratic has

@@ -229,7 +229,7 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
 {
   const auto& n = box.Dimensions;
   const auto step = box.Steps();
-  // One list a layer keeps the order of the nodes, whatever thread found them.
+  // One list per layer preserves the order of the nodes, whichever thread found them.
   std::vector<std::vector<InterfaceCrossing>> layers(static_cast<std::size_t>(n[2]));
   ParallelFor(
     0, n[2], 1,

@@ -136,7 +136,7 @@ Rows UsableRows(const FitMedium& medium, const LocalFrame& f, const FitNodes& no
   return rows;
 }
 
-/// Solves for the first `N` unknowns; false where that can't be done or amplifies too much.
+/// Solves for the first `N` unknowns; false if that is impossible or amplifies errors too much.
 template <int N>
 bool Solve(const Rows& rows, const std::vector<Basis>& targets,
   std::vector<FitFunctional>& functionals, double largestGain)

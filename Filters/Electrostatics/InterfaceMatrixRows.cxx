@@ -126,7 +126,7 @@ void AssembleRange(const InterfaceProblem& problem,
     row.Begin(nodes[static_cast<std::size_t>(r)]);
     double wanted = 0.0;
     BuildRow(problem, values, row, wanted);
-    const double diagonal = row.Entries.front().second; // the node itself came first
+    const double diagonal = row.Entries.front().second; // the node itself is the first entry
     // A diagonal that the fits have nearly cancelled does not measure the row.
     const double scale = diagonal > 0.1 * wanted ? wanted / diagonal : 1.0;
     part.Start.push_back(static_cast<std::int64_t>(part.Column.size()));

@@ -17,8 +17,8 @@ InterfaceOperator::InterfaceOperator(const SolverBox& box, const std::vector<uns
 {
 }
 
-// All rows as if no surface were near; ApplyIrregularRows overwrites those beside it. `sign` -1 and
-// the right side make a residual of the same pass.
+// All rows as if there were no surface; ApplyIrregularRows overwrites those next to it. With `sign`
+// -1 and the right-hand side, the same pass computes a residual.
 template <typename T>
 void InterfaceOperator::ApplyRegularRows(
   const std::vector<T>& z, std::vector<double>& out, double sign) const

@@ -21,7 +21,7 @@ double Dot(const std::vector<A>& a, const std::vector<B>& b)
   return ParallelReduce<double>(static_cast<std::int64_t>(a.size()), ValuesPerTask, 0.0,
     [&](double& partial, std::int64_t first, std::int64_t last)
     {
-      // Four running sums: a single one would wait for each addition.
+      // Four running sums: with a single one, each addition would wait for the one before.
       double s[4] = { 0.0, 0.0, 0.0, 0.0 };
       for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
       {

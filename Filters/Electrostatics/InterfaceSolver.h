@@ -20,7 +20,7 @@ namespace isthmus
 struct SolverControl
 {
   double Tolerance = 1e-6; ///< of the residual, relative to `Reference`
-  double Reference = 0.0;  ///< 0: the residual of the start
+  double Reference = 0.0;  ///< 0: the initial residual
   int MaximumIterations = 100;
 };
 

@@ -28,7 +28,7 @@ namespace isthmus
 {
 
 /**
- * Permittivities by code, so that the finest grid takes three bytes a node: `Code[a][node]` names
+ * Permittivities by code, so that the finest grid takes three bytes per node: `Code[a][node]` names
  * the permittivity `Table[Code]` of the edge from the node to the next along axis a.
  */
 struct EdgePermittivity

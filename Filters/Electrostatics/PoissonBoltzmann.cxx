@@ -15,8 +15,8 @@ namespace isthmus
 namespace
 {
 
-/// Nodes of solvent around the surface, at least: stencils at the surface reach three, the border's
-/// function two.
+/// Minimum number of solvent nodes around the surface: stencils at the surface reach three, the
+/// border function two.
 constexpr std::int64_t FewestNodesAround = 6;
 
 /// First and last nodes of the volume inside the level.
@@ -80,9 +80,9 @@ SolverBox ShiftedCoarseBox(const BoxNodes& inside, const SolverBox& box,
   return coarse;
 }
 
-/// The grid for the border's values: twice the spacing where that still shows the surface, half an
-/// angstrom where it is very fine. The box that radiates lies half-way in the solvent and needs two
-/// nodes on each side of its faces.
+/// The grid for the border's values: twice the spacing if that still resolves the surface, half an
+/// angstrom if the spacing is very fine. The box of the equivalent sources lies halfway in the
+/// solvent and needs two nodes on each side of its faces.
 std::int64_t StrideForBorder(const LevelFunction& level, const SolverBox& box)
 {
   const double h = *std::max_element(box.Spacing.begin(), box.Spacing.end());
@@ -139,7 +139,7 @@ void Check(const PoissonBoltzmannParameters& p)
   RequireAbove(
     "Temperature", p.Temperature, 0.0, Unlimited, "It is in kelvin: 298.15 is 25 degrees Celsius.");
   RequireChoice("BoundaryCondition", p.BoundaryCondition, BoundaryCondition::Given);
-  RequireAbove("Tolerance", p.Tolerance, 0.0, 1.0, "It is a part of the first residual.");
+  RequireAbove("Tolerance", p.Tolerance, 0.0, 1.0, "It is a fraction of the initial residual.");
   RequireRange("MaximumIterations", p.MaximumIterations, 1, 1e6);
 }
 
@@ -241,14 +241,14 @@ double EstimateEnergyError(
   constexpr double tolerance = 1e-4;
   // Of the root mean square of the differences.
   constexpr double share = 0.7;
-  // Border values and interpolation at the charges, which all grids have in common, cost that much.
+  // Error of the border values and of the interpolation at the charges, which all grids share.
   constexpr double floor = 3e-4;
   const bool given = solution.GetParameters().BoundaryCondition == BoundaryCondition::Given;
   const BoxNodes inside = LevelNodeRange(level);
   const double energy = solution.GetReport().SolvationEnergy;
   double sum = 0.0;
   int count = 0;
-  // Opposite corners of a cell first; others where the surface has no node of these.
+  // Opposite corners of a cell first; others if none of these gives a node at the surface.
   const std::array<std::int64_t, 3> shifts[] = { { 0, 0, 0 }, { 1, 1, 1 }, { 1, 0, 0 }, { 0, 1, 1 },
     { 0, 1, 0 }, { 1, 0, 1 }, { 0, 0, 1 }, { 1, 1, 0 } };
   for (const auto& shift : shifts)
@@ -275,7 +275,7 @@ double EstimateEnergyError(
     }
     catch (const std::exception&)
     {
-      // This grid is too coarse for the surface; which is what the estimate then says.
+      // This grid is too coarse for the surface; the estimate then says so.
     }
   }
   return count == 0 ? 0.1 * std::abs(energy)

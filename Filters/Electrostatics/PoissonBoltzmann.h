@@ -58,8 +58,9 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoiss
  * surface, with the border values of `solution`. Errors of the scheme are of second order, but
  * their sign depends on where the surface lies between the nodes, so that the difference, which
  * would be three times the error of a regular second order, is taken nearly whole: it covers the
- * error in more than nine of ten cases (guide, How far to trust it). A tenth of the energy where no
- * coarser grid can be solved: its nodes do not show the surface, those of the solution hardly.
+ * error in more than nine of ten cases (guide, How far to trust it). A tenth of the energy if no
+ * coarser grid can be solved, because it does not resolve the surface, and the grid of the solution
+ * hardly does.
  *
  * Cost: a quarter of a solution. Exceptions: Cancelled.
  */

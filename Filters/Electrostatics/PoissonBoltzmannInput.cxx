@@ -68,7 +68,7 @@ std::function<double(const Point3&)> MakeGridInterpolator(
     if (!std::isfinite(value))
     {
       throw std::invalid_argument("The potential of input 2 is not a finite number at node " +
-        std::to_string(i) + ": replace it, or take the input away.");
+        std::to_string(i) + ": replace it, or disconnect the input.");
     }
     (*copy)[static_cast<std::size_t>(i)] = value;
   }
@@ -122,7 +122,7 @@ SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeed
   for (std::size_t i = 0; i < solute.Atoms.size(); ++i)
   {
     ChargedAtom& atom = solute.Atoms[i];
-    atom.Radius = atoms.Balls[i].Radius; // every atom has a ball
+    atom.Radius = atoms.Balls[i].Radius; // atoms and balls have the same indices
     if (std::binary_search(atoms.Copies.begin(), atoms.Copies.end(), atoms.Kept[i]))
     {
       atom.Charge = atom.Radius = 0.0;

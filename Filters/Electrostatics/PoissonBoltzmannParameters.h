@@ -39,9 +39,9 @@ enum class BoundaryCondition
 {
   Zero = 0,                 ///< u = 0
   SingleDebyeHueckel = 1,   ///< the net charge at the center of charge, in a sphere of the solute
-  MultipleDebyeHueckel = 2, ///< every charge by itself
-  SelfConsistent = 3,       ///< the former, corrected by what a solution on a coarser grid radiates
-  Given = 4                 ///< by PoissonBoltzmannParameters::Boundary
+  MultipleDebyeHueckel = 2, ///< each charge alone
+  SelfConsistent = 3, ///< the former, corrected by the continuation of a solution on a coarser grid
+  Given = 4           ///< by PoissonBoltzmannParameters::Boundary
 };
 
 /// Treatment of the jump of the dielectric constant at the surface.
@@ -75,7 +75,7 @@ struct PoissonBoltzmannParameters : GridRequest
   double Temperature = 298.15;  ///< K
   bool Nonlinear = false;
   isthmus::BoundaryCondition BoundaryCondition = isthmus::BoundaryCondition::SelfConsistent;
-  double Tolerance = 1e-6;     ///< of the residual, relative to that of the start
+  double Tolerance = 1e-6;     ///< of the residual, relative to the initial one
   int MaximumIterations = 100; ///< of BiCGSTAB in each linear system
   int MaximumNewtonSteps = 30;
   /// Weight of the equations inside relative to those outside in the fits at the surface, as a

@@ -117,7 +117,7 @@ void WritePDB(const std::vector<NamedAtom>& atoms, const std::vector<FileResidue
   }
 }
 
-/// The reason in a log that ends in tracebacks.
+/// The reason of the failure, from a log that ends in a traceback.
 std::string ReasonIn(const std::string& log)
 {
   std::string error, told;
@@ -171,13 +171,13 @@ void RequireSuccess(const ChildResult& result, const ChildLimits& limits)
   }
   if (result.End == ChildEnd::TimedOut)
   {
-    throw std::runtime_error("The atoms have no charges, and pdb2pqr did not find them in " +
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr did not assign them within " +
       std::to_string(static_cast<int>(limits.TimeLimit)) + " seconds: read fewer chains." +
       Suggestion);
   }
   if (result.End == ChildEnd::Crashed || result.Code != 0)
   {
-    throw std::runtime_error("The atoms have no charges, and pdb2pqr could not find them (" +
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr could not assign them (" +
       ReasonIn(result.Output) + "): complete the protein, or read only its complete part." +
       Suggestion);
   }
@@ -261,7 +261,7 @@ public:
     if (this->Built > 0)
     {
       text += (text.empty() ? "" : " ") + std::to_string(this->Built) +
-        " atoms other than hydrogens were missing; pdb2pqr has modelled them.";
+        " atoms other than hydrogens were missing; pdb2pqr has added them.";
     }
     return text;
   }

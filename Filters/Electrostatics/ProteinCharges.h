@@ -22,7 +22,7 @@ enum class ChargeTable
   PARSE = 1  ///< D. Sitkoff, K. Sharp, B. Honig, J. Phys. Chem. 98 (1994) 1978
 };
 
-/// An atom that the force field knows.
+/// An atom for which the force field has parameters.
 struct ForceFieldAtom
 {
   Point3 Place{ 0.0, 0.0, 0.0 }; ///< angstrom
@@ -31,14 +31,14 @@ struct ForceFieldAtom
   std::string Name;              ///< the force field's, and its residue's
   std::string Residue;
   std::size_t SourceAtom =
-    0;                ///< an atom of the input of the same residue: the same one, where it is there
+    0; ///< the corresponding atom of the input or, if there is none, another of the same residue
   bool IsNew = false; ///< not in the input: hydrogens, heavy atoms that were missing
 };
 
 struct ChargedProtein
 {
   std::vector<ForceFieldAtom> Atoms;
-  std::string Warning; ///< what was left out or built; empty: nothing but water and hydrogens
+  std::string Warning; ///< what was dropped or built; empty if only water and hydrogens
 };
 
 /**

@@ -86,7 +86,8 @@ std::vector<Ball> MakeBalls(const std::vector<ChargedAtom>& atoms)
 }
 
 /// Fourth differences of S and of log S across the level, over its slopes: the polynomial through
-/// six nodes follows the one with the smaller ones better. And whether S is clipped near it.
+/// six nodes follows the one with the smaller ones better. Also whether S is clipped near the
+/// level.
 struct Straightness
 {
   double Plain = 0.0, Logarithm = 0.0;

@@ -21,13 +21,13 @@ class vtkPolyData;
 namespace isthmus
 {
 
-/// A volume (its geometry is in Grid, which does not hold our arrays) and its level.
+/// A volume (Grid has only its geometry, no arrays) and its level.
 struct SoluteVolume
 {
   vtkSmartPointer<vtkImageData> Grid;
   LevelFunction Level;
   std::string Kind;   ///< what the surface is, in words
-  double Decay = 0.0; ///< of the atoms' Gaussians whose level it is; 0 for other surfaces
+  double Decay = 0.0; ///< decay of the atoms' Gaussians, if it is their level; 0 for other surfaces
   std::vector<float> Floats;
   std::vector<double> Doubles;
   vtkSmartPointer<vtkDataArray> Scalars; ///< kept alive

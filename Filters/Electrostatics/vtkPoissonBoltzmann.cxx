@@ -50,7 +50,7 @@ const std::vector<isthmus::OutputArray>& vtkPoissonBoltzmann::OutputArrayTable()
     { 0, ArrayPlace::Field, "SolvationEnergy", 1, "kcal/mol", ArrayChoice::None,
       "from a medium with SoluteDielectric everywhere into the solvent" },
     { 0, ArrayPlace::Field, "SolvationEnergyError", 1, "kcal/mol", ArrayChoice::None,
-      "estimated from coarser grids: what the resolution leaves open, not the choice of the "
+      "estimated from coarser grids: the error due to the resolution, not to the choice of the "
       "surface" },
     { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
       "the energy and its error in words" },
@@ -74,7 +74,7 @@ const std::vector<isthmus::OutputArray>& vtkPoissonBoltzmann::OutputArrayTable()
       "two nodes wide" },
     { 0, ArrayPlace::Field, "DebyeLength", 1, "angstrom", ArrayChoice::None, "0 without salt" },
     { 0, ArrayPlace::Field, "NetCharge", 1, "e", ArrayChoice::None, "of the atoms" },
-    { 0, ArrayPlace::Field, "Surface", 1, "", ArrayChoice::None, "what the surface was made of" },
+    { 0, ArrayPlace::Field, "Surface", 1, "", ArrayChoice::None, "the source of the surface" },
     { 1, ArrayPlace::Points, "Potential", 1, "kT/e", ArrayChoice::None, "electrostatic potential" },
     { 1, ArrayPlace::Points, "NormalField", 1, "kT/(e angstrom)", ArrayChoice::None,
       "outwards, just outside" },

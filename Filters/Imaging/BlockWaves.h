@@ -43,7 +43,7 @@ double SpectralBound(const std::array<double, 3>& spacing);
 std::size_t FrequencyBin(double s);
 
 /// The quantile of chi squared over its degrees of freedom (Wilson and Hilferty, Proc. Natl. Acad.
-/// Sci. 17 (1931) 684) where the normal distribution has z.
+/// Sci. 17 (1931) 684) that corresponds to z of the normal distribution.
 double SpreadAtQuantile(double degrees, double z);
 
 /// The value below which this share of the values lies.

@@ -458,8 +458,8 @@ private:
  * candidates whose risk of the values is within 1 dB of the least one, that of the pilot.
  *
  * With g and n the pilot's gradient and its direction, A y = (L - d^2/dn^2) y / g is a noisy
- * measurement of twice the mean curvature, linear in y. What the candidate f says, the curvature of
- * f(y) itself, is compared with it, as values are: the mean over nodes, weighted by g^2, of
+ * measurement of twice the mean curvature, linear in y. The candidate's own prediction, the
+ * curvature of f(y), is compared with it, as values are: the mean over nodes, weighted by g^2, of
  * (curvature of f(y) - A y)^2 + 2 A b (curvature of f(y + e b) - curvature of f(y)) / e, which is
  * the squared error but for a constant. Smoothing changes the profile of a surface along its normal
  * more than its curvature; comparing Laplacians would count that as an error.
@@ -705,7 +705,7 @@ private:
     {
       if (time < 0.04 * parameters.Time)
       {
-        return; // too little to be the best
+        return; // too short a time to be the best
       }
       steps.Time.push_back(time);
       std::vector<float> inner(this->Nodes[index].size());
@@ -963,7 +963,7 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
   };
   if (search.Goal == DenoisingGoal::Surfaces)
   {
-    // Curvature alone would want more smoothing than one decibel allows, which moves surfaces;
+    // Curvature alone would require more smoothing than one decibel allows, which moves surfaces;
     // Hessian Curvature adds it by its own scale. Edge stopping keeps noise where the gradient is
     // largest, on surfaces, so it is not a candidate.
     LinearBest ofCurvature;

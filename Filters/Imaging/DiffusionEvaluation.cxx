@@ -71,9 +71,9 @@ private:
 /**
  * One tile of rows walked through plane by plane, several stages behind each other.
  *
- * Each stage is u -> L u -> ... -> W, c -> rate -> update; its result is the next one's u. A stage
- * runs as many planes behind the one before as its stencil reaches, so that only a few planes,
- * which stay in cache, lie between the first u and the last result.
+ * Each stage is u -> L u -> ... -> W, c -> rate -> update; its result is the next one's u. Each
+ * stage runs behind the previous one by as many planes as its stencil reaches, so that only a few
+ * planes between the first u and the last result are alive, and stay in cache.
  */
 template <typename T>
 class DiffusionPipeline
@@ -89,8 +89,8 @@ public:
 
   DiffusionPipeline(const DiffusionOperator<T>& diffusion, int stages, std::int64_t tileRows);
 
-  /// Does the stages of a pass for these rows of these planes. What the later stages need around
-  /// them is computed again by each tile.
+  /// Performs the stages of a pass for these rows of these planes. Each tile recomputes what later
+  /// stages need beyond its sides.
   void Run(const DiffusionPass<T>& pass, Range rows, Range planes);
 
 private:
@@ -183,7 +183,7 @@ std::int64_t DiffusionPipeline<T>::TileRowsThatFit(
       planes += depth;
     }
   }
-  // First values and rates are read where they lie, once by each stage.
+  // The first values and rates are read in place, once by each stage.
   planes += stages > 1 ? 2 * (stages * lags.Out - lags.Out + 1) : 0;
   const auto rowBytes = PlaneRing<T>::PaddedStride(diffusion.Dimensions[0]) *
     static_cast<std::int64_t>(sizeof(T)) * planes;
@@ -491,8 +491,8 @@ std::int64_t Parts(std::int64_t whole, std::int64_t part)
 template <typename T>
 int StagesPerPass(const DiffusionOperator<T>& diffusion)
 {
-  // What each stage adds at the sides of a tile grows with its reach: from order 1 on, that costs
-  // what memory gains.
+  // The overlap of tiles grows with the reach of each stage: from order 1 on, it costs more than
+  // the saved memory traffic gains.
   return diffusion.Order() == 0 ? 4 : 1;
 }
 

@@ -80,7 +80,7 @@ DiffusionImage<T>::DiffusionImage(vtkImageData* input, vtkImageData* output,
       throw std::invalid_argument("The image's spacing is not positive along an axis with more "
                                   "than one node: set it first.");
     }
-    // A single node has no neighbour along this axis: any length will do.
+    // A single node has no neighbour along this axis: any length is valid.
     this->Grid.Spacing[axis] = spacing > 0.0 ? spacing : 1.0;
     smallest = std::min(smallest, this->Grid.Spacing[axis]);
   }
@@ -225,7 +225,8 @@ void DiffusionImage<T>::Mask(T* values)
       }
     });
   const T mean = sums[1] > 0.0 ? static_cast<T>(sums[0] / sums[1]) : T(0);
-  // First all from untouched values, then all at once: no order shows in the result.
+  // All replacements are computed from the original values and then stored at once, so the result
+  // does not depend on the order.
   std::vector<T> filled(this->Invalid.size(), mean);
   const auto& n = this->Grid.Dimensions;
   for (std::size_t m = 0; m < filled.size(); ++m)

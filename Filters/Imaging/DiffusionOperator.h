@@ -40,7 +40,7 @@ struct DiffusionOperator
                                   ///< for equation 4.34.
   std::vector<T> Weights{ T(1) }; ///< weight_p; the last is that of the highest order and 1.
   T Leading = 1;
-  /// If not null, what is read instead of working it out: exp(-|grad u|^2), or |grad W|^2 for Gram.
+  /// If not null, precomputed values that are read: exp(-|grad u|^2), or |grad W|^2 for Gram.
   const T* StoredCoefficient = nullptr;
   T Fidelity = 0;
   const T* Input = nullptr;  ///< Used if Fidelity is not 0.

@@ -12,7 +12,7 @@
 #define ISTHMUS_INLINE inline
 #endif
 
-// The loop that follows may write the very row it reads, node by node, but no shifted one.
+// The loop below may write the row that it reads, but not a shifted row.
 #if defined(__GNUC__) && !defined(__clang__)
 #define ISTHMUS_IN_PLACE _Pragma("GCC ivdep")
 #else

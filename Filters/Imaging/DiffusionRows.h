@@ -95,7 +95,7 @@ void UpdateRow(const RowUpdate<float>& update, const float* current, const float
 void UpdateRow(const RowUpdate<double>& update, const double* current, const double* previous,
   const double* first, const double* rate, const double* firstRate, std::int64_t n, double* out);
 
-/// sum += factor (values - first); `sum` is none of the others.
+/// sum += factor (values - first); `sum` must not be one of the others.
 void AddChangeRow(
   float factor, const float* values, const float* first, std::int64_t n, float* sum);
 void AddChangeRow(

@@ -24,8 +24,8 @@ namespace isthmus
 class DomainDecomposition
 {
 public:
-  /// `own` is what this rank has to compute, `halo` how many nodes it needs around. With a null
-  /// controller, or one with a single process, there is one part.
+  /// `own` is the part that this rank computes, `halo` the number of nodes it needs around it. With
+  /// a null controller, or one with a single process, there is one part.
   /// @throws std::runtime_error, on all ranks, if the parts do not cover the whole or overlap
   /// crosswise.
   DomainDecomposition(
@@ -39,7 +39,7 @@ public:
   /// The extent of the whole image.
   const Extent& WholeExtent() const { return this->Whole; }
 
-  /// What this rank owns.
+  /// The extent that this rank owns.
   const Extent& Owned() const { return this->OwnedExtent; }
 
   /// Fills the halo of an array, whose extent is Local(), from the ranks that have the nodes.

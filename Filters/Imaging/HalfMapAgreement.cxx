@@ -23,7 +23,7 @@ namespace
 constexpr int BlockSide = 4;
 constexpr int FarthestBlocks = 4; // a shift of up to 16 nodes
 
-/// Halves that correlate by less have nothing in common. Of independent noise, a map of 32^3 nodes
+/// Halves with a lower correlation have no common signal. Of independent noise, a map of 32^3 nodes
 /// has 0.00 +- 0.04.
 constexpr double LeastCorrelation = 0.1;
 /// Below this correlation the line through the blocks is not well determined.
@@ -349,8 +349,8 @@ std::string HalfMapAgreement::Message() const
     !this->IsShifted())
   {
     message = JoinText("The half maps have a correlation of only ", Correlations(this->Correlation),
-      " (of means over 4 x 4 x 4 nodes), so they have nothing in common: what is computed from "
-      "them is that of noise. Check that both are halves of one map.");
+      " (of means over 4 x 4 x 4 nodes), so they do not share a signal: results computed from them "
+      "describe noise. Check that both are halves of one map.");
   }
   if (this->IsLinear())
   {

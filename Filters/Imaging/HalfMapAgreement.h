@@ -28,7 +28,7 @@ struct HalfMapAgreement
   double Offset = 0.0; ///< added to the second half's values, in the unit of the data
   std::array<int, 3> Shift{ 0, 0, 0 }; ///< nodes by which the second half is displaced
   double ShiftedCorrelation = 0.0;     ///< of single nodes, once the shift is undone
-  double NodeCorrelation = 0.0;        ///< of single nodes as they are
+  double NodeCorrelation = 0.0;        ///< of single nodes without undoing the shift
 
   bool IsLinear() const { return this->Factor != 1.0 || this->Offset != 0.0; }
   bool IsShifted() const { return this->Shift != std::array<int, 3>{ 0, 0, 0 }; }

@@ -414,8 +414,8 @@ void AddSmoothedResidual(const DiffusionGrid<T>& grid, double deviation, T* resi
   heat.Order = 0;
   heat.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
   heat.Time = deviation * deviation / 2.0;
-  // Explicit steps of 0.6 of the limit leave next to nothing of the shortest waves, which are
-  // noise; super steps would halve them at best.
+  // Explicit steps of 0.6 of the limit remove nearly all of the shortest waves, which are noise;
+  // super steps would at best halve them.
   heat.Integrator = DiffusionParameters::IntegratorType::ForwardEuler;
   heat.Steps =
     static_cast<int>(std::ceil(heat.Time / (0.6 * ExplicitStepLimit(heat, grid.Spacing))));

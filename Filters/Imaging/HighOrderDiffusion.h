@@ -88,7 +88,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DiffusionParameters& parameters
 struct DiffusionReport
 {
   std::vector<double> Time;     ///< at the end of the step
-  std::vector<double> Change;   ///< root mean square of what the step changed
+  std::vector<double> Change;   ///< root mean square of the change in the step
   std::vector<double> Residual; ///< root mean square of the rate of change at the step's start
   std::int64_t Evaluations = 0; ///< of a right-hand side, those under PreSmoothing included
 };
@@ -113,7 +113,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
  * @pre values are finite.
  * @throws std::invalid_argument for bad parameters, for fixed Steps that are larger than the
  * integrator can take (the message names the limit) and std::runtime_error for values that cease
- * to be finite. `observer` sees the values after each step.
+ * to be finite. `observer` is called with the values after each step.
  *
  * Memory: volumes of T in addition to values, input and source. SuperTimeStepping needs 4: two for
  * stages, the first rate, and the coefficient (3 if it is constant), and two more for order 0 on

@@ -91,7 +91,7 @@ public:
     return 0.5 / this->Finest;
   }
 
-  /// Position of a node among the windows' centers along an axis: a place on the lattice.
+  /// Position of a node on the lattice of the windows' centers along an axis.
   double LatticePosition(std::int64_t node, std::size_t axis) const
   {
     if (this->Count[axis] == 1)

@@ -26,7 +26,7 @@ namespace isthmus
  * Values are between twice the spacing (correlated up to the last shell) and the length of the
  * window (correlated in no shell). There are at most about 2000 windows, so the time does not grow
  * further for larger volumes.
- * A factor changes nothing, and a constant added to the values of a half only their rounding.
+ * Scaling a half does not change the result, and adding a constant changes only rounding.
  * @pre values are finite and at most 1e36; a mean much larger than their deviations is subtracted
  * before they are rounded to single precision.
  * @throws Cancelled if `progress` returns false.

@@ -18,7 +18,7 @@ void ForResiduals(
   const std::int64_t step = size[0], plane = size[0] * size[1];
   const std::int64_t line = begin / size[0], j = line % size[1], k = line / size[1];
   const std::int64_t start = line * size[0];
-  // Beyond the ends a node stands in for its missing neighbour.
+  // Beyond the ends a node replaces its missing neighbour.
   const std::int64_t front = j > 0 ? -step : 0, back = j + 1 < size[1] ? step : 0;
   const std::int64_t below = k > 0 ? -plane : 0, above = k + 1 < size[2] ? plane : 0;
   for (std::int64_t n = begin; n < end; ++n)
@@ -39,7 +39,7 @@ void ForResiduals(
   }
 }
 
-/// Median of the absolute pseudo-residuals, by counting into bins, ever finer.
+/// Median of the absolute pseudo-residuals, by histograms with finer and finer bins.
 template <typename T>
 double MedianResidual(const DiffusionGrid<T>& grid, const T* values, double high, double count)
 {

@@ -387,8 +387,8 @@ NoiseSpectrum EstimateNoiseSpectrum(
     floor = std::max(0.0, small.Floor(0.5, 1.01)); // a slice or a row
   }
   white = WhiteNoise(std::sqrt(floor));
-  // White noise is a floor under whatever there is in longer waves; coloured noise falls to the
-  // end.
+  // White noise is a constant floor below the signal in longer waves; coloured noise decreases to
+  // the end.
   constexpr double falling = 2.5;
   const double before = small.Floor(0.76, 0.86), last = small.Floor(0.9, 1.01);
   if (before < 0.0 || last < 0.0 || before <= falling * last)

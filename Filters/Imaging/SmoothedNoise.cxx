@@ -142,7 +142,7 @@ public:
       });
   }
 
-  /// The least noise among those that explain about the most bins.
+  /// The lowest noise among the fits that explain about as many bins as the best.
   SmoothedNoise Find(double total) const
   {
     std::vector<Candidate> candidates;

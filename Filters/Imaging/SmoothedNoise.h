@@ -1,6 +1,6 @@
 /**
  * @file SmoothedNoise.h
- * @brief Finds noise with a Gaussian correlation in blocks that hold signal, too.
+ * @brief Finds noise with a Gaussian correlation even in blocks that contain signal.
  *
  * White noise that was smoothed by a Gaussian of standard deviation sigma, as by interpolation, by
  * a low-pass filter or by a detector, has the spectral density A exp(-sigma^2 |omega|^2). Signal
@@ -35,8 +35,8 @@ struct SmoothedNoise
  *
  * Lengths from 0.4 to 4 of the least spacing are tried, 150 of them.
  * Not found in fewer than 16 blocks of 16^3 nodes or 48 of 8^3.
- * Cost: 150 multiplications per wave of a block; in parallel over the lengths. Same bits on any
- * number of threads.
+ * Cost: 150 multiplications per wave of a block; in parallel over the lengths. Bitwise the same on
+ * any number of threads.
  */
 SmoothedNoise FindSmoothedNoise(
   const BlockWaves& waves, const std::array<double, 3>& spacing, double total);

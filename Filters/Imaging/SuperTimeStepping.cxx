@@ -213,7 +213,8 @@ T* EvaluateStages(const DiffusionGrid<T>& grid, const DiffusionOperator<T>& diff
     const auto first = sequence.Updates.begin() + static_cast<std::ptrdiff_t>(done);
     pass.Updates.assign(first, first + static_cast<std::ptrdiff_t>(stages));
     pass.Sums = PassSums(sequence.Sums, done, stages);
-    // One stage alone may write where the values before the last lie: it reads them at their place.
+    // A single stage may overwrite the values before the last, since it reads each only at the node
+    // that it writes.
     const auto before = std::find(volumes.begin(), volumes.end(), pass.Previous);
     const bool inPlace = stages == 1 && pass.Previous && before != volumes.end();
     pass.Out = inPlace ? *before : Free<T>(volumes, { pass.Previous, pass.Current });

@@ -11,9 +11,10 @@ namespace isthmus
 namespace
 {
 
-constexpr std::int64_t wholeVolumeNodes = 300000; ///< up to this many are tried as they are
-constexpr std::int64_t trialSide = 28;            ///< nodes across the inner part of a block
-constexpr std::int64_t trialMargin = 6;           ///< nodes around it
+constexpr std::int64_t wholeVolumeNodes =
+  300000;                               ///< up to this many nodes, the whole volume is used
+constexpr std::int64_t trialSide = 28;  ///< nodes across the inner part of a block
+constexpr std::int64_t trialMargin = 6; ///< nodes around it
 constexpr std::size_t trialBlocks = 6;
 constexpr std::size_t mostNoiseBlocks = 512;  ///< the largest number evaluated
 constexpr std::int64_t coarseNodes = 1 << 17; ///< of the coarse copy, about
@@ -214,7 +215,7 @@ double LargestModulus(const DiffusionGrid<T>& grid, const T* values)
   return ofPlanes.empty() ? 0.0 : *std::max_element(ofPlanes.begin(), ofPlanes.end());
 }
 
-/// The value that most nodes have whose neighbours in a block all have it, too.
+/// The most frequent value among nodes whose neighbours in a block all have the same value.
 void FindFill(
   const std::vector<std::vector<double>>& blocks, const Index3& size, VolumeSample& sample)
 {
@@ -340,7 +341,7 @@ std::vector<TrialBlock> ChooseTrials(const Coarse& coarse, const Index3& whole)
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(
     order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] < sizes[b]; });
-  // Quiet tiles count, too, since noise is everywhere.
+  // Tiles without structure count, too, since noise is everywhere.
   auto measure = [&](std::size_t tile) { return sizes[tile] + 0.3 * mean + 1e-30; };
   double total = 0.0;
   for (const std::size_t tile : order)

@@ -161,7 +161,7 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   denoising->SetGoal(this->GetGoal());
   denoising->SetMaskInvalid(true);
   denoising->SetController(nullptr);      // every rank has all of the volume
-  denoising->SetContainerAlgorithm(this); // stops with this one
+  denoising->SetContainerAlgorithm(this); // aborted together with this filter
   isthmus::UpdateInner(denoising, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   isthmus::Report(isthmus::MakeProgress(this), 0.7); // throws if it was aborted

@@ -92,9 +92,9 @@ void vtkDenoiseMap::WarnIfUnchanged(const isthmus::DenoiseMapResult& result)
     vtkWarningMacro(
       << isthmus::JoinText(
            "Hardly anything was changed. If there is noise, it is coloured: its power falls "
-           "towards the finest waves, like that of the map, but neither as if a Gaussian had "
-           "smoothed it, nor is there background without signal in which it could be measured. "
-           "Give KnownNoise, or use Denoise From Half Maps.",
+           "towards the finest waves, like that of the map, but not as that of noise smoothed by a "
+           "Gaussian, and there is no background without signal in which it could be measured. "
+           "Set KnownNoise, or use Denoise From Half Maps.",
            remedy));
   }
   else if (change < 1e-4 * deviation)

@@ -68,8 +68,8 @@ int vtkDiffusionAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   // The whole image, since every node depends on all others in the end. Of the pieces of several
-  // ranks the source splits it, and halos are exchanged instead of asked for; pieces that one
-  // process asks for one after the other (streaming) have no others to exchange with.
+  // ranks the source splits it, and halos are exchanged instead of requested; pieces that one
+  // process requests one after the other (streaming) have no others to exchange with.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* input = inputs[0]->GetInformationObject(0);
   if (!this->IsParallel())

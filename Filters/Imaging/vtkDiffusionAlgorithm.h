@@ -74,8 +74,8 @@ protected:
   /// The input array (Core/ImageScalars.h); null on a rank without nodes.
   vtkDataArray* ChosenScalars(vtkImageData* image);
 
-  /// Lengths in units of the smallest spacing (on) or in the data's unit (off). A property of those
-  /// filters that are given lengths.
+  /// Lengths in units of the smallest spacing (on) or in the data's unit (off). A property of the
+  /// filters whose parameters are lengths.
   bool VoxelUnits = true;
 
 private:

@@ -165,7 +165,7 @@ namespace
 
 using Place = std::array<double, 3>;
 
-constexpr double Near = 12.0;    // angstrom, within which an atom sees single nodes
+constexpr double Near = 12.0;    // angstrom, within which an atom interacts with single nodes
 constexpr std::int64_t Side = 8; // nodes along a block
 constexpr std::size_t Lanes = 8;
 

@@ -76,11 +76,11 @@ struct FlowField
 
   FlowGrid Grid;
   std::vector<float> Distance;     ///< negative inside
-  std::vector<float> Next;         ///< where a step writes; then the two change places
-  std::vector<float> Ceiling;      ///< Distance stays below: the atoms are inside
-  std::vector<float> Floor;        ///< Distance stays above, where there is a probe
-  std::vector<float> Pull;         ///< V / gamma in spacings, where the solvent pulls
-  std::vector<unsigned char> Free; ///< by redistancing: 0 next to the surface
+  std::vector<float> Next;         ///< output of a step; then the two are swapped
+  std::vector<float> Ceiling;      ///< upper bound of Distance: the atoms are inside
+  std::vector<float> Floor;        ///< lower bound of Distance, if there is a probe
+  std::vector<float> Pull;         ///< V / gamma in spacings, if the solvent pulls
+  std::vector<unsigned char> Free; ///< set by redistancing: 0 next to the surface
   std::vector<unsigned char> Near; ///< by chunk: has nodes in the band (1), first (2), last (4)
   std::vector<ChunkRun> Runs;      ///< chunks in the band, and their neighbours
 };
@@ -96,7 +96,7 @@ void MoveBand(FlowField& field);
 template <typename Work>
 void ForEachRun(const FlowField& field, Work work)
 {
-  constexpr std::int64_t runsAtOnce = 512; // about 10,000 nodes, to pay for a thread's start
+  constexpr std::int64_t runsAtOnce = 512; // about 10,000 nodes, to outweigh the start of a thread
   ParallelFor(0, static_cast<std::int64_t>(field.Runs.size()), runsAtOnce,
     [&](std::int64_t firstRun, std::int64_t lastRun)
     {

@@ -11,7 +11,7 @@ namespace
 
 constexpr float Fading = 2.0F;        // where steps begin to fade out
 constexpr float Faded = 4.0F;         // where they have faded out
-constexpr float Flat = 1e-6F;         // keeps 0 / 0 out where the distance has a ridge
+constexpr float Flat = 1e-6F;         // avoids 0 / 0 where the distance has a ridge
 constexpr float LeastGradient = 0.5F; // a node is moved to at most twice its distance
 constexpr float PseudoTime = 0.45F;   // of a step of redistancing
 

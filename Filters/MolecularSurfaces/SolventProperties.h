@@ -9,7 +9,7 @@
 #include "Core/FilterProperties.h"
 #include "MolecularSurfaces/MolecularSurfaceParameters.h"
 
-#include <ostream> // the wrappers see it declared only
+#include <ostream> // VTK's wrappers need only its declaration
 
 /**
  * Properties of a filter (FilterProperties.h) that holds SolventParameters as `parameters`.

@@ -87,7 +87,7 @@ void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& para
     {
       throw std::invalid_argument("Atom " + std::to_string(i) +
         " has a coordinate that is not finite, or a radius that is not a positive length: correct "
-        "it or leave it out.");
+        "or remove it.");
     }
   }
 }

@@ -22,7 +22,7 @@ namespace isthmus
 struct FlowRecord
 {
   double Time = 0.0;    ///< square angstrom
-  double Spacing = 0.0; ///< of the grid that the flow was on, angstrom
+  double Spacing = 0.0; ///< of the grid of the flow, angstrom
   double Area = 0.0;    ///< square angstrom
   double Volume = 0.0;  ///< cubic angstrom
 };

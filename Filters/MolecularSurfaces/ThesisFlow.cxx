@@ -13,7 +13,7 @@ namespace isthmus
 namespace
 {
 
-constexpr double ThesisLambda = 0.1;     // dt / spacing^2, the thesis' stability aside
+constexpr double ThesisLambda = 0.1;     // dt / spacing^2, without the thesis' stability condition
 constexpr int ThesisStepsToMeasure = 50; // between two measures
 constexpr int ThesisMostSteps = 5000;    // when Steady
 constexpr double ThesisRest = 1e-5;      // relative change of the volume in ThesisStepsToMeasure

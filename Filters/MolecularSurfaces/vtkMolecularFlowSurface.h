@@ -49,7 +49,7 @@
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for what it asks of its input
+#include <memory> // for the update of its input
 #include <vector> // for the table of output arrays
 
 class vtkImageData;
@@ -84,7 +84,7 @@ public:
   {
     SignedDistanceFlow = 0, ///< second order in the spacing
     ThesisFlow = 1,         ///< as printed in the thesis, for comparison
-    SolventExcluded = 2     ///< no flow: the surface of a probe of ProbeRadius, to compare with
+    SolventExcluded = 2     ///< no flow: the surface of a probe of ProbeRadius, for comparison
   };
 
   ///@{

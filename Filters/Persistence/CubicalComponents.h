@@ -190,7 +190,7 @@ void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& fa
 }
 
 //--------------------------------------------------------------------------------------------------
-// The critical edges and faces of a volume, and what union-find says about them.
+// The critical edges and faces of a volume, and their classes by union-find.
 
 /// Keys of the critical edges and faces, in the order of the nodes.
 template <typename Gradient>

@@ -85,7 +85,7 @@ private:
 template <typename Link>
 struct PathEnds
 {
-  std::vector<std::array<Link, 2>> Numbers; ///< for each pair of places asked for
+  std::vector<std::array<Link, 2>> Numbers; ///< for each requested pair of places
   std::vector<Link> Places;                 ///< by number
 
   /// starts(i): the i-th of `count` pairs of places.

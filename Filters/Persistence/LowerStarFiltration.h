@@ -22,7 +22,7 @@ namespace isthmus
  * the ids.
  *
  * @throws std::invalid_argument when a face has more than two tetrahedra, a triangle of the surface
- * is no face of the mesh, or a value is negative or not finite. O(n log n).
+ * is not a face of the mesh, or a value is negative or not finite. O(n log n).
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh,
   const std::vector<double>& values, TriangleMesh& surface, const ProgressCallback& progress = {});

@@ -70,7 +70,8 @@ DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, st
   const ProgressCallback& progress)
 {
   DistanceGrid grid = ComputeDistanceGrid(surface, box, cells, Between(progress, 0.0, 0.7));
-  // In spacings, since floats know neither 1e40 nor 1e-40. No way on the grid is longer than this.
+  // In spacings, since floats represent neither 1e40 nor 1e-40. No path on the grid is longer than
+  // this.
   const auto farthest =
     static_cast<float>(grid.Dimensions[0] + grid.Dimensions[1] + grid.Dimensions[2]);
   std::vector<float> values(grid.Values.size(), farthest);

@@ -24,7 +24,7 @@ struct FeatureParameters
   {
     Absolute,           ///< MinimumPersistence is a difference of values
     StandardDeviations, ///< ... in standard deviations of the volume
-    LargestGap          ///< MinimumPersistence is not used: what lies above the widest gap counts
+    LargestGap          ///< MinimumPersistence is not used: features above the widest gap are kept
   };
 
   bool Superlevel = false;
@@ -55,8 +55,8 @@ struct FeatureList
   /// Sorted by length, longest first, with ties by dimension and position. The index in this list
   /// is the FeatureId, which does not change with the threshold.
   std::vector<ScalarFeature> Features;
-  double Threshold = 0.0; ///< what a persistence must reach, in units of the values
-  std::size_t Kept = 0;   ///< number of features that reach it
+  double Threshold = 0.0; ///< smallest persistence of kept features, in units of the values
+  std::size_t Kept = 0;   ///< number of features with at least this persistence
 };
 
 /// Throws as Check() does.

@@ -13,7 +13,7 @@ std::vector<double> SurfaceDistances(
 {
   const TriangleTree tree(surface);
   constexpr std::size_t Block =
-    256; // each starts without a guess: identical on any number of threads
+    256; // each starts without a guess, so results are identical on any number of threads
   std::vector<double> distance(points.size());
   ParallelFor(
     0, static_cast<std::int64_t>((points.size() + Block - 1) / Block), 4,

@@ -213,8 +213,8 @@ isthmus::FullereneStability vtkFullereneStability::Analyse(
   if (const auto all = static_cast<std::int64_t>(atoms.size()); row.Atoms < all)
   {
     vtkWarningMacro(<< isthmus::JoinText(all - row.Atoms, " of ", all,
-                      " atoms lie exactly where another one lies and count once. Is the molecule "
-                      "there twice, for instance in several models?"));
+                      " atoms lie exactly where another one lies and count once. Does the input "
+                      "contain the molecule twice, for instance in several models?"));
   }
   return row;
 }

@@ -24,9 +24,9 @@
  *  - 4, *Simplified* (vtkImageData; with Simplify on): the input with the minima and maxima of the
  *    dropped classes flattened (as TTK's topological simplification does).
  *
- * **What is listed.** Listed are classes with an absolute value of Death - Birth of at least
- * MinimumPersistence (of the part within Range if that is given), and always the class that never
- * dies. A class that begins and ends at the same value is never listed. FeatureId numbers all
+ * **What is listed.** The listed classes are those with an absolute value of Death - Birth of at
+ * least MinimumPersistence (of the part within Range if that is given), and always the class that
+ * never dies. A class that begins and ends at the same value is never listed. FeatureId numbers all
  * classes from the longest to the shortest, so it does not depend on the threshold.
  *
  * **Errors** (one message, empty outputs): a value that is not a number, with its position; an

@@ -44,7 +44,7 @@ FacesByCell FacesOfCells(const CellFiltration& complex);
 /**
  * The area of a triangle outside the discs around its corners, by Green's theorem along its border:
  * exact also where a disc reaches across the opposite edge or contains another one. In the square
- * of the unit of `corners` and `radii`; a radius of 0 is no disc. Constant time.
+ * of the unit of `corners` and `radii`; a radius of 0 means no disc. Constant time.
  */
 double MeasureOpenArea(const std::array<Point3, 3>& corners, const std::array<double, 3>& radii);
 

@@ -17,7 +17,7 @@ class vtkTable;
 namespace isthmus
 {
 
-/// A feature, the values carried along (Radius, Volume, Score; NaN: not known), and its number in
+/// A feature, the values passed on (Radius, Volume, Score; NaN: not known), and its number in
 /// the input.
 struct InputFeature
 {

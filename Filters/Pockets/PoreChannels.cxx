@@ -106,7 +106,7 @@ std::vector<Point3> CentersAlong(const RegularFiltration& f, const CellPath& pat
     {
       centers.pop_back();
     }
-    // The distance that the last center lacks.
+    // The distance from the last center to the end.
     const double lacks = beyond - height(centers.back());
     if (lacks > 0.0)
     {
@@ -228,7 +228,7 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility&
     {
       continue;
     }
-    // So far from the hull no atom is nearer than EndRadius.
+    // At this distance from the hull, no atom is nearer than EndRadius.
     const double beyond =
       options.EndRadius + *std::max_element(f.Radii.begin(), f.Radii.end()) - probe;
     Channel channel = Join(f, t, first, second, radius, isWide ? 0.0 : beyond);

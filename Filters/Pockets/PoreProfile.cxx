@@ -274,7 +274,7 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   balls.push_back(first);
   const auto after = MarchAlong(atoms, course, from, 1, first, Between(progress, 0.45, 0.9));
   balls.insert(balls.end(), after.begin(), after.end());
-  // Wide channels are marched beyond their mouths, since they end nowhere by their radius.
+  // Wide channels are followed beyond their mouths, since no radius criterion ends them.
   if (course.End > course.Enough)
   {
     // Everything beyond the last narrow places on both sides is outside.
@@ -321,7 +321,7 @@ Pore MeasurePore(const AtomField& atoms, const Channel& channel, const PoreOptio
     throw std::runtime_error("The two ends of the pore are the same: choose points farther apart.");
   }
   const Point3& narrow = channel.Path[channel.Narrowest];
-  // From the narrowest place outwards: there only one ball fits the pore.
+  // From the narrowest place outwards: there the largest ball in the pore is unique.
   std::size_t from = 0;
   for (std::size_t i = 1; i < planes.size(); ++i)
   {

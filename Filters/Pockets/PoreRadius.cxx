@@ -240,7 +240,7 @@ PlaneBall ClimbInPlane(
   // In a wide channel, all steps would cross a small part of it, and each looks at many atoms.
   const double largest = std::max(0.5, radius / 16.0);
   double size = largest;
-  // The atoms that can count while the place stays within `fetched`.
+  // Atoms fetched once suffice while the place moves by at most `fetched`.
   double fetched = 3.0 * largest;
   const auto fetch = [&]() { return field.Near(place, radius + 2.0 * fetched); };
   std::vector<Ball> atoms = fetch();
@@ -284,7 +284,7 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   const auto offer = [&](const Point3& start)
   {
     // Climbs that end in one place differ by less: the first of them stays. A center outside of the
-    // first ball is another place, of a wider vestibule or another pore.
+    // first ball belongs to another place: a wider vestibule or another pore.
     rough.Clearance = first.Radius - Length(start - first.Center);
     const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
     const bool here = Length(ball.Center - first.Center) <= std::max(first.Radius, 1.0);

@@ -161,7 +161,7 @@ struct NearPoints
     }
   }
 
-  /// Those nearer than `reach`.
+  /// Points nearer than `reach`.
   void Gather(const PointBins& bins, const PointColumns& points, const Point3& place, double reach)
   {
     this->Count = 0;

@@ -18,7 +18,7 @@ class vtkTable;
 namespace isthmus
 {
 
-/// Features of all time steps so far, with the values carried along: Radius, Volume, Score.
+/// Features of all time steps so far, with the values passed on: Radius, Volume, Score.
 struct TrackedData
 {
   std::vector<double> Times; ///< empty: no time steps

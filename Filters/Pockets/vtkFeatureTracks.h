@@ -7,9 +7,9 @@
  * BottleneckX, ... (the Pores of vtkPoreProfile), points (bottlenecks, choke points), or cells or
  * points grouped by an array PocketId, PoreId or FeatureId (the pockets, mouths or alpha balls of
  * vtkMolecularPockets, the lines of vtkPoreProfile, the loops of vtkChokingLoops); the rules are in
- * FeatureInput.h. The columns or arrays `Radius`, `Volume` and `Score` are carried along if they
- * exist. Input 1 (optional): the lining residues of the same filter, which make the matching
- * reliable where features are crowded.
+ * FeatureInput.h. The columns or arrays `Radius`, `Volume` and `Score` are passed on if they exist.
+ * Input 1 (optional): the lining residues of the same filter, which make the matching reliable
+ * where features are crowded.
  *
  * The filter requests all time steps, one after the other. FeatureTracks.h has the definitions.
  *

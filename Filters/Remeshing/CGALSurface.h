@@ -89,7 +89,7 @@ auto RethrowWithContext(const char* doing, Body&& body)
     throw std::runtime_error(std::string("CGAL failed while ") + doing + " (" +
       failure.expression() + ", " + failure.filename().substr(failure.filename().rfind('/') + 1) +
       ":" + std::to_string(failure.line_number()) +
-      "): remesh or repair the surface, or change the sizes asked for.");
+      "): remesh or repair the surface, or change the requested sizes.");
   }
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file CGALVersions.h
- * @brief What differs between versions of CGAL from 5.5 to the newest: functions without a common
+ * @brief Differences between versions of CGAL from 5.5 to the newest: functions without a common
  * call, and macros of the versions. Private: only for files that use CGAL.
  *
  * The functions are not inline: each instantiates much of CGAL, which is compiled once, in
@@ -40,7 +40,8 @@ template <typename Primitive>
 using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
 #endif
 
-/// What CGAL's functions take for an optional: that of the standard library from CGAL 6.0 on.
+/// The type that CGAL's functions use as an optional: that of the standard library from CGAL 6.0
+/// on.
 #if ISTHMUS_CGAL_6
 template <typename Value>
 using Optional = std::optional<Value>;

@@ -281,7 +281,7 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
         {
           throw std::runtime_error("A part of the surface with " +
             std::to_string(old.Triangles.size()) +
-            " triangles loses its topology at this edge length: ask for a smaller one.");
+            " triangles loses its topology at this edge length: choose a smaller one.");
         }
         part.Locations = LocateOn(mesh, part.Mesh.Points);
         AlignOrientation(mesh, part);

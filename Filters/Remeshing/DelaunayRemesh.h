@@ -16,13 +16,13 @@ namespace isthmus
 {
 
 /**
- * Delaunay remeshing of `mesh`, each connected part by itself. New points lie on the old surface;
+ * Delaunay remeshing of `mesh`, each connected part separately. New points lie on the old surface;
  * no triangle has a larger circumscribed circle than an equilateral one of EdgeLength. Features and
  * boundaries stay, as chains of edges through their corners, within half of MaximumDistance;
  * triangles that touch them may have smaller angles. In planar parts every boundary point stays.
  *
  * @pre as for RemeshSurface(). @throws as that, and std::runtime_error when refinement does not end
- * below MaximumPoints, as at very sharp features, or loses a part: ask for a smaller EdgeLength.
+ * below MaximumPoints, as at very sharp features, or loses a part: use a smaller EdgeLength.
  * Time: linear in the points of the result.
  */
 RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,

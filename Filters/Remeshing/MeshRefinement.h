@@ -39,7 +39,7 @@ void DiscardDump(const Complex&, const std::string&)
 namespace isthmus::cgal
 {
 
-/// An edge criterion of Mesh_3 as the sizing field that the protection of edges takes.
+/// An edge criterion of Mesh_3 as the sizing field required by the protection of edges.
 template <typename EdgeCriteria>
 struct EdgeSize
 {
@@ -103,8 +103,8 @@ void AddInitialPoints(Complex& complex, const Domain& domain)
 
 /// Refines `complex` until it meets `criteria`; `topology` is required of its facets.
 /// @returns false if `maximumPoints` is reached first.
-// What refine_mesh_3 of CGAL does, without the four optimizers that this function instantiates even
-// if none of them is wanted: half of its compile time and memory.
+// The same as refine_mesh_3 of CGAL, without the four optimizers that this function instantiates
+// even if none of them is wanted: half of its compile time and memory.
 template <typename Complex, typename Domain, typename Criteria>
 bool RefineMesh(Complex& complex, const Domain& domain, const Criteria& criteria,
   std::size_t maximumPoints, int topology = 0)

@@ -29,7 +29,8 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel,
     CGAL::Delaunay_mesh_face_base_2<Kernel>>,
   CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// Triangles are too large if their circumscribed circle is, not if an edge is, as CGAL has it.
+/// A triangle is too large if its circumscribed circle is; CGAL's own criterion is its longest
+/// edge.
 class Criteria : public CGAL::Delaunay_mesh_size_criteria_2<Triangulation>
 {
   using Base = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
@@ -189,7 +190,7 @@ TriangleMesh ExtractInside(const Triangulation& triangulation, const PlaneAxes& 
 void RejectManyPoints(std::int64_t most)
 {
   throw std::runtime_error("Refinement passed " + std::to_string(most) +
-    " points: ask for longer edges, a larger distance or a smaller angle.");
+    " points: choose longer edges, a larger distance or a smaller angle.");
 }
 
 bool IsPlanar(const SurfaceView& part)

@@ -419,7 +419,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
         (0.5 * expected + static_cast<double>(cornerCount)) * parameters.NumberOfIterations, rest);
       for (int i = 0; i < parameters.NumberOfIterations; ++i)
       {
-        // Its own relaxation requests null edges: see Features.
+        // CGAL's own relaxation requests null edges: see Features.
         PMP::isotropic_remeshing(faces(after), length, after,
           CGAL::parameters::edge_is_constrained_map(isFeature)
             .vertex_is_constrained_map(corners)

@@ -32,14 +32,16 @@ struct RemeshedSurface
 /// For RemeshSurface() and DelaunayRemesh().
 struct SurfaceRemeshParameters
 {
-  double EdgeLength = 1.0;    ///< to strive for; DelaunayRemesh(): bound; in units of the data
-  double FeatureAngle = 60.0; ///< edges whose triangles' normals differ by more, in degrees, stay
+  double EdgeLength =
+    1.0; ///< target of RemeshSurface(), bound of DelaunayRemesh(); in units of the data
+  double FeatureAngle =
+    60.0; ///< edges whose triangles' normals differ by more, in degrees, are kept
   int NumberOfIterations = 5; ///< of RemeshSurface(), each: split, collapse, flip, relax, project
 
   // Of DelaunayRemesh().
   double MinimumAngle = 25.0;             ///< of triangles away from features, degrees, at most 30
   double MaximumDistance = 0.0;           ///< of triangles from the surface; 0: EdgeLength / 10
-  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
+  std::int64_t MaximumPoints = 5'000'000; ///< refinement beyond it is an error
 };
 
 /// @throws std::invalid_argument with the name, the value and the range of an invalid parameter.

@@ -83,13 +83,13 @@ Soup CloseCracks(
     SurfaceView(mesh.Points, correction.Joined > 0 ? View<Triangle>(joined) : mesh.Triangles), {});
 }
 
-/// Number of holes filled; those that can't be stay open.
+/// Number of holes filled; those that cannot be filled stay open.
 std::size_t FillHoles(SurfaceMesh& mesh)
 {
   std::size_t filled = 0;
   for (const auto border : cgal::BorderCycles(mesh))
   {
-    // A hole that stays is found afterwards, by the check that the result is closed.
+    // A hole that remains is found afterwards, by the check that the result is closed.
     filled += cgal::FillHole(mesh, border).empty() ? 0 : 1;
   }
   return filled;
@@ -245,7 +245,7 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
       const std::size_t holes = FillHoles(surface);
       if (surface.is_empty() || !CGAL::is_closed(surface))
       {
-        throw std::invalid_argument("Nothing closed is left of the surface after repair: " +
+        throw std::invalid_argument("No closed part of the surface remains after repair: " +
           (defects.None() ? std::string("it is empty.") : defects.Message()));
       }
       Report(progress, 0.5);
@@ -263,7 +263,7 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
       std::map<Point3, std::int64_t> original;
       for (std::size_t i = 0; i < mesh.Points.size(); ++i)
       {
-        // Points that are not finite have no order, and none of them is left.
+        // Points that are not finite cannot be ordered; all have been removed.
         if (std::isfinite(mesh.Points[i][0] + mesh.Points[i][1] + mesh.Points[i][2]))
         {
           original.emplace(mesh.Points[i], static_cast<std::int64_t>(i));

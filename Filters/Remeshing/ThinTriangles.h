@@ -17,8 +17,8 @@ VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<std::int64_t> ThinTriangles(const 
 
 /**
  * `mesh` with needles collapsed and caps flipped, as CGAL's Polygon_mesh_processing does it; no
- * point moves farther than a hundred-thousandth of the diagonal of the box. Some may stay: ask
- * again. Throws std::runtime_error with a message if CGAL fails.
+ * point moves farther than a hundred-thousandth of the diagonal of the box. Some may remain: call
+ * it again. Throws std::runtime_error with a message if CGAL fails.
  *
  * @pre closed, manifold and oriented. O(n log n).
  */

@@ -71,7 +71,7 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::CleanedSurface& old,
   }
 }
 
-/// Points of the input that no triangle uses are no part of the surface.
+/// Points of the input that no triangle uses are not part of the surface.
 void DropUnusedPoints(isthmus::RemeshedSurface& surface)
 {
   std::vector<isthmus::Point3>& points = surface.Mesh.Points;

@@ -1,6 +1,6 @@
 /**
  * @class vtkSurfaceRemesh
- * @brief Triangles of even size and good angles, or fewer of them, for a surface that has others.
+ * @brief Remeshes a surface to triangles of even size and good angles, or simplifies it.
  *
  * Input: vtkPolyData, manifold and oriented, boundaries allowed (polygons are triangulated).
  * Output: vtkPolyData of triangles. Points lie on the old surface; its point data are interpolated

@@ -105,7 +105,8 @@ void RequireOpen(const ChannelPassage& passage)
     return;
   }
   const Point3& at = passage.Bottleneck;
-  throw std::runtime_error("The channel is not open from bath to bath: its widest way closes at (" +
+  throw std::runtime_error(
+    "The channel is not open from bath to bath: its widest path is blocked at (" +
     FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + "), " +
     FormatNumber(passage.Along) +
     " angstrom along the normal from the membrane's center, where atoms and membrane leave a "

@@ -114,7 +114,7 @@ double EstimateCurrentError(
   const double relative = h / std::max(radius, isWide ? problem.Transport.LumenRadius : radius);
   ChannelProblem coarse = problem;
   coarse.Transport.Spacing *= 1.5;
-  double change = current; // where that closes the channel
+  double change = current; // if that closes the channel
   try
   {
     change = ComputeCurrents(ChannelSolution(coarse, progress).Get()).Mean() - current;

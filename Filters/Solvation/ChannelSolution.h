@@ -43,7 +43,7 @@ public:
   {
     return this->Moving ? this->Moving->GetPassage() : this->Passage;
   }
-  /// About the given surface; empty if there is nothing to say (AtomsInside.h).
+  /// Warning about the given surface; empty if there is none (AtomsInside.h).
   const std::string& GetSurfaceWarning() const { return this->SurfaceWarning; }
   /// Null if the surface is fixed.
   const MovingChannel* GetMoving() const { return this->Moving.get(); }
@@ -59,9 +59,9 @@ private:
 
 /**
  * An estimate of the error of the whole current of a solution of `problem`, pA: the change of the
- * current with a spacing that is half as large again, and 0.8 (spacing / radius of the pore)^2 of
- * the current, by which the grid misses the wall. It covers what follows from the resolution, not
- * the equations.
+ * current with 1.5 times the spacing, and 0.8 (spacing / radius of the pore)^2 of the current, the
+ * error of the wall's position on the grid. It covers what follows from the resolution, not the
+ * equations.
  *
  * Cost: a third of a solution. @throws Cancelled.
  */

@@ -113,7 +113,7 @@ void UpdatePull(FlowField& field, const std::vector<float>& steady, const std::v
 namespace
 {
 
-/// Nodes that have a value, the layers that follow from them, and the sums on the way.
+/// Nodes with a known value, the layers derived from them, and partial sums.
 class Layers
 {
 public:

@@ -32,7 +32,7 @@
     { 0, ArrayPlace::Field, "Changes", 1, "kT/e", ArrayChoice::None,                               \
       "of the potential, by iteration" },                                                          \
     { 0, ArrayPlace::Field, "BottleneckRadius", 1, "angstrom", ArrayChoice::None,                  \
-      "of the widest way through the channel, at most 4.5 spacings" },                             \
+      "of the widest path through the channel, at most 4.5 spacings" },                            \
     { 0, ArrayPlace::Field, "BottleneckPosition", 1, "angstrom", ArrayChoice::None, "x, y, z" },   \
     { 1, ArrayPlace::Rows, "Along", 1, "angstrom", ArrayChoice::None,                              \
       "position of the section along the normal, from the center of the membrane" },               \

@@ -31,8 +31,8 @@ void RequireFinite(vtkFloatArray* array)
         values, values + array->GetNumberOfValues(), [](float v) { return std::isfinite(v); }))
   {
     throw std::runtime_error(std::string(array->GetName()) +
-      " leaves the range of its numbers (3.4e38) at some nodes: such charges hold more ions than "
-      "there can be. Correct the charges of the atoms, which are in units of e.");
+      " leaves the range of its numbers (3.4e38) at some nodes: such charges attract more ions "
+      "than is physically possible. Correct the charges of the atoms, which are in units of e.");
   }
 }
 

@@ -23,7 +23,7 @@ struct TransportSpecies
   double Below = 0.1;           ///< mol/l in the bath behind the membrane, against its normal
   double Above = 0.1;           ///< mol/l in the bath that the normal points to
   double Diffusion = 1.96;      ///< 1e-9 m^2/s, in the baths
-  double ChannelFraction = 1.0; ///< the part of it within the membrane's slab
+  double ChannelFraction = 1.0; ///< the fraction of it that applies within the membrane's slab
 };
 
 /// A flat membrane, closed except for a round hole around the channel.
@@ -32,7 +32,7 @@ struct MembraneSlab
   Point3 MembraneCenter{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom
   Point3 MembraneNormal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
   double MembraneThickness = 24.0;        ///< angstrom
-  double LumenRadius = 5.0;               ///< of the hole: nearer to the axis there is no membrane
+  double LumenRadius = 5.0;               ///< of the hole around the axis
 
   /// A quantity that decreases linearly across the membrane, from 1 in the bath below to 0 in the
   /// bath above.
@@ -64,7 +64,8 @@ struct IonTransportReport
   int Iterations = 0;          ///< of Gummel's
   int LinearIterations = 0;    ///< of conjugate gradients, all systems together
   std::vector<double> Changes; ///< of the potential in water, kT/e, by iteration
-  double Imbalance = 0.0; ///< the part of a species' current that nodes do not pass on; largest one
+  double Imbalance =
+    0.0; ///< the fraction of a species' current that is not conserved; the largest one
 };
 
 /// @throws std::invalid_argument for values out of their range, a membrane

@@ -31,7 +31,7 @@ double ToMembrane(
     std::min(std::max(across, within), 0.0) - MembraneExcess * d.Spacing;
 }
 
-/// In the axes of the room, from its first node.
+/// In the frame of the box, from its first node.
 DensityGrid FlowNodes(const TransportDomain& room)
 {
   return { {}, room.Dimensions, room.Spacing };
@@ -230,7 +230,7 @@ void MovingChannel::Record()
   }
 }
 
-/// From the update before, as a part of currents or water, whichever is larger.
+/// Change since the previous update, relative to the currents or the water, whichever is larger.
 double MovingChannel::Change(std::size_t update) const
 {
   constexpr double nothing = 1e-6; // pA

@@ -4,8 +4,8 @@
  * Poisson-Nernst-Planck equations, coupled.
  *
  * The coupled Laplace-Beltrami and Poisson-Nernst-Planck equations (thesis 4.25 to 4.28; G. W. Wei,
- * Q. Zheng, Z. Chen, K. Xia, SIAM Rev. 54 (2012) 699) in sharp form. What is not water, atoms and
- * membrane together, has one surface; it flows (SurfaceFlow.h) by
+ * Q. Zheng, Z. Chen, K. Xia, SIAM Rev. 54 (2012) 699) in sharp form. Everything except water, i.e.
+ * atoms and membrane together, has one surface; it flows (SurfaceFlow.h) by
  *
  *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V_2 / gamma) |grad phi|,
  *   -V_2 = p - rho_0 U + pull of field and ions (WallForce.h),
@@ -103,7 +103,7 @@ private:
   const IonTransportParameters Transport;
   const MovingChannelParameters Parameters;
   FlowField Field;
-  std::vector<float> Steady; ///< the part of the pull that stays, in spacings
+  std::vector<float> Steady; ///< the constant part of the pull, in spacings
   double ForceFraction;      ///< of each new force
   double Time = 0.0;
   double FirstArea = 0.0, FirstEnergy = 0.0;

@@ -14,7 +14,7 @@ namespace isthmus
 namespace
 {
 
-constexpr double LargestStep = 3.0;  // of phi in the water, kT/e, in one step of Newton's
+constexpr double LargestStep = 3.0;  // largest change of phi in the water, kT/e, in one Newton step
 constexpr int MostNewtonSteps = 100; // a guard: a convex problem takes 3 to 20
 constexpr double NewtonReduction = 1e-3;
 constexpr double FinalAccuracy = 1e-7; // of a species' current, in all cross-sections
@@ -199,7 +199,8 @@ double PoissonNernstPlanck::SolvePoisson(double accuracy, const ProgressCallback
   {
     change = std::max(change, this->Open[p] != 0 ? std::abs(this->Phi[p] - before[p]) : 0.0);
   }
-  return step > accuracy ? std::max(change, step) : change; // what Newton's method left undone
+  return step > accuracy ? std::max(change, step)
+                         : change; // the remaining residual of Newton's method
 }
 
 const IonTransportReport& PoissonNernstPlanck::Solve(const ProgressCallback& progress)
@@ -349,7 +350,8 @@ double PoissonNernstPlanck::SolveSpecies(
     {
       v[p] = this->Open[p] != 0 ? std::clamp(v[p], low, high) : 0.0;
     }
-    // Computed again: the clamp does not correct a solution that got stuck, it only hides it.
+    // Computed again: the clamp does not correct a solution that got stuck, it would only hide the
+    // failure.
     const double before = std::exchange(left, this->Ions.Residual(v, {}));
     if (left > 0.5 * before)
     {

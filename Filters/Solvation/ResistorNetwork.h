@@ -28,12 +28,12 @@
 namespace isthmus
 {
 
-/// Memory: 80 bytes a node. Time: O(nodes) an iteration; parallel for more than 130,000 nodes, with
-/// results that are bitwise the same on any number of threads.
+/// Memory: 80 bytes per node. Time: O(nodes) per iteration; parallel for more than 130,000 nodes,
+/// with results that are bitwise the same on any number of threads.
 class ResistorNetwork
 {
 public:
-  /// `held`, one value a node, is referred to: not 0 where u is given.
+  /// `held`, one value per node, is kept as a reference: not 0 where u is given.
   ResistorNetwork(
     const std::array<std::int64_t, 3>& dimensions, const std::vector<unsigned char>& held);
 
@@ -61,13 +61,13 @@ public:
   struct Control
   {
     double Limit = 0.0;     ///< of the sum of |s - A u|
-    double Reduction = 0.0; ///< the same as a part of what it is at first
+    double Reduction = 0.0; ///< the same as a fraction of the initial sum
     int MaximumIterations = 2000;
   };
   struct Answer
   {
     int Iterations = 0;
-    double Residual = 0.0; ///< the sum that is left
+    double Residual = 0.0; ///< the remaining sum
     bool Converged = false;
   };
 
@@ -78,7 +78,7 @@ public:
     const ProgressCallback& progress = {});
 
 private:
-  struct Slab; ///< planes of nodes that one factor is for
+  struct Slab; ///< planes of nodes per factor
   std::int64_t FirstPlane(std::int64_t slab) const;
   void ForEachSlab(const std::function<void(const Slab&)>& work) const;
   template <typename Work>
@@ -92,7 +92,7 @@ private:
   std::int64_t Nodes;
   std::int64_t Slabs;
   std::array<std::int64_t, 3> Steps;
-  std::int64_t Margin; ///< zeros before and behind, so that no loop asks for borders
+  std::int64_t Margin; ///< zeros before and after, so that loops need no tests at borders
   const std::vector<unsigned char>& Held;
   std::array<std::vector<double>, 3> Edges;
   std::vector<double> Diagonals;

@@ -40,7 +40,7 @@ void CheckCharges(const SolvationAtoms& atoms)
     if (charge.Charge != 0.0 && !(distance < ball.Radius))
     {
       throw std::invalid_argument("The charge of atom " + std::to_string(i) +
-        " lies outside of all atoms with a radius: give it one, or take its charge away.");
+        " lies outside of all atoms with a radius: assign a radius to it, or set its charge to 0.");
     }
   }
 }

@@ -93,10 +93,10 @@ public:
   void Run(const ProgressCallback& progress = {});
 
   /**
-   * Estimates of what the resolution leaves open in the energies of the last update: that of the
-   * polar energy from coarser grids for the last surface (EstimateEnergyError()); that of the
-   * total one besides from a whole flow with a spacing that is half as large again, or a tenth of
-   * the energy if that is too coarse for the atoms. Cost: a third of Run(). @throws Cancelled.
+   * Estimates of the discretisation errors of the energies of the last update: that of the polar
+   * energy from coarser grids for the last surface (EstimateEnergyError()); that of the total
+   * energy also from a whole flow with 1.5 times the spacing, or a tenth of the energy if that is
+   * too coarse for the atoms. Cost: a third of Run(). @throws Cancelled.
    */
   SolvationErrors EstimateErrors(const ProgressCallback& progress = {}) const;
 
@@ -121,7 +121,7 @@ private:
   const IonAtmosphere Ions;
   PoissonBoltzmannParameters Equation;
   std::vector<ChargedAtom> Placed; ///< charges in the frame of the grid
-  std::vector<float> Steady;       ///< the part of the pull that stays, in spacings
+  std::vector<float> Steady;       ///< the constant part of the pull, in spacings
   std::vector<float> LastDistance; ///< of the surface before
   double Time = 0.0;
   bool Converged = false;

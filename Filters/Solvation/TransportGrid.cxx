@@ -177,7 +177,7 @@ std::vector<float> DistanceToAtoms(const TransportDomain& domain, const std::vec
 namespace
 {
 
-/// What the loops over nodes and faces share.
+/// Data shared by the loops over nodes and faces.
 class Builder
 {
 public:
@@ -386,8 +386,8 @@ std::int64_t Builder::DeepestStep(std::int64_t node, std::int64_t other, std::si
 
 /**
  * A node within atoms or membrane has their potential, that of their charges, not the water's in
- * the rest of its cube. So these nodes stay without ions; the water of their cubes and faces is
- * counted with the neighbours' that are in the water.
+ * the rest of its cube. So these nodes have no ions; the water in their cubes and faces is counted
+ * with their neighbours in the water.
  */
 void Builder::MergeCutCells()
 {

@@ -76,7 +76,7 @@ struct TransportDomain
 };
 
 /// @throws std::invalid_argument for parameters out of range, std::runtime_error with the size
-/// where the memory for it is not there.
+/// if there is not enough memory for it.
 TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
 
@@ -87,8 +87,8 @@ TransportDomain DomainAround(
 std::vector<float> DistanceToAtoms(const TransportDomain& domain, const std::vector<Ball>& atoms,
   double probeRadius, const ProgressCallback& progress = {});
 
-/// Spacings by which walls of the membrane are further out than asked, so that nodes on them are in
-/// the membrane however a turned grid rounds their places.
+/// Spacings by which the membrane is enlarged, so that nodes on its walls are in the membrane
+/// despite rounding on a rotated grid.
 constexpr double MembraneExcess = 1e-6;
 
 /// The bath to which a node belongs.
@@ -99,24 +99,24 @@ enum class Bath : unsigned char
   Above = 2
 };
 
-/// The mean over faces makes no steps of walls along the grid: the current depends less on how the
-/// channel is turned about its axis. The potential at nodes next to a wall, and so the force that
-/// is fitted to it (WallForce.h), is better with that of the edge alone.
+/// The mean over faces avoids steps of the walls along the grid: the current depends less on how
+/// the channel is turned about its axis. The potential at nodes next to a wall, and so the force
+/// that is fitted to it (WallForce.h), is more accurate with the permittivity of the edge alone.
 enum class PermittivityMean
 {
   OverFace,
   AlongEdge
 };
 
-/// 50 bytes a node.
+/// 50 bytes per node.
 struct TransportGrid
 {
   TransportDomain Domain;
   std::vector<float> Distance; ///< to atoms and membrane, angstrom, negative within
   std::vector<float> Along;    ///< of TransportDomain::AxialAndRadial
   /// Of edges from a node to the next: permittivity times the part of the face in the domain, and
-  /// the part of it that is water, with what was closed beside it (so it may be above 1). 0 where
-  /// there is no next node, or one of the two is not in the water.
+  /// the part of it that is water, including the water of closed cubes beside it (so it may be
+  /// above 1). 0 where there is no next node, or one of the two is not in the water.
   std::array<std::vector<float>, 3> Permittivity, Aperture;
   std::vector<float> Water;         ///< the part of a node's cube that ions fill, likewise
   std::vector<unsigned char> Baths; ///< Bath of each node

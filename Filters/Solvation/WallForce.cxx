@@ -13,13 +13,13 @@ namespace isthmus
 namespace
 {
 
-/// Of nodes among the atoms in a fit, by the ratio of the dielectric constants: charges near them
-/// bend the potential there as no quadratic does.
+/// Exponent of the weight of nodes inside the atoms in a fit, as a power of the ratio of the
+/// dielectric constants: near charges, the potential is not quadratic.
 constexpr double InsideExponent = 2.5;
-/// The water's potential at the wall differs from that at its next node by no more, kT/e.
+/// Largest difference, in kT/e, between the water's potential at the wall and at the nearest node.
 constexpr double LargestDrop = 2.0;
 
-/// Fits and ions at single crossings.
+/// Fits of the potential and ion concentrations at individual crossings.
 class Wall
 {
 public:
@@ -75,7 +75,7 @@ FitNodes Wall::NodesAround(const InterfaceCrossing& crossing) const
   return nodes;
 }
 
-/// The node of the domain at a node of the box; -1 where that has no potential.
+/// The node of the domain at a node of the box; -1 if there is no potential.
 std::int64_t Wall::InDomain(std::int64_t node) const
 {
   const auto& n = this->Box.Dimensions;
@@ -103,7 +103,7 @@ std::int64_t Wall::InDomain(std::int64_t node) const
   return -1;
 }
 
-/// Of the potential, just outside the wall.
+/// Gradient of the potential just outside the wall.
 double Wall::Laplacian(std::int64_t water) const
 {
   const IonTransportParameters& p = this->Solution.GetParameters();

@@ -3,7 +3,8 @@
  * @brief The force of the field and the ions on the wall of a channel.
  *
  * V_2 of the thesis (4.28) without pressure and dispersion, and with the jump instead of its
- * smeared permittivity. A wall that moves towards the atoms by dn gains (pull dn dA),
+ * smeared permittivity. When a wall moves towards the atoms by dn, the energy decreases by (pull dn
+ * dA),
  *
  *   pull = kT / (8 pi C) [ (1 / eps_m - 1 / eps_s) (eps d_n phi)^2 + (eps_s - eps_m) |grad_t phi|^2
  * ]
@@ -16,7 +17,8 @@
  * a change of the reference has no effect on walls, so this term is omitted.
  *
  * The field is that of a quadratic on both sides of the wall (InterfaceJumpConditions.h), fitted to
- * the potential of PoissonNernstPlanck.h, mostly at nodes in the water. Positive: the water gains.
+ * the potential of PoissonNernstPlanck.h, mostly at nodes in the water. Positive values move the
+ * wall towards the atoms.
  */
 #ifndef isthmus_WallForce_h
 #define isthmus_WallForce_h

@@ -31,7 +31,7 @@ const std::vector<isthmus::OutputArray>& vtkIonTransportMovingSurface::OutputArr
     { 2, ArrayPlace::Rows, "OnObstacle", 1, "", ArrayChoice::None,
       "fraction of the surface that cannot recede" },
     { 2, ArrayPlace::Rows, "BottleneckRadius", 1, "angstrom", ArrayChoice::None,
-      "of the widest way through the channel" },
+      "of the widest path through the channel" },
     { 2, ArrayPlace::Rows, "Current_NAME", 1, "pA", ArrayChoice::None, "of the species NAME" },
     { 2, ArrayPlace::Rows, "Current", 1, "pA", ArrayChoice::None, "of all species" },
   };

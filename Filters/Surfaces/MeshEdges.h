@@ -25,7 +25,7 @@ struct HalfEdge
   vtkIdType Low;
   vtkIdType High;
   vtkIdType Triangle;
-  bool Ascending; ///< the triangle runs from Low to High
+  bool Ascending; ///< the triangle's side runs from Low to High
 
   bool SameEdge(const HalfEdge& o) const { return this->Low == o.Low && this->High == o.High; }
 };

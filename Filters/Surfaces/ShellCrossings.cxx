@@ -25,7 +25,7 @@ namespace isthmus
 namespace
 {
 
-/// Less than this part of the surface's diagonal is a touch, not a crossing.
+/// An overlap below this fraction of the surface's diagonal is a contact, not a crossing.
 constexpr double TouchingPart = 1e-10;
 /// How many points of a shell are tested, apart from those where it touches another.
 constexpr std::size_t SpreadSamples = 200;

@@ -9,7 +9,7 @@
  * - Shells that cross or coincide are refused, with the place. By the rule above the overlap would
  *   be outside, by the divergence theorem it would count twice. Neither is intended, and the union
  *   is another surface, which has to be computed (by Tetrahedral Mesher with Library Automatic).
- * - Shells that touch in points, edges or parts of faces count as apart.
+ * - Shells that touch in points, edges or parts of faces count as separate.
  *
  * NodesInside() applies it too.
  */

@@ -30,7 +30,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh MergePoints(
 struct CleanedSurface
 {
   TriangleMesh Mesh;
-  std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in what came in
+  std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in the input
   std::string Message;                      ///< cracks that were closed; empty: there were none
 };
 
@@ -57,7 +57,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
   const SurfaceView& surface, const SurfaceDefects& defects);
 
 /**
- * `surface` without triangles that have no area, as a set of points the same.
+ * `surface` without triangles that have no area, the same as a set of points.
  *
  * Those with the same corner twice are dropped. If the corners a, b, c of a triangle lie on a line,
  * with b between the others, its neighbour (c, a, d) across the side ac is split at b, so that (c,

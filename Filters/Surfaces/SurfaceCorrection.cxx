@@ -279,8 +279,8 @@ std::vector<Triangle> OrientAlike(const SurfaceView& surface, SurfaceCorrection&
 namespace
 {
 
-/// Shells around others are sought among the largest ones; testing all pairs of small ones would
-/// take too long.
+/// Only the largest shells are tested as containers of others; testing all pairs of small ones
+/// would take too long.
 constexpr std::size_t MostParents = 1000;
 
 struct Shell
@@ -407,7 +407,7 @@ std::vector<Triangle> OrientNested(
     }
     outward = outward || (shell.IsClosed && shell.Parent < 0 && shell.Volume > 0.0);
   }
-  std::vector<bool> faces(shells.size(), false); // outward, in the end
+  std::vector<bool> faces(shells.size(), false); // outward, finally
   for (const std::size_t s : order)
   {
     const Shell& shell = shells[s];

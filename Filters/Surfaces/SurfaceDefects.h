@@ -49,8 +49,8 @@ VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceDefects FindDefects(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 /// @throws std::invalid_argument, with the point, for one whose edges are all below what
-/// coordinates as large as the largest resolve: new triangles there would be flat, and what lies
-/// there gone without a word; with one point at 1e18, all of an ordinary surface. Corners must be
+/// the resolution of the largest coordinates: new triangles there would be flat, and such parts
+/// would disappear silently; with one point at 1e18, all of an ordinary surface. Corners must be
 /// points. O(n).
 VTKISTHMUSFILTERSSURFACES_EXPORT void RequireResolved(const SurfaceView& mesh);
 

@@ -47,7 +47,8 @@ private:
     bool Overlaps(const Box& other) const
     {
       bool overlaps = true;
-      for (std::size_t a = 0; a < 3; ++a) // all of it: which one fails cannot be predicted
+      for (std::size_t a = 0; a < 3;
+           ++a) // for everything: which allocation fails cannot be predicted
       {
         overlaps &= this->Min[a] <= other.Max[a];
         overlaps &= other.Min[a] <= this->Max[a];
@@ -96,7 +97,7 @@ void TriangleBoxTree::ForEachPair(std::int64_t group, Visit&& visit) const
 {
   struct Waiting
   {
-    std::size_t Own, Other;     // nodes; Other is Own, or has leaves behind all of Own's
+    std::size_t Own, Other;     // nodes; Other is Own, or all its leaves follow those of Own
     unsigned int Height, Above; // of Own; of Other above that
   };
   std::array<Waiting, 256> stack; // three more for each of at most 63 levels

@@ -38,8 +38,8 @@ double SquaredDistanceToTriangle(const Point3& x, const std::array<Point3, 3>& c
   {
     return border;
   }
-  // No place of the triangle is further from its border than |n| / perimeter: so near to the
-  // border's the distance stays also where rounding has turned a needle's normal.
+  // No point of the triangle is farther from its border than |n| / perimeter, so the distance stays
+  // within that of the border's even if rounding has turned a needle's normal.
   const double longest = std::max({ Dot(b - a, b - a), Dot(c - b, c - b), Dot(a - c, a - c) });
   const double height = Dot(normal, x - a);
   return std::min(std::max(height * height / nn, border - 0.25 * nn / longest), border);
@@ -220,7 +220,7 @@ private:
   std::array<float, 3> Place; ///< X in the tree's scale
   float Margin = 0.0F;
   Nearest Found{ Infinity, -1 };
-  float Reach = std::numeric_limits<float>::infinity(); ///< of what is found, in the tree's scale
+  float Reach = std::numeric_limits<float>::infinity(); ///< of the result, in the tree's scale
   std::array<Entry, DeepestStack> Stack;
   std::size_t Waiting = 0;
 };

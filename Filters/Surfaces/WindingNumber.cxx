@@ -67,7 +67,7 @@ public:
 
   double Sum() const
   {
-    return std::atan2(this->Im + 0.0, this->Re) + 2.0 * Pi * this->Rounds; // -0 is up as 0 is
+    return std::atan2(this->Im + 0.0, this->Re) + 2.0 * Pi * this->Rounds; // -0 is treated as 0
   }
 
 private:
@@ -167,7 +167,7 @@ double WindingNumber::operator()(const Point3& x) const
 {
   constexpr double farAway = 3.0;
   double sum = 0.0;
-  std::array<std::int64_t, 64> stack; // halves: no tree is as deep
+  std::array<std::int64_t, 64> stack; // levels of halving: no tree is deeper
   std::size_t depth = 0;
   if (!this->Parts.empty())
   {

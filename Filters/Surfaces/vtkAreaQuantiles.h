@@ -1,6 +1,6 @@
 /**
  * @class vtkAreaQuantiles
- * @brief Two quantiles of an array over the area of a surface: what a colour bar should span.
+ * @brief Two quantiles of an array over the area of a surface: the range for a colour bar.
  *
  * Extreme values of curvature and potential occur at a few points near creases; with a colour range
  * between them, the surface would have almost a single colour. Input: vtkPolyData (or another

@@ -179,7 +179,7 @@ public:
     , Parameters(std::move(parameters))
     , Progress(progress)
   {
-    // TetGen may run twice, and what follows it takes time too.
+    // TetGen may run twice, and later stages take time too.
     this->Parameters.TetGen.Limits.TimeLimit *= 0.25;
   }
 
@@ -244,7 +244,7 @@ private:
         RequireCleanSurface(this->Repaired->Mesh, {}, true);
         const TriangleMesh sound = ValidPart(this->Surface);
         const double lost = OneSidedDistance(sound, this->Repaired->Mesh);
-        // Without parts that repair drops, the mesh would be of another body.
+        // If repair dropped parts, the mesh would represent another body.
         if (!(lost <= 0.02 * ComputeBounds(sound).Diagonal()))
         {
           throw std::runtime_error("it would lose parts that are " + Text(lost) + " away.");

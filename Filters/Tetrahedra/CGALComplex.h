@@ -148,7 +148,7 @@ public:
   };
   Is_in_domain is_in_domain_object() const { return { this->Regions }; }
 
-  /// Refinement of facets computes intersections only: cancellation must be checked here, too.
+  /// Refinement of facets computes intersections only: cancellation must be checked here as well.
   struct Construct_intersection : Base::Construct_intersection
   {
     explicit Construct_intersection(const Domain& domain)

@@ -141,7 +141,7 @@ Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*
   if (!isWithinLimit)
   {
     throw std::runtime_error("CGAL's refinement passed " + std::to_string(c.MaximumPoints) +
-      " points: ask for larger sizes, a smaller facet angle, or raise the limit.");
+      " points: choose larger sizes, a smaller facet angle, or raise the limit.");
   }
   cgal::Optimize(domain, c, complex, progress);
   return complex;

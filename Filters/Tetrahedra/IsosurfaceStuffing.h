@@ -32,7 +32,7 @@ struct IsosurfaceStuffingResult
 {
   TetrahedralMesh Mesh;        ///< region 1 inside, 0 outside; OriginalPoints is -1 throughout
   std::vector<bool> OnSurface; ///< for each point, whether it is on the level set
-  std::int64_t KeptPoints = 0; ///< points near the surface that stay, see above
+  std::int64_t KeptPoints = 0; ///< points near the surface that are not moved, see above
 };
 
 /**

@@ -510,7 +510,7 @@ Point3 StuffingWarp::Crossing(const LatticePoint& a, const LatticePoint& b) cons
   const bool swap = b < a;
   const LatticePoint& low = swap ? b : a;
   const LatticePoint& high = swap ? a : b;
-  // Crossings nearer to an end would have moved that point, had the angles allowed it: they are
+  // Crossings nearer to an end would have moved that point if the angles had allowed it: they are
   // shifted to alpha, where the bounds hold.
   const double t = std::min(1.0 - alpha,
     std::max(alpha, this->FractionFrom(this->Lattice.Node(low), this->Lattice.Node(high))));

@@ -211,7 +211,7 @@ public:
   /// Moves a point back; crossings that are too near to it are moved away, to the distances of the
   /// alphas.
   void Keep(const LatticePoint& p);
-  /// Calls of Keep() so far.
+  /// Number of calls of Keep() so far.
   std::int64_t NumberOfUnmoved() const { return this->StayedCount; }
 
 private:

@@ -307,7 +307,7 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   if (result.Output.find("emory") != std::string::npos)
   {
     throw std::runtime_error("TetGen ran out of memory (limit " + memory +
-      "): raise the limit or ask for fewer tetrahedra.");
+      "): raise the limit or request fewer tetrahedra.");
   }
   if (result.End == ChildEnd::Crashed || result.Code != 0)
   {

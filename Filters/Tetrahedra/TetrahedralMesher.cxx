@@ -31,7 +31,7 @@ TetrahedralParameters ScaleParameters(TetrahedralParameters p, double factor)
   return p;
 }
 
-/// Sizes so small that refinement would pass MaximumPoints are refused before it begins.
+/// Sizes so small that refinement would exceed MaximumPoints are refused before it begins.
 void RequireCGALBudget(const SurfaceView& surface, const TetrahedralParameters& parameters)
 {
   const CGALCriteria& c = parameters.CGAL;

@@ -50,7 +50,7 @@ struct CGALCriteria
   double FacetDistance = 0.0;       ///< its center to the triangle's circumcenter at most
   double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
-  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
+  std::int64_t MaximumPoints = 5'000'000; ///< refinement beyond it is an error
   // Optimisation after refinement, in this order. Steps with a time limit may not be reproducible.
   int LloydIterations = 0; ///< points to the middles of their Voronoi cells, at most 100
   int ODTIterations = 0;   ///< points to where tetrahedra follow |x|^2 best, at most 100
@@ -65,7 +65,7 @@ struct TetrahedralParameters
   MeshedSide Side = MeshedSide::Inside;
   double BoxMargin = 0.5; ///< Outside, Both: distance of surface and box, in diagonals of the
                           ///< surface's box
-  bool Repaired = false;  ///< repair was tried: if defects remain, the message says so
+  bool Repaired = false;  ///< repair was tried: if defects remain, the message states that
   TetGenCriteria TetGen;
   CGALCriteria CGAL;
 };

@@ -60,7 +60,7 @@ FileReplacement::FileReplacement(const std::string& path)
     this->New = this->Target;
     return;
   }
-  constexpr unsigned int mostAttempts = 100; // files of ended processes may lie there
+  constexpr unsigned int mostAttempts = 100; // files of terminated processes may exist there
   int descriptor = -1;
   for (unsigned int attempt = 0; descriptor < 0 && attempt < mostAttempts; ++attempt)
   {

@@ -232,7 +232,7 @@ private:
     std::size_t wanted = size;
     while (wanted > 0 && !this->Ended)
     {
-      // Without input left the codec may still hold output that had no room before.
+      // Even without more input, the codec may still hold output that did not fit before.
       this->Refill();
       const std::size_t before = wanted + this->Left;
       const CodecState state = this->Decoder->Step(this->Next, this->Left, to, wanted);
@@ -294,9 +294,9 @@ private:
   bool Cut = false;
 };
 
-/// A fast source of bytes, and a careful one for files that the fast one finds damaged or
-/// truncated: they are read again from the beginning by the careful one, whose bytes and messages
-/// count. Sound files are read once.
+/// A fast source of bytes, and a robust one for files that the fast one finds damaged or truncated:
+/// these are read again from the beginning by the robust one, whose bytes and messages count. Valid
+/// files are read once.
 class FallbackSource : public ByteSource
 {
 public:
@@ -327,7 +327,7 @@ public:
   }
   bool IsCut() const override { return this->Source->IsCut(); }
   bool RandomAccess() const override { return false; }
-  /// As long as the fast one suffices.
+  /// Null once the robust source is in use.
   bool UsesThreads() const override { return this->Careful != nullptr; }
   std::uint64_t MaximumBytes() const override { return this->Source->MaximumBytes(); }
   std::string Compression() const override { return this->Source->Compression(); }
@@ -350,7 +350,7 @@ private:
       }
       catch (const ReaderError&)
       {
-        // Reported by the careful one.
+        // Reported by the robust source.
       }
       this->Source = std::exchange(this->Careful, nullptr)();
     }
@@ -358,7 +358,7 @@ private:
   }
 
   std::unique_ptr<ByteSource> Source;
-  Opener Careful; ///< empty once it was needed
+  Opener Careful; ///< empty once the robust source is in use
 };
 
 /// @throws std::bad_alloc; what it returns throws ReaderError as ByteSource says.
@@ -439,8 +439,8 @@ protected:
   std::unique_ptr<ByteSource> Source;
 };
 
-/// A source from a few bytes on. Those that have been read to see where it begins are kept, so that
-/// compressed content is not decompressed twice.
+/// A source that begins after a few bytes. Bytes already read to find its beginning are kept, so
+/// that compressed content is not decompressed twice.
 class SourceBehind : public ForwardingSource
 {
 public:
@@ -564,7 +564,7 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
 
 std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
 {
-  // Of a small file no more than it has, and one to see its end; compressed ones usually grow less
+  // For a small file, its size plus one byte to detect the end; compressed files usually grow less
   // than 32-fold.
   constexpr std::uint64_t largest = std::uint64_t{ 1 } << 23;
   const auto piece = static_cast<std::size_t>(std::min(
@@ -574,7 +574,7 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
   const std::uint64_t most =
     source.RandomAccess() ? source.MaximumBytes() : std::max(harmless, usual * source.FileSize());
   std::string text;
-  // Pages that are not written cost nothing, copies of a text that grows do.
+  // Unwritten pages cost nothing, whereas copying a growing text does.
   constexpr std::uint64_t sure = std::uint64_t{ 1 } << 30;
   text.reserve(source.RandomAccess() ? std::min(sure, source.MaximumBytes() + piece) : 0);
   AdviseLargePages(&text[0], text.capacity());
@@ -587,9 +587,10 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
     if (text.size() > most)
     {
       throw ReaderError(ReaderFailure::Damaged,
-        source.Path() + ": the " + source.Compression() + " data unpack to more than " +
+        source.Path() + ": the " + source.Compression() + " data decompress to more than " +
           std::to_string(most >> 20) + " MiB, " + std::to_string(usual) +
-          " times their size and more, which no text of numbers does. If the file is intact, "
+          " times their size and more, which is implausible for a text of numbers. If the file is "
+          "intact, "
           "unpack it first.");
     }
     Report(progress, 1.0 - std::exp2(-static_cast<double>(text.size()) / double{ 1 << 26 }));
@@ -599,7 +600,7 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
   {
     throw ReaderError(ReaderFailure::Truncated,
       source.Path() + ": the " + source.Compression() +
-        " data break off before their end. Fetch the file again.");
+        " data end prematurely. Fetch the file again.");
   }
   return text;
 }

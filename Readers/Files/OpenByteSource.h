@@ -39,8 +39,8 @@ VTKISTHMUSREADERSFILES_EXPORT bool BeginsAsUTF16(std::string_view begin);
 
 /// Reads the whole content and verifies its checksum.
 /// @throws ReaderError as Read does, if the content is truncated, and if compressed content exceeds
-/// both 64 MiB and 16 times the file size, which no text of numbers does (this is checked before
-/// memory is allocated); and std::bad_alloc.
+/// both 64 MiB and 16 times the file size, which is implausible for a text of numbers (this is
+/// checked before memory is allocated); and std::bad_alloc.
 VTKISTHMUSREADERSFILES_EXPORT std::string ReadAll(
   ByteSource& source, const ProgressCallback& progress = {});
 

@@ -119,7 +119,7 @@ Bzip2BlockFinder::Found Bzip2BlockFinder::TakeChecksum(Bzip2Block& block)
   return Found::MemberEnd;
 }
 
-/// The block up to the bit `end` behind a header, before an end of its own.
+/// The block up to the bit `end` after a new header and followed by a new end marker.
 void Bzip2BlockFinder::Cut(std::uint64_t end, Bzip2Block& block) const
 {
   block.Checksum = this->WordAt(this->FirstBit + magicBits);
@@ -157,7 +157,7 @@ std::uint32_t Bzip2BlockFinder::WordAt(std::uint64_t bit) const
 {
   std::uint64_t word = 0;
   const unsigned char* const from = this->Bytes.data() + bit / 8;
-  // The fifth byte is there where the word does not end with the fourth.
+  // A fifth byte exists if the word does not end with the fourth.
   const std::size_t bytes = bit % 8 ? 5 : 4;
   for (std::size_t i = 0; i < bytes; ++i)
   {
@@ -166,7 +166,7 @@ std::uint32_t Bzip2BlockFinder::WordAt(std::uint64_t bit) const
   return static_cast<std::uint32_t>(bit % 8 ? word >> (8 - bit % 8) : word);
 }
 
-/// A block, its first MiB, and libbz2 where there is more of it.
+/// A block, its first MiB, and libbz2 for the rest.
 class ParallelBzip2::DecodedBlock
 {
 public:
@@ -186,8 +186,8 @@ public:
     std::size_t room = roomBytes;
     this->State = this->Codec->Step(this->In, this->Left, out, room);
     this->Held = roomBytes - room;
-    // With room left it wants more input; and codes that end elsewhere than the block belong to
-    // another one.
+    // If output space remains, the decoder needs more input; codes that do not end with the block
+    // belong to another one.
     const std::uint64_t used = this->Block.Stream.size() - this->Left;
     if (this->State == CodecState::Running && (room > 0 || used != (this->Block.DataBits + 7) / 8))
     {

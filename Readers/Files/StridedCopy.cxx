@@ -25,7 +25,7 @@ void CopyRow(std::int64_t count, std::int64_t step, const unsigned char* from, u
   }
 }
 
-/// Rows that stay rows.
+/// Rows that remain contiguous in the target.
 template <std::size_t Bytes>
 void CopyRows(const StridedBox& box, const unsigned char* from, unsigned char* to)
 {

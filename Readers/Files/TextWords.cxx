@@ -78,8 +78,8 @@ bool TextWords::IsDecimalComma()
   }
   const char* const begin = this->Buffer.data();
   const char* const end = this->End;
-  const char* first = this->Next; // of the word before
-  const char* last = first + 1;   // behind the word after
+  const char* first = this->Next; // of the previous word
+  const char* last = first + 1;   // behind the next word
   if (first == begin || last == end || !IsDigit(first[-1]) || !IsDigit(*last))
   {
     return false;
@@ -252,8 +252,8 @@ void TextWords::Numbers(T* values, std::int64_t count)
     {
       this->Refill();
     }
-    // from_chars, since strtod follows the locale; what is unusual goes the slow way, which
-    // explains it.
+    // from_chars, since strtod follows the locale; unusual numbers take the slow path, which
+    // reports errors.
     const auto result = std::from_chars(SkipPlus(this->Next, this->End), this->End, values[i]);
     if (result.ec == std::errc() && (result.ptr == this->End || IsBlank(*result.ptr)))
     {

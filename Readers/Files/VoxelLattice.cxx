@@ -182,7 +182,7 @@ struct Sampler
           node[a] = high ? where[a].High : where[a].Low;
           weight *= high ? where[a].Weight : 1.0 - where[a].Weight;
         }
-        // A weight of 0 must not let an infinity or NaN next door in.
+        // With a weight of 0, an infinite or NaN neighbour must not affect the result.
         value +=
           weight > 0.0 ? weight * static_cast<double>(this->At(node[0], node[1], node[2])[c]) : 0.0;
       }

@@ -1,6 +1,6 @@
 /**
  * @class vtkImageArrayWriter
- * @brief What writers of one point array of a vtkImageData share: the file's and the array's name.
+ * @brief Common base of writers of one point array of a vtkImageData: names of file and array.
  */
 #ifndef vtkImageArrayWriter_h
 #define vtkImageArrayWriter_h

@@ -556,7 +556,7 @@ bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes)
   constexpr int everything = 10;
   const bool isMap =
     words.Possible() && (words.HasMapWord() || words.Plausibility(contentBytes) == everything);
-  // A map that is compressed in a foreign way is opened, so that the user reads why it is refused.
+  // A map with an unsupported compression is opened, so that the user sees why it is refused.
   return isMap || (words.HasMapWord() && IsMRCZMode(words.Int(4)));
 }
 

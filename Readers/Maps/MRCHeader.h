@@ -52,7 +52,7 @@ struct MRCHeader
   Matrix3 SkewMatrix{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }; ///< SKWMAT, rows
   std::array<double, 3> SkewTranslation{ 0.0, 0.0, 0.0 };
   std::vector<std::string> Labels;
-  std::vector<std::string> Repairs; ///< one message for each value that was not as it should be
+  std::vector<std::string> Repairs; ///< one message for each invalid value
 
   /// Bytes of all voxels.
   std::uint64_t DataBytes() const;
@@ -65,8 +65,8 @@ struct MRCHeader
  * in the other byte order. Fields that are out of bounds are replaced; for each one, a message is
  * added to Repairs.
  *
- * `path` is for the messages. `contentBytes` is what the content has at most; when it is `exact`,
- * a content that is shorter than the header describes is an error, a longer one a repair.
+ * `path` is for the messages. `contentBytes` is an upper bound of the content's size; when it is
+ * `exact`, a content that is shorter than the header describes is an error, a longer one a repair.
  * @throws ReaderError: ForeignFormat when mode or grid make no sense in either order, Truncated.
  */
 MRCHeader ParseMRCHeader(
@@ -74,7 +74,7 @@ MRCHeader ParseMRCHeader(
 
 /**
  * True if `bytes` are certainly or probably the header of a map: grid and mode make sense, and
- * there is "MAP " or all other fields make sense, too. Never throws.
+ * there is "MAP " or all other fields make sense as well. Never throws.
  */
 bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes);
 

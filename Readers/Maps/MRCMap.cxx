@@ -79,7 +79,7 @@ MRCMap::MRCMap(const std::string& path)
   }
   catch (const ReaderError&)
   {
-    this->Source->CheckEnd(); // a damaged stream is the better explanation
+    this->Source->CheckEnd(); // a damaged stream is the more likely explanation
     throw;
   }
   this->Sections = DescribeStack(this->Head, path);

@@ -41,7 +41,7 @@ struct Element
 {
   std::string Attributes;
   std::string Content;
-  std::size_t End = std::string::npos; ///< behind it in the text
+  std::size_t End = std::string::npos; ///< after it in the text
 };
 
 /// Where "</name" begins, from `from` on: not that of a longer name.

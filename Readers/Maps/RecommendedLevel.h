@@ -24,7 +24,7 @@ struct EntryMap
 
 /// The map of the file `name`: emd_NNNN.map, emd_NNNN_half_map_1.map, emd_NNNN_additional_1.map,
 /// with a hyphen or an underscore, and the ending of a map. Any other name, a mask's for example,
-/// is none.
+/// is not that of such a map.
 EntryMap ParseEntryMap(const std::string& name);
 
 /// The contour level that the text of an EMDB header states for one map of the entry and no other:

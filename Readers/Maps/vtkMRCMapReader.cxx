@@ -336,7 +336,7 @@ int vtkMRCMapReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  isthmus::Describe({}, info); // remains if the file can't be read
+  isthmus::Describe({}, info); // used if the file cannot be read
   return this->Try(info,
     [&]()
     {

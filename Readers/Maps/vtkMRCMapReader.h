@@ -122,7 +122,7 @@ public:
   ///@}
 
   /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), else 0. The
-  /// name has no effect. Says nothing on errors. Reads 1 KB.
+  /// name has no effect. Issues no messages on errors. Reads 1 KB.
   virtual int CanReadFile(const char* fileName);
 
   /// The arrays that the reader adds to its outputs.

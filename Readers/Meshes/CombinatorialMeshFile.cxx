@@ -416,7 +416,7 @@ void WriteTypes(const CombinatorialMesh& mesh, std::ostream& stream)
   }
 }
 
-/// How many numbers its blocks have.
+/// Total number of values in its blocks.
 std::size_t CountNumbers(const CombinatorialMesh& mesh)
 {
   const auto size = [](const auto& values) { return values.size(); };

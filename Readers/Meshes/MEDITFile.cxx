@@ -42,7 +42,7 @@ constexpr std::array<Kind, 6> quadraticKinds{ Kind{ "EdgesP2", CellShape::Quadra
   Kind{ "PrismsP2", CellShape::BiquadraticWedge },
   Kind{ "HexahedraQ2", CellShape::TriquadraticHexahedron } };
 
-/// Null: the section does not contain cells, or cells of an unsupported kind.
+/// Null if the section does not contain cells, or cells of an unsupported kind.
 const Kind* FindKind(std::string_view name)
 {
   const auto isIt = [name](const Kind& known) { return known.Name == name; };
@@ -152,7 +152,7 @@ private:
     else
     {
       this->Words.Reject("a section should begin where '" + Printable(name.substr(0, 30)) +
-        "' is: the one before has more rows than it says, or the file is damaged.");
+        "' is: the one before has more rows than it declares, or the file is damaged.");
     }
     return std::string(this->Words.Word());
   }

@@ -197,7 +197,7 @@ std::string Convert(vtkDataArray* array, const MeshArrayRule& rule, const CellMe
     ToNumberList(array));
 }
 
-/// What an array's rule demands besides the type of its values; empty: nothing is wrong.
+/// Violation of an array's rule other than the type of its values; empty if there is none.
 std::string FindFault(vtkDataArray* array, const MeshArrayRule& rule, const CellMesh& mesh)
 {
   if (!array)

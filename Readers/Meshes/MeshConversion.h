@@ -30,7 +30,7 @@ NumberList ToNumberList(vtkDataArray* array);
 /// Adds each attribute to `data` as a point or cell array.
 void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* data);
 
-/// Adds the sentences as the field data array Notes, unless there are none.
+/// Adds the messages as the field data array Notes, unless there are none.
 void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data);
 
 /// A warning about inverted tetrahedra (Core/TetrahedralMesh.h), or an empty text.

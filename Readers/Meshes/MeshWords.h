@@ -18,7 +18,7 @@
 namespace isthmus
 {
 
-/// A TextWords that knows how many points there are. Everything throws ReaderError and Cancelled.
+/// A TextWords that knows the number of points. Everything throws ReaderError and Cancelled.
 class MeshWords : public TextWords
 {
 public:

@@ -118,7 +118,8 @@ void OrderMiddleNodes(CellMesh& mesh, std::size_t first, std::size_t last)
   {
     AddDistances(mesh, mesh.Offsets[cell], shape, sums);
   }
-  // From the sums over all cells, which share an order: a distorted cell alone decides nothing.
+  // From the sums over all cells, which share one order, so that a single distorted cell does not
+  // matter.
   const std::vector<std::size_t> places = NearestPlaces(sums, nodes);
   std::vector<std::int64_t> ordered(nodes);
   for (std::size_t cell = first; !places.empty() && cell < last; ++cell)

@@ -15,7 +15,7 @@ namespace isthmus
 namespace
 {
 
-/// What the first word of the file says about its points.
+/// The properties of the points, from the first word of the file.
 struct OFFHeader
 {
   bool Texture = false;
@@ -23,8 +23,8 @@ struct OFFHeader
   bool Normals = false;
 };
 
-/// False: no header of an OFF file with three coordinates. `word` becomes what follows it:
-/// ModelNet's files have the number of points there.
+/// False if it is not the header of an OFF file with three coordinates. `word` becomes what follows
+/// it: ModelNet's files have the number of points there.
 bool Parse(std::string_view& word, OFFHeader& header)
 {
   const auto take = [&word](std::string_view prefix)
@@ -163,7 +163,7 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
   MeshWords words(*source, progress);
   std::string first;
   const OFFHeader header = ReadHeader(words, first);
-  // "OFF BINARY" stands on one line; the counts may, too.
+  // "OFF BINARY" is on one line; the counts may be on it as well.
   first = first.empty() ? words.Word() : first;
   std::int64_t points = 0;
   if (!FromText(first, points))

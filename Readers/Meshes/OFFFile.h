@@ -30,8 +30,8 @@ namespace isthmus
  * coordinates and colours of faces are not read.
  *
  * @throws ReaderError with path, line and reason: no OFF file, a binary one, one of other
- * dimensions (4OFF, nOFF), a vertex that is not there, a coordinate that is not finite, an early
- * end, anything but comments behind the last face. If no line end follows the last number of a
+ * dimensions (4OFF, nOFF), a vertex that does not exist, a coordinate that is not finite, an early
+ * end, anything but comments after the last face. If no line end follows the last number of a
  * file, digits of it may be missing: such a file cannot be distinguished from a whole one. Time and
  * memory: O(bytes).
  */

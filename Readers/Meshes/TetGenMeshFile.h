@@ -29,8 +29,8 @@ namespace isthmus
  * points of .node. Attributes: `Attribute` (double, on points or cells), `BoundaryMarker` (int64).
  *
  * @throws ReaderError with path, line and reason: a partner that is missing, points of two
- * dimensions, a vertex that is not there, ids out of order, an early end, anything but comments
- * behind the last row. If no line end follows the last number of a file, digits of it may be
+ * dimensions, a vertex that does not exist, ids out of order, an early end, anything but comments
+ * after the last row. If no line end follows the last number of a file, digits of it may be
  * missing: such a file cannot be distinguished from a whole one. Time and memory: O(bytes).
  */
 CellMesh ReadTetGenFiles(const std::string& path, const ProgressCallback& progress = {});

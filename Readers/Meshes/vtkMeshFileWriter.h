@@ -1,7 +1,7 @@
 /**
  * @class vtkMeshFileWriter
- * @brief What writers of mesh files share: a file's name, points, cells and arrays from any point
- * set.
+ * @brief Common base of writers of mesh files: a file's name, points, cells and arrays from any
+ * point set.
  */
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h

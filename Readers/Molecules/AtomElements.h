@@ -63,7 +63,7 @@ enum class ElementColumn
 {
   PDB,   ///< columns 77-78
   Table, ///< a column of mmCIF's table
-  None   ///< none has them: inferring them deserves only a note
+  None   ///< none has them: inferring them causes only a note
 };
 
 /**

@@ -636,7 +636,7 @@ void CompleteElements(AtomTable& table, CIFAtoms& atoms)
       }
       else if (IsDummyName(cif::as_string(symbol)))
       {
-        int number = static_cast<int>(row) + 1; // as it will be given where the file has no ids
+        int number = static_cast<int>(row) + 1; // as assigned if the file has no ids
         if (id < 0 || IsNumber(std::string_view(table.At(row, id)), number))
         {
           const std::lock_guard<std::mutex> lock(mutex);
@@ -678,7 +678,7 @@ bool IsWholeNumber(const std::string& value, bool suffix)
   return at > first && (at == value.size() || hasSuffix);
 }
 
-/// "2+" and "1-" of some programs as "2" and "-1"; what is no whole number as unknown.
+/// "2+" and "1-" of some programs as "2" and "-1"; anything but an integer as unknown.
 std::string CleanCharge(const std::string& value)
 {
   const char last = value.empty() ? ' ' : value.back();

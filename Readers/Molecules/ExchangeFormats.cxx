@@ -87,7 +87,8 @@ double NumberOrUnknown(
 constexpr const char* OddResidueNumbers = "Residue numbers that are not integers, taken as 0";
 constexpr const char* OddCharges = "Charges that are not numbers, dropped";
 
-/// A bond costs no atom. `a` and `b` are places of atoms, -1 for those that are not there.
+/// An invalid bond does not discard its atoms. `a` and `b` are places of atoms, -1 for those that
+/// are not there.
 void AddBond(Macromolecule& molecule, std::optional<std::int64_t> a, std::optional<std::int64_t> b,
   const TextLines& lines, ReadingReport& report)
 {
@@ -142,7 +143,8 @@ int ElementFromAutoDockType(std::string_view type, std::string_view residue)
   {
     return found->second;
   }
-  if (type == "NA" || type == "Na") // a nitrogen that accepts hydrogen bonds, save in sodium
+  if (type == "NA" ||
+    type == "Na") // a nitrogen that accepts hydrogen bonds, except in "Na" (sodium)
   {
     return residue == "NA" || residue == "NA+" || residue == "SOD" ? 11 : 7;
   }
@@ -299,7 +301,7 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
     {
       lines.Fail(
         "the box should follow the last atom: three numbers or nine. The file is truncated "
-        "or has another number of atoms than it says. Fetch or write it again.");
+        "or has another number of atoms than it declares. Fetch or write it again.");
     }
     ++molecule.NumberOfModels;
   }
@@ -317,8 +319,8 @@ int ElementFromTriposType(std::string_view type)
   return ElementFromSymbol(type.substr(0, type.find('.')));
 }
 
-/// Whether it is one of SYBYL's types: an element, in its spelling, with or without a suffix, or a
-/// dummy. AMBER's "ca", "CT" and "os" are none.
+/// Whether this is one of SYBYL's types: an element symbol, with or without a suffix, or a dummy.
+/// AMBER's "ca", "CT" and "os" are not.
 bool IsTriposType(std::string_view type)
 {
   constexpr std::array<std::string_view, 6> others{ "Du", "LP", "Hal", "Het", "Hev", "Any" };
@@ -358,7 +360,7 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, std::string& otherType
   return atom;
 }
 
-/// What a molecule of a MOL2 file has and what has been read of it.
+/// The contents of a molecule of a MOL2 file, and how much of it has been read.
 struct MOL2Counts
 {
   std::int64_t Atoms = 0, Bonds = 0;
@@ -428,7 +430,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   MOL2Counts counted;
   std::unordered_map<std::int64_t, std::int64_t> place; // of the numbers of atoms
   std::string notRead;                                  // sections
-  std::string otherType;                                // the first that is none of SYBYL's
+  std::string otherType;                                // the first one that is not a SYBYL type
   std::string_view line;
   while (lines.Next(line))
   {
@@ -691,7 +693,7 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
       ReadV2000(counts, lines, one, ofOne);
     }
     bool areCodesReplaced = false;
-    bool isWhole = counts.find("V3000") != std::string_view::npos; // which has an end of its own
+    bool isWhole = counts.find("V3000") != std::string_view::npos; // which has its own end marker
     while (lines.Next(line))
     {
       const bool isLast = Trim(line) == "$$$$";
@@ -730,7 +732,7 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
       if (Columns(program, 20, 2) == "2D")
       {
         ofOne.Warn("The file states that its coordinates are those of a drawing (2D): distances "
-                   "and surfaces are meaningless. Make a conformer first.");
+                   "and surfaces are meaningless. Generate a conformer first.");
       }
       if (fields > 0)
       {

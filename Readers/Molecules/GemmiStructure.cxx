@@ -35,7 +35,7 @@ namespace isthmus
 namespace
 {
 
-/// The file is fine, but does not describe the assembly that was asked for.
+/// The file is valid, but does not describe the requested assembly.
 class UnknownAssembly : public std::runtime_error
 {
 public:
@@ -116,13 +116,13 @@ void TakeAssembly(gemmi::Structure& structure, const std::string& name, const st
   gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, {});
 }
 
-/// Categories of an mmCIF file that atoms, bonds and assemblies come from.
+/// Categories of an mmCIF file that describe atoms, bonds and assemblies.
 const std::vector<std::string> CategoriesRead{ "_atom_site.", "_atom_site_", "_atom_sites.",
   "_atom_type", "_cell.", "_cell_", "_chem_comp_atom.", "_chem_comp_bond.", "_symmetry.",
   "_entity.", "_entity_poly.", "_ma_qa_metric", "_struct_asym.", "_struct_conn.",
   "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.", "_pdbx_struct_oper_list." };
 
-/// Those of them without which there are still atoms.
+/// The categories among them that are not needed for atoms.
 const std::vector<std::string> CategoriesOfAtoms{ "_atom_site." };
 
 void DropOthers(gemmi::cif::Block& block, const std::vector<std::string>& categories)
@@ -191,13 +191,14 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 }
 
 /**
- * Leaves of a block what atoms, bonds and assemblies come from: gemmi reads all that it knows, and
- * a fault in what is not wanted would cost the atoms. Completes the table of atoms. Unknown
- * occupancies and B factors become BlankText, by which they are found again. O(values).
+ * Reduces a block to the categories that describe atoms, bonds and assemblies: gemmi reads all
+ * categories it supports, and an error in another one would discard the atoms. Completes the table
+ * of atoms. Unknown occupancies and B factors become BlankText, by which they are found again.
+ * O(values).
  *
  * @throws std::invalid_argument for whole numbers of more than nine digits, and of more than five
- * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the one
- * to the other, without a look at their size.
+ * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the
+ * first to the last, without checking their size.
  */
 CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
 {
@@ -262,7 +263,7 @@ double GetConfidence(const Confidence& values, std::int64_t model, const gemmi::
   return found == values.end() ? Atom::Unknown : found->second;
 }
 
-/// Copies one model and the connections that gemmi knows.
+/// Copies one model and the connections that gemmi has found.
 Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted, ReadingReport& report,
   const Confidence& confidence = Confidence())
 {
@@ -507,7 +508,7 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
         ": the values are not in the columns of a PDB file, so its assemblies can't be read. Leave "
         "Assembly empty.");
     }
-    // Without progress from the start again, which would not be monotone.
+    // Without a progress that restarts from 0, which would not be monotone.
     return ReadPDBByWords(text, path, choice.Model, error, AbortOnly(progress));
   }
 }

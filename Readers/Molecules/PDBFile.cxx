@@ -136,7 +136,7 @@ bool HasOldColumns(std::string_view line)
   return noElement && !charge.empty() && charge.find_first_of("+-") == std::string_view::npos;
 }
 
-/// Whether most atoms have other things in columns 73-80, as files from before 1996 do.
+/// Whether most atoms have other data in columns 73-80, as files from before 1996 do.
 bool HasOldColumns(const PDBLines& lines, const PDBModel& model)
 {
   std::size_t all = 0;

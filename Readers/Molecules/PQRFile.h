@@ -3,7 +3,7 @@
  * @brief Reads atoms with charges and radii from PQR files.
  *
  * PQR (T. J. Dolinsky et al., Nucleic Acids Res. 32 (2004) W665; apbs.readthedocs.io, PQR) has a
- * line for each atom. Two dialects are in use, and each line is taken for what it is:
+ * line for each atom. Two dialects are in use, and each line is read in its own:
  *  - words: ATOM serial name residue [chain] number[insertion code] x y z charge radius [element];
  *    chain and number may run together (A1003), as may the first word and the serial (ATOM100000);
  *  - columns as in PDB files, where numbers may run together: name 13-16, residue 17-21, chain 22,

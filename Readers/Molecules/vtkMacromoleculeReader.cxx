@@ -148,7 +148,7 @@ int vtkMacromoleculeReader::RequestInformation(
   return 1;
 }
 
-/// 1 also for what can't be read: RequestData says why.
+/// 1 also for files that cannot be read: RequestData reports the reason.
 std::int64_t vtkMacromoleculeReader::CountModels()
 {
   if (!this->FileName)

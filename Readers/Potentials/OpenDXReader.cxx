@@ -227,7 +227,7 @@ bool OpenDXReader::NextArray()
   {
     if (this->Word != "object")
     {
-      this->Word = this->Text.Word(); // attributes, components: of no use before the values
+      this->Word = this->Text.Word(); // attributes, components: ignored before the values
       continue;
     }
     this->ReadObject();

@@ -64,7 +64,7 @@ void WriteOpenDX(const std::string& path, const VoxelLattice& grid, const T* val
       const std::int64_t node = i + n[0] * (row / n[2] + n[1] * (row % n[2]));
       for (int c = 0; c < components; ++c)
       {
-        onLine = (onLine + 1) % 3; // readers that go by lines expect three values on each
+        onLine = (onLine + 1) % 3; // readers that read by lines expect three values on each
         file << values[node * components + c] << (onLine == 0 ? "\n" : " ");
       }
     }

@@ -70,7 +70,7 @@ public:
   ///@}
 
   /// 1 if the first word of the file is "object", as in OpenDX files, otherwise 0; the name has no
-  /// effect. Says nothing on errors. Reads at most 1 MiB, unless comments are longer.
+  /// effect. Issues no messages on errors. Reads at most 1 MiB, unless comments are longer.
   static int CanReadFile(const char* fileName);
 
   /// The arrays that the reader adds to its outputs.

@@ -1,6 +1,5 @@
-// What an analysis of choking loops and the drawing of its loops were estimated to take, over what
-// they took, in CPU seconds: ten shared surfaces, and contours with noise. The last row has the
-// worst of all.
+// Ratio of estimated and actual CPU time of an analysis of choking loops and of drawing its loops:
+// ten shared surfaces, and contours with noise. The last row has the worst ratio.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/LoopDrawing.h"
@@ -21,7 +20,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// Resident memory without what was freed, in bytes.
+/// Resident memory after freed memory is returned to the system, in bytes.
 double MemoryNow()
 {
   malloc_trim(0);
@@ -29,7 +28,7 @@ double MemoryNow()
   return PeakMemory();
 }
 
-/// The largest factor, either way, by which estimates missed so far.
+/// The largest factor so far by which estimates were too high or too low.
 struct Worst
 {
   double Time = 1.0;
@@ -51,7 +50,7 @@ void UpdateWorst(double ratio, double& worst)
 /// Until loops are geodesic, as the filter draws them.
 constexpr int ManyRounds = 1000;
 
-/// Below that many seconds nobody wants to be told.
+/// Below this many seconds, estimates are not relevant.
 constexpr double WorthTelling = 0.2;
 
 void Draw(benchmark::State& state, ChokingLoops& loops)
@@ -150,7 +149,7 @@ double Nothing(double, double, double)
   return 0.35;
 }
 
-/// Whether a node is so near to the border of the cube that it is outside.
+/// Whether a node is so close to the border of the cube that it is set to outside.
 bool IsAtBorder(double x, double y, double z)
 {
   return std::max({ std::abs(x), std::abs(y), std::abs(z) }) > 0.93;
@@ -182,7 +181,7 @@ ISTHMUS_NOISE(ring, Ring, 0.1, 40);
 ISTHMUS_NOISE(gyroid, Gyroid, 0.1, 40);
 ISTHMUS_NOISE(dust, Nothing, 0.2, 30);
 
-// What the constants had not seen when they were set.
+// Data that were not used to fit the constants.
 #define ISTHMUS_UNSEEN(id, shape, noise, n, seed)                                                  \
   BENCHMARK_CAPTURE(OfNoise, id, shape, noise, n, seed)                                            \
     ->Unit(benchmark::kMillisecond)                                                                \
@@ -228,7 +227,7 @@ void OfBlobs(benchmark::State& state, int count, double width, double level, uns
 ISTHMUS_BLOBS(unseen_80, 80, 0.1, 0.6, 31);
 ISTHMUS_BLOBS(unseen_200, 200, 0.06, 0.5, 32);
 
-/// By what factor, either way, the worst of the rows before missed.
+/// The largest factor by which an estimate in the previous rows was too high or too low.
 void WorstOfAll(benchmark::State& state)
 {
   for (auto _ : state)

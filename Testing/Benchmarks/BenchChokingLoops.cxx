@@ -1,5 +1,5 @@
-// Choking loops against GUDHI's alpha complex and persistence on the same points; their growth and
-// peak memory; how fast they answer to sliders.
+// Choking loops against GUDHI's alpha complex and persistence on the same points; growth of time
+// with size, peak memory, and response times to sliders.
 
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/SurfacePreparation.h"
@@ -103,7 +103,7 @@ void PairsByGudhi(const TriangleMesh& mesh)
   benchmark::DoNotOptimize(persistence.get_persistent_pairs().size());
 }
 
-/// GUDHI's time on the points that we sample, ours beside it, and ours as a part of GUDHI's.
+/// GUDHI's time on the points that we sample, ours, and the ratio of ours to GUDHI's.
 /// SAFE has exact predicates and filtered values as ours, FAST has plain doubles.
 template <Gudhi::alpha_complex::complexity Accuracy>
 void BM_SoccerballGudhi(benchmark::State& state)
@@ -142,7 +142,7 @@ BENCHMARK(BM_SoccerballGudhi<Gudhi::alpha_complex::complexity::FAST>)
 void BM_Growth(benchmark::State& state)
 {
   const auto across = static_cast<int>(std::sqrt(static_cast<double>(state.range(0)) / 3.0));
-  // Not exactly round: a torus of regular rings is as degenerate as a surface can be.
+  // Slightly deformed: a torus of regular rings is maximally degenerate.
   TriangleMesh mesh = Torus(1.0, 0.3, 3 * across, across);
   for (Point3& p : mesh.Points)
   {
@@ -162,7 +162,7 @@ BENCHMARK(BM_Growth)
   ->UseRealTime()
   ->Iterations(1);
 
-/// `mesh` with edges split until it has at least `points` points, and hardly more.
+/// `mesh` with edges split until it has at least `points` points, but only slightly more.
 TriangleMesh SplitTo(const TriangleMesh& mesh, std::size_t points)
 {
   TriangleMesh split;
@@ -202,7 +202,7 @@ void BM_ArmadilloSmooth(benchmark::State& state)
 }
 BENCHMARK(BM_ArmadilloSmooth)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
-/// How long the filter takes to answer the first time that something is asked of it.
+/// Time of the filter until its first result after each change.
 void Steering(benchmark::State& state, const std::function<void(vtkChokingLoops*)>& change)
 {
   vtkNew<vtkPolyData> surface;

@@ -1,5 +1,5 @@
-// Small handles and tunnels taken away, beside the least that it can cost: one analysis of the
-// surface and the membranes of what goes.
+// Removal of small handles and tunnels, compared with the minimum cost: one analysis of the
+// surface, and the membranes of the removed features.
 
 #include "ChokingLoops/HandleFilling.h"
 #include "ChokingLoops/LoopDrawing.h"
@@ -25,7 +25,7 @@ double Seconds(const std::function<void()>& work)
 /// As FillHandles() draws them.
 constexpr int UntilGeodesic = 1000;
 
-/// What can't be saved: what is to go has to be found, and its membranes made.
+/// The unavoidable cost: finding the features to remove, and computing their membranes.
 void Find(const TriangleMesh& mesh, double below)
 {
   ChokingLoops loops{ TriangleMesh(mesh) };
@@ -39,7 +39,7 @@ void Find(const TriangleMesh& mesh, double below)
   }
 }
 
-/// Both in turn, on one surface; what is left would be surgery alone.
+/// Both alternately, on one surface; the difference is the surgery.
 void Filling(benchmark::State& state, const char* name, double below)
 {
   const TriangleMesh mesh = ReadSurface(name);

@@ -1,6 +1,6 @@
-// Nodes and points a second of the curvature filter, beside the machine's memory bandwidth and
+// Nodes and points per second of the curvature filter, beside the machine's memory bandwidth and
 // vtkCurvatures on the same isosurface. Each is the whole filter, allocation of its output
-// included. The CPU column counts all threads, so that it says something on a busy machine, too.
+// included. The CPU column counts all threads, so that it is meaningful even on a busy machine.
 #include "CopyBandwidth.h"
 #include "Core/ParallelFor.h"
 #include "FieldImage.h"
@@ -55,12 +55,13 @@ vtkPolyData* Isosurface()
   return surface;
 }
 
-/// Times `filter` on its own, without what freeing the last output takes, and counts `places` with
-/// `bytes` moved for each. Rates are those of the best run, since a shared machine has bad ones.
+/// Times `filter` alone, without freeing the last output, and counts `places` with
+/// `bytes` moved for each. Rates are those of the best run, since others may be disturbed on a
+/// shared machine.
 void Time(benchmark::State& state, vtkAlgorithm* filter, vtkIdType places, double bytes)
 {
   double best = std::numeric_limits<double>::infinity();
-  filter->Update(); // memory that a virtual machine meets for the first time is slow to come
+  filter->Update(); // first access to memory is slow in a virtual machine
   for (auto _ : state)
   {
     filter->GetOutputDataObject(0)->Initialize();

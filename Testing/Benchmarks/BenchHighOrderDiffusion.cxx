@@ -1,5 +1,5 @@
-// Voxels a second and step of the diffusion filters, beside vtkImageAnisotropicDiffusion3D, ITK and
-// the machine's memory bandwidth in the same run; super time stepping against forward Euler.
+// Voxels per second and step of the diffusion filters, beside vtkImageAnisotropicDiffusion3D, ITK
+// and the machine's memory bandwidth in the same run; super time stepping against forward Euler.
 #include "CopyBandwidth.h"
 #include "Core/ParallelFor.h"
 #include "Imaging/HighOrderDiffusion.h"
@@ -33,7 +33,7 @@ namespace
 
 using isthmus::DiffusionParameters;
 
-/// Balls in noise as strong as they are, n^3 floats. Only the last size asked for is kept.
+/// Balls with noise of the same amplitude, n^3 floats. Only the last requested size is cached.
 vtkImageData* Map(int n)
 {
   static vtkSmartPointer<vtkImageData> map;
@@ -60,7 +60,7 @@ vtkImageData* Map(int n)
   return map;
 }
 
-/// Voxels a second and evaluation, and the ratio to vtkImageAnisotropicDiffusion3D, which runs
+/// Voxels per second and evaluation, and the ratio to vtkImageAnisotropicDiffusion3D, which runs
 /// first. `bytes` must cross memory for each voxel of an evaluation.
 void Report(benchmark::State& state, int n, double evaluations, double seconds, double bytes)
 {
@@ -88,7 +88,7 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-/// The baseline, as a ParaView user has it.
+/// The baseline with ParaView's default settings.
 void VTKAnisotropicDiffusion(benchmark::State& state)
 {
   constexpr int iterations = 5;
@@ -207,7 +207,7 @@ void ReachEndTime(benchmark::State& state)
   }
 }
 
-/// The whole filter with its defaults; memory is the process's peak beyond what it held before.
+/// The whole filter with its defaults; memory is the increase of the process's peak.
 template <typename Filter>
 void Default(benchmark::State& state)
 {
@@ -228,7 +228,7 @@ void Default(benchmark::State& state)
     filter->Modified();
     filter->Update();
   }
-  // Zero where an earlier benchmark of this process held more: run alone with --benchmark_filter.
+  // Zero if an earlier benchmark of this process used more: run alone with --benchmark_filter.
   state.counters["volumes"] = (peak() - before) / (4.0 * std::pow(n, 3));
   state.counters["threads"] = isthmus::ParallelThreads();
 }

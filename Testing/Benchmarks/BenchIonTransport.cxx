@@ -1,6 +1,6 @@
-// A point of ion transport: a charged pore of 4 angstrom in a membrane, 0.1 mol/l and 100 mV, on
-// grids of growing size. Beside it in the same run, the time that memory takes to carry what the
-// iterations of conjugate gradients read and write (each passes the network's five arrays three
+// One evaluation of ion transport: a charged pore of 4 angstrom in a membrane, 0.1 mol/l and 100
+// mV, on grids of growing size. Beside it in the same run, the time that memory takes to carry what
+// the iterations of conjugate gradients read and write (each passes the network's five arrays three
 // times and its four vectors four times), at the speed of a copy; and the ratio of the two.
 
 #include "CopyBandwidth.h"
@@ -41,7 +41,7 @@ void Point(benchmark::State& state)
     memory, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// 58 hundredths of an angstrom are the 213 thousand nodes that the issue asks for.
+// 0.58 angstrom gives 213 thousand nodes.
 BENCHMARK(Point)
   ->Arg(140)
   ->Arg(100)

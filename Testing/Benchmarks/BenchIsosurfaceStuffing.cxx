@@ -1,4 +1,4 @@
-// Isosurface stuffing: tetrahedra a second and memory, uniform and graded. Acceptance: 10^6
+// Isosurface stuffing: tetrahedra per second and memory, uniform and graded. Acceptance: 10^6
 // tetrahedra in under 10 s. Run by hand on a quiet machine.
 
 #include "Tetrahedra/IsosurfaceStuffing.h"

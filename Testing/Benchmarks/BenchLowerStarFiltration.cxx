@@ -3,7 +3,7 @@
 // equal.
 //
 // ISTHMUS_PEERS names the folder of TTK's program (PeerPrograms.h); a row says if it is missing.
-// TTK runs before and after ours, so that a machine whose load changes shows. The meshes are
+// TTK runs before and after ours, so that a changing load of the machine is visible. The meshes are
 // TetGen's, of the inside of shared surfaces, the function the distance from the surface, squared.
 
 #include "ChokingSurfaces.h"
@@ -49,7 +49,7 @@ Case Make(const std::string& file, double volumes)
 
 using Bar3 = std::array<double, 3>; ///< dimension, birth, death
 
-/// Loops and voids that last and end.
+/// Loops and voids with positive, finite persistence.
 std::vector<Bar3> CollectBars(const CellFiltration& f, const FiltrationPairs& pairs)
 {
   std::vector<Bar3> bars;
@@ -131,7 +131,7 @@ void BesideTTK(benchmark::State& state, const std::string& file, double volumes)
   }
   for (double& value : theirs.Values)
   {
-    value *= value; // as in ours, so that births and deaths are the same numbers
+    value *= value; // as in our filtration, so that births and deaths are the same numbers
   }
   for (auto _ : state)
   {

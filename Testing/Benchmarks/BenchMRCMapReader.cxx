@@ -1,8 +1,8 @@
 // vtkMRCMapReader beside fread, plain zlib and vtkMRCReader on the same bytes, in one run.
 //
-// Everything is repeated in turn and compared by medians, since the machine may be shared. Files
-// are of 512^3 voxels (ISTHMUS_BENCH_SIZE), in the page cache, and every reading is into memory
-// that has not been touched before, as a user's would be.
+// All runs are repeated alternately and compared by medians, since the machine may be shared. Files
+// are of 512^3 voxels (ISTHMUS_BENCH_SIZE), in the page cache, and every reading uses fresh memory,
+// as in an application.
 
 #include "vtkMRCMapReader.h"
 
@@ -75,7 +75,7 @@ std::size_t DataBytes(double perVoxel)
   return static_cast<std::size_t>(n * n * n * perVoxel);
 }
 
-/// Reverses words where the file is to be big endian.
+/// Reverses words for a big-endian file.
 void Order32(unsigned char* bytes, std::size_t words, bool bigEndian)
 {
   for (std::size_t i = 0; bigEndian && i < words; ++i)
@@ -84,8 +84,8 @@ void Order32(unsigned char* bytes, std::size_t words, bool bigEndian)
   }
 }
 
-/// What a packed file holds: noise in every voxel is the worst for any inflater; deposited maps are
-/// often zero outside of a mask around the molecule.
+/// Content of a compressed file: noise in every voxel is the worst case for inflating; deposited
+/// maps are often zero outside of a mask around the molecule.
 enum class Packed
 {
   No,
@@ -283,7 +283,8 @@ double Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/// Runs ours and the others in turn, then shows the medians (seconds) and ratios to the reference.
+/// Runs ours and the others alternately, then shows the medians (seconds) and ratios to the
+/// reference.
 void Compare(benchmark::State& state, const std::function<void()>& ours,
   const std::function<void()>& reference, const std::function<void()>& theirs = {})
 {

@@ -1,5 +1,5 @@
 // A million atoms from PQR: the whole reader with and without bonds by distance, beside a plain
-// loop of fread and strtod that keeps nothing but the five numbers of each line. A million atoms
+// loop of fread and strtod that stores only the five numbers of each line. A million atoms
 // from PDB and from mmCIF beside gemmi's own readers.
 
 #include "vtkMacromoleculeReader.h"
@@ -121,7 +121,7 @@ void Read(benchmark::State& state, const std::string& file, bool bonds)
   }
 }
 
-/// The least that reading the numbers costs in plain C.
+/// The minimum time to read the numbers in plain C.
 void FreadStrtodOnce(benchmark::State& state)
 {
   std::FILE* file = std::fopen(TheFiles().PQR.c_str(), "rb");
@@ -183,7 +183,7 @@ void GemmiMMCIF(benchmark::State& state)
 BENCHMARK_CAPTURE(Read, PQRWithoutDistances, TheFiles().PQR, false)
   ->Unit(benchmark::kSecond)
   ->UseRealTime();
-// All that a user gets: atoms, arrays, bonds, both outputs.
+// The complete result: atoms, arrays, bonds, both outputs.
 BENCHMARK_CAPTURE(Read, PQR, TheFiles().PQR, true)->Unit(benchmark::kSecond)->UseRealTime();
 BENCHMARK(FreadStrtod)->Unit(benchmark::kSecond)->UseRealTime();
 BENCHMARK_CAPTURE(Read, PDBWithoutDistances, TheFiles().PDB, false)

@@ -1,5 +1,5 @@
 // A new level of Map Surface on a map of n^3 nodes beside vtkFlyingEdges3D alone, which neither
-// closes the surface nor looks for components. The same levels in turn for both. Run by hand.
+// closes the surface nor looks for components. Both use the same sequence of levels. Run by hand.
 
 #include "vtkMapSurface.h"
 
@@ -17,7 +17,7 @@
 namespace
 {
 
-/// A hundred-odd cells of a gyroid in a ball: about as much surface as a large assembly has.
+/// More than a hundred cells of a gyroid in a ball: about as much surface as a large assembly has.
 vtkSmartPointer<vtkImageData> Gyroid(int n)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

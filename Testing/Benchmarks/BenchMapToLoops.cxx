@@ -138,7 +138,7 @@ vtkSmartPointer<vtkImageData> Load(std::int64_t map, int n)
                         : ResampleMap(map == EMD5170 ? "emd_5170.map" : "emd_5043.map", n);
 }
 
-/// Of this process and of the TetGen that it has waited for.
+/// CPU time of this process and of finished TetGen processes.
 double ProcessorSeconds()
 {
   double seconds = 0.0;

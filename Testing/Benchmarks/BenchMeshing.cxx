@@ -1,4 +1,4 @@
-// The meshers beside what they stand next to: tetrahedra a second and memory by number, the
+// The meshers compared with their alternatives: tetrahedra per second and memory by number, the
 // Delaunay isosurface beside vtkFlyingEdges3D, remeshing and quality. Run by hand;
 // --benchmark_filter=10000000 for the largest (some minutes and 5 GB).
 

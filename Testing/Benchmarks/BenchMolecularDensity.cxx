@@ -1,6 +1,6 @@
 // Atoms at protein density (one in 10 cubic angstrom) onto a grid of 0.5 angstrom: both forms, for
-// growing numbers of atoms; beside filling the grid once (what no method can go below) and beside
-// vtkGaussianSplatter on the same grid with the same reach.
+// growing numbers of atoms; compared with filling the grid once (a lower bound for any method) and
+// beside vtkGaussianSplatter on the same grid with the same reach.
 
 #include "Atoms/MolecularDensity.h"
 
@@ -118,7 +118,7 @@ void VTKGaussianSplatter(benchmark::State& state)
     bounds[2 * axis + 1] = c.Grid.Origin[axis] + length;
     longest = std::max(longest, length);
   }
-  // Its radius is a part of the longest side; beyond it a splat is cut. Ours reach 2.65 radii.
+  // Its radius is a fraction of the longest side; splats are cut there. Ours reach 2.65 radii.
   const double reach = 1.7 * std::sqrt(1.0 + std::log(1e6) / 2.3);
   vtkNew<vtkGaussianSplatter> splatter;
   splatter->SetInputData(atoms);

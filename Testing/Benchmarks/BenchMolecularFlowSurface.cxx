@@ -1,7 +1,7 @@
 // Flow surfaces of atoms at protein density (one in 10 cubic angstrom): to the thesis' time and to
-// rest, for growing numbers of atoms and falling spacings, the thesis' own scheme, and beside them
-// vtkMolecularDensity's algorithm on the same atoms, spacing and padding. With files named by
-// ISTHMUS_FLOW_ATOMS (PDB or PQR, divided by colons), those molecules as well.
+// convergence, for growing numbers of atoms and falling spacings, the thesis' scheme, and for
+// comparison vtkMolecularDensity's algorithm on the same atoms, spacing and padding. With files
+// named by ISTHMUS_FLOW_ATOMS (PDB or PQR, divided by colons), those molecules as well.
 
 #include "Atoms/MolecularDensity.h"
 #include "Atoms/MoleculeAtoms.h"

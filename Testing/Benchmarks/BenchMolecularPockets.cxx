@@ -1,6 +1,6 @@
 // Pockets and channels of lysozyme, of 1AON (58,674 atoms) and of 1AON without its lid (chains A to
-// N), beside the triangulation alone, which is the floor: times_triangulation is the ratio of CPU
-// times, all threads. peak_MB is what a run needed beyond the atoms.
+// N), compared with the triangulation alone, the lower bound: times_triangulation is the ratio of
+// CPU times, all threads. peak_MB is what a run needed beyond the atoms.
 
 #include "PeakMemory.h"
 #include "Persistence/RegularFiltration.h"

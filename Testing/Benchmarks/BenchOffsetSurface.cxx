@@ -27,7 +27,7 @@ vtkIdType ByUs(vtkPolyData* surface, int cells)
   return offset->GetOutput()->GetNumberOfCells();
 }
 
-/// Triangle by triangle, no farther than needed: the faster of its two ways here.
+/// Triangle by triangle within the required distance: the faster of its two modes here.
 vtkIdType ByVTK(vtkPolyData* surface, int cells)
 {
   double box[6];

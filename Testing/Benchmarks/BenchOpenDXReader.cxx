@@ -1,7 +1,7 @@
 // vtkOpenDXReader on a potential of 129^3 nodes, beside strtod and fread of the same file, and
 // vtkOpenDXWriter beside fprintf. Bound: under 1 s for the plain file.
 //
-// Everything is repeated in turn and compared by medians, since the machine may be shared.
+// All runs are repeated alternately and compared by medians, since the machine may be shared.
 
 #include "vtkOpenDXReader.h"
 #include "vtkOpenDXWriter.h"

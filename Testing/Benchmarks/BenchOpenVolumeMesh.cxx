@@ -49,7 +49,7 @@ std::size_t HeldBytes()
 template <typename Make>
 void Build(benchmark::State& state, Make make)
 {
-  Mesh(); // what is generated on first use is no part of it
+  Mesh(); // what is generated on first use is excluded
   std::size_t bytes = 0;
   for (auto _ : state)
   {
@@ -63,7 +63,7 @@ void Build(benchmark::State& state, Make make)
   state.counters["bytes/cell"] = static_cast<double>(bytes) / cells;
 }
 
-/// `sweep` adds up the answers to `queries` questions; all that answer one `question` must agree.
+/// `sweep` sums the results of `queries` queries; all implementations of one `question` must agree.
 template <typename Sweep>
 void RunQueries(
   benchmark::State& state, const std::string& question, std::size_t queries, Sweep sweep)
@@ -137,7 +137,7 @@ void FanOurs(benchmark::State& state)
 
 using Peer = OpenVolumeMesh::TopologicTetrahedralMesh;
 
-/// With its bottom-up incidences, without which it answers none of these questions.
+/// With its bottom-up incidences, which all of these queries need.
 std::unique_ptr<Peer> MakePeer()
 {
   auto peer = std::make_unique<Peer>();

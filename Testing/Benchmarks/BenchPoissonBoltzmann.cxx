@@ -1,7 +1,7 @@
 // Lysozyme (1HEW) on grids of 65^3 to 257^3 over the same cube: CPU and wall time, iterations,
-// bytes a node; thirty-two of them, 62,720 atoms, on 193^3; the same charges, radii and grid by
-// APBS (two solutions: solvated and reference) and the ratios. CPU time is what a busy machine
-// leaves meaningful. Needs ISTHMUS_DATA_DIR or the default data, and `apbs`.
+// bytes per node; thirty-two of them, 62,720 atoms, on 193^3; the same charges, radii and grid by
+// APBS (two solutions: solvated and reference) and the ratios. On a busy machine, only CPU time is
+// meaningful. Needs ISTHMUS_DATA_DIR or the default data, and `apbs`.
 
 #include "Atoms/MolecularDensity.h"
 #include "Electrostatics/ElectrostaticUnits.h"

@@ -2,12 +2,11 @@
 // peak memory per node, and whether the pairs are equal; two threads beside one; 512^3 waves; every
 // shared map of at most 128^3.
 //
-// Times are CPU seconds, one thread each, so that a busy machine shows in them as little as
-// possible. GUDHI is found as in the tests; ISTHMUS_PEERS names the folder of the other two
-// (PeerPrograms.h), and each row says which of them is missing. TTK's grid is split into six
-// tetrahedra a cell (Freudenthal), where nodes touch along diagonals as well: its pairs are those
-// of another complex, near ours on a smooth field, and so are counted instead of compared one by
-// one.
+// Times are CPU seconds on one thread each, which depend least on other load. GUDHI is found as in
+// the tests; ISTHMUS_PEERS names the folder of the other two (PeerPrograms.h), and each row says
+// which of them is missing. TTK's grid is split into six tetrahedra a cell (Freudenthal), where
+// nodes are also adjacent along diagonals: its pairs are those of another complex, close to ours on
+// a smooth field, so they are counted instead of compared individually.
 //
 // --benchmark_filter=Peers: the table alone.
 
@@ -89,8 +88,8 @@ double PeakOver(double before)
   return PeakMemory() - before;
 }
 
-/// Resident now, as the peak just after it was reset. What was freed goes back first, or the next
-/// one would use it unseen.
+/// Resident now, as the peak just after it was reset. Freed memory is returned to the system first,
+/// since reuse of it would not be measured.
 double MemoryNow()
 {
   malloc_trim(0);
@@ -104,7 +103,7 @@ void OnThreads(int threads, Work&& work)
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false), work);
 }
 
-/// Runs ours and fills its columns; the CPU seconds.
+/// Runs ours and fills its columns; returns the CPU seconds.
 double RunOurs(benchmark::State& state, const Volume<float>& volume, bool superlevel)
 {
   CubicalParameters parameters;
@@ -196,8 +195,8 @@ std::vector<double> Lengths(const Bars& bars, double dimension, double least)
   return lengths;
 }
 
-/// On a field that the grid resolves, cubes and tetrahedra see the same features: how many last for
-/// a twentieth of the range or more, and by how much the lengths differ.
+/// On a field that the grid resolves, cubes and tetrahedra have the same features: the number with
+/// a persistence of at least a twentieth of the range, and the differences of their lengths.
 void FeaturesBesidePeers(benchmark::State& state)
 {
   const Volume<float> volume = Make("fine");
@@ -273,8 +272,8 @@ double OwnSeconds()
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Wall seconds of one thread and of two, which only an idle machine tells; and what any machine
-/// does: the share of the work that the calling thread does alone, since others work for its loops.
+/// Wall seconds on one and on two threads, meaningful on an idle machine only; and, on any machine,
+/// the share of the work that the calling thread does alone.
 void Threads(benchmark::State& state, const std::string& name)
 {
   const Volume<float> volume = Make(name);

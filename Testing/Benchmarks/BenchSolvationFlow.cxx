@@ -1,7 +1,7 @@
 // An update of lysozyme's coupled surface and field (1HEW, dielectrics 2 and 80), on grids of
-// growing size: the run to rest over its updates, start and border and energies with it. Beside it
-// in the same run, one solution of the Poisson-Boltzmann equation by itself on the last surface,
-// from nothing, and the ratio of the two. Needs ISTHMUS_DATA_DIR or the default data.
+// growing size: the time of a converged run divided by its updates, including start, border and
+// energies. In the same run, a single solution of the Poisson-Boltzmann equation on the last
+// surface, from zero, and the ratio of the two. Needs ISTHMUS_DATA_DIR or the default data.
 
 #include "ChargedProtein.h"
 #include "Solvation/SolvationFlow.h"
@@ -56,7 +56,7 @@ void Update(benchmark::State& state)
   }
 }
 
-// 70 hundredths of an angstrom are some 440 thousand nodes.
+// 0.70 angstrom gives about 440 thousand nodes.
 BENCHMARK(Update)
   ->Arg(110)
   ->Arg(70)

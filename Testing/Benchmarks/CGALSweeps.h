@@ -35,7 +35,7 @@ NumberedCGAL& CGAL()
   return map;
 }
 
-/// Times one question to each item; the sum of what of(item) answers must be ours.
+/// Times one query for each item; the sum of of(item) must equal ours.
 template <typename Items, typename Of>
 void SweepCGAL(benchmark::State& state, const Items& items, Of&& of)
 {

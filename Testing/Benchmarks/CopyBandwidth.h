@@ -1,7 +1,7 @@
 /**
  * @file CopyBandwidth.h
- * @brief What this machine's memory moves: the limit that benchmarks of volume filters compare
- * with.
+ * @brief Memory bandwidth of this machine, the limit with which benchmarks of volume filters are
+ * compared.
  */
 #ifndef isthmus_CopyBandwidth_h
 #define isthmus_CopyBandwidth_h

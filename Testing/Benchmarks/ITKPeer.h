@@ -17,7 +17,7 @@ namespace isthmus::peers
 
 using ITKImage = itk::Image<float, 3>;
 
-/// n^3 floats of somebody else as ITK sees them.
+/// n^3 floats of the caller as an ITK image.
 inline ITKImage::Pointer ITKView(float* values, int n)
 {
   using Import = itk::ImportImageFilter<float, 3>;

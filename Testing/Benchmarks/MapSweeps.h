@@ -28,7 +28,7 @@ namespace isthmus::testing
 
 using Map = CompactCombinatorialMap<>;
 
-/// Bytes that the program holds now.
+/// Bytes currently allocated.
 inline std::size_t HeldBytes()
 {
   const struct mallinfo2 info = mallinfo2();
@@ -86,7 +86,7 @@ inline const Map& OurMap()
   return map;
 }
 
-/// Reports a sweep that asked `questions` questions.
+/// Reports a sweep of `questions` queries.
 inline void ReportSweep(benchmark::State& state, std::size_t questions, std::uint64_t checksum)
 {
   const auto total = static_cast<double>(questions) * static_cast<double>(state.iterations());
@@ -95,8 +95,8 @@ inline void ReportSweep(benchmark::State& state, std::size_t questions, std::uin
   state.counters["checksum"] = static_cast<double>(checksum % 1000003);
 }
 
-/// Times one question to each Handle(0) ... Handle(count - 1); the sum of what of(handle) answers
-/// must be that of the peers.
+/// Times one query for each Handle(0) ... Handle(count - 1); the sum of of(handle) must equal that
+/// of the peers.
 template <typename Handle, typename Of>
 void Sweep(benchmark::State& state, std::size_t count, Of&& of)
 {
@@ -136,7 +136,7 @@ inline std::uint64_t SumOfIds(vtkIdList* ids)
   return ComputeSum(*ids, [](vtkIdType id) { return static_cast<std::uint64_t>(id); });
 }
 
-/// Times `build`, which makes something of `cells` cells and answers the bytes that it holds.
+/// Times `build`, which builds a structure of `cells` cells and returns its size in bytes.
 template <typename Build>
 void TimeBuild(benchmark::State& state, std::size_t cells, Build&& build)
 {

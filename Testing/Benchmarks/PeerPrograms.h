@@ -1,6 +1,6 @@
 /**
  * @file PeerPrograms.h
- * @brief Persistence of a volume by programs of others, run as processes of their own.
+ * @brief Persistence of a volume by other programs, run as separate processes.
  *
  * The environment variable ISTHMUS_PEERS names their folder, which must hold
  *   cubicalripser -m 2 -o OUT.diagram IN.complex
@@ -10,8 +10,8 @@
  *   ttk_mesh_persistence IN.tetrahedra OUT.diagram OUT.seconds [THREADS]
  *     TTK with Peers/ttk_mesh_persistence.cxx, on tetrahedra.
  * Volumes (.complex) and pairs (.diagram) are in DIPHA's format (Peers/DiphaFiles.h), meshes
- * (.tetrahedra) as Peers/TetrahedraFiles.h says; OUT.seconds gets the CPU and the wall seconds
- * without files. What is missing is told in the row, which then has no ratio.
+ * (.tetrahedra) as Peers/TetrahedraFiles.h describes; OUT.seconds gets the CPU and the wall seconds
+ * without files. Missing programs are named in the row, which then has no ratio.
  */
 #ifndef isthmus_PeerPrograms_h
 #define isthmus_PeerPrograms_h
@@ -53,7 +53,8 @@ struct PeerRun
   Bars Pairs;           ///< sorted, without those of length 0
 };
 
-/// Runs a program with its words and without a voice; throws std::runtime_error if it fails.
+/// Runs a program with these arguments, discarding its output; throws std::runtime_error if it
+/// fails.
 inline PeerRun RunProgram(const std::vector<std::string>& words)
 {
   std::vector<char*> arguments;

@@ -1,7 +1,7 @@
-// libFuzzer target: the bytes as a combinatorial mesh file; what is read must make a grid, be
-// writable and come back the same, and the map must take or refuse it without a fault.
+// libFuzzer target: the bytes as a combinatorial mesh file; the result must be a grid, be writable
+// and be read back unchanged, and the map must accept or refuse it without a crash.
 //
-// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
+// Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid file.
 
 #include "CellComplex/CompactCombinatorialMap.h"
 #include "CellComplex/EdgeTable.h"
@@ -58,7 +58,7 @@ std::string Written(const isthmus::CombinatorialMesh& mesh, bool binary)
   return stream.str();
 }
 
-/// Walks all that the map of the mesh has, if the mesh is one that a map can hold.
+/// Visits everything in the map of the mesh, if the mesh is valid for a map.
 void Walk(const isthmus::CombinatorialMesh& mesh)
 {
   isthmus::CellList list{ mesh.NumberOfVertices, mesh.Types, mesh.Runs,

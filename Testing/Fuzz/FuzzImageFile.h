@@ -1,6 +1,7 @@
 /**
  * @file FuzzImageFile.h
- * @brief What targets of readers with a writer share: what was read is written, and comes back.
+ * @brief Common to targets of readers with a writer: data that were read are written, and read
+ * again unchanged.
  */
 #ifndef isthmus_FuzzImageFile_h
 #define isthmus_FuzzImageFile_h
@@ -20,7 +21,7 @@
 namespace isthmus::testing
 {
 
-/// Aborts unless both arrays are there and hold the same numbers of one type.
+/// Aborts unless both arrays exist and have the same values and type.
 inline void ExpectSame(vtkDataArray* first, vtkDataArray* second)
 {
   if (!first || !second || first->GetNumberOfValues() != second->GetNumberOfValues() ||
@@ -39,7 +40,7 @@ inline void ExpectSame(vtkDataArray* first, vtkDataArray* second)
   }
 }
 
-/// What `reader` makes of a file: an image without points where it refuses.
+/// The output of `reader` for a file: an image without points if it refuses the file.
 template <class Reader>
 vtkSmartPointer<vtkImageData> ReadImage(Reader* reader, const std::string& path)
 {

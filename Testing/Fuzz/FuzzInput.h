@@ -1,9 +1,9 @@
 /**
  * @file FuzzInput.h
- * @brief What fuzz targets share: files that lie in memory, one thread, silence.
+ * @brief Common to fuzz targets: files in memory, one thread, no messages.
  *
- * An input takes some microseconds; a disk, threads started for it, or a sentence on the terminal
- * would each take most of the time.
+ * An input takes a few microseconds; disk access, starting threads or printing a message would
+ * dominate the time.
  */
 #ifndef isthmus_FuzzInput_h
 #define isthmus_FuzzInput_h
@@ -21,14 +21,14 @@
 namespace isthmus::testing
 {
 
-/// For LLVMFuzzerInitialize: no threads, and no sentences, which are expected and not the point.
+/// For LLVMFuzzerInitialize: no threads, and no messages, since errors are expected.
 inline void OneThreadAndSilence()
 {
   setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
   vtkObject::GlobalWarningDisplayOff();
 }
 
-/// A folder of this process' own, in memory where there is /dev/shm; gone when the process ends.
+/// A folder of this process, in memory if /dev/shm exists; removed when the process ends.
 class MemoryFolder
 {
 public:
@@ -53,7 +53,7 @@ public:
   MemoryFolder(const MemoryFolder&) = delete;
   MemoryFolder& operator=(const MemoryFolder&) = delete;
 
-  /// Writes [begin, end) as the file `name`, and answers its path.
+  /// Writes [begin, end) as the file `name`, and returns its path.
   std::string Write(const std::string& name, const char* begin, const char* end) const
   {
     const std::string path = this->Path + '/' + name;

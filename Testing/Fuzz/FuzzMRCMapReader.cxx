@@ -1,10 +1,10 @@
 // libFuzzer target: vtkMRCMapReader reads the bytes as a file, plain, gzip or bzip2.
 //
 // The first 8 bytes choose what is done with the rest, so that the fuzzer need not invent
-// compressed streams: how it is packed, the file's ending, and the reader's properties. Built by
+// compressed streams: the compression, the file's ending, and the reader's properties. Built by
 // -DISTHMUS_FUZZ=ON, or alone by clang++ -fsanitize=fuzzer,address,undefined with the sources of
-// Readers and Filters/Core. Seeds come from LLVMFuzzerCustomMutator, which now and then starts
-// from a sound map.
+// Readers and Filters/Core. Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from
+// a valid map.
 
 #include "FuzzInput.h"
 #include "TemporaryFile.h"
@@ -33,7 +33,7 @@ constexpr std::size_t choices = 8;
 using isthmus::testing::Bzip2;
 using isthmus::testing::Gzip;
 
-/// What is output must be all there: reads every value under the sanitizers.
+/// Reads every value of the output under the sanitizers.
 void Touch(vtkImageData* image)
 {
   double sum = 0.0;
@@ -58,7 +58,7 @@ void Touch(vtkImageData* image)
       std::abort();
     }
   }
-  volatile double kept = sum; // so that nothing of it is optimised away
+  volatile double kept = sum; // so that it is not optimised away
   static_cast<void>(kept);
 }
 
@@ -83,7 +83,7 @@ void ReadAsChosen(const uint8_t* choice, const char* path)
   Touch(reader->GetOutput());
 }
 
-/// A sound map of a few voxels, as a beginning.
+/// A valid map of a few voxels to start from.
 size_t WriteSeed(uint8_t* data, size_t most, unsigned seed)
 {
   const int modes[] = { 0, 1, 2, 3, 4, 6, 12, 16, 101 };
@@ -149,9 +149,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
       content = Bzip2(content, 1);
       break;
     default:
-      break; // as it is: plain, or a compressed stream of the fuzzer's own making
+      break; // unchanged: plain, or a compressed stream created by the fuzzer
   }
-  if (data[0] & 64) // cut or damaged behind the packing
+  if (data[0] & 64) // truncated or damaged after compression
   {
     content.resize(content.size() - content.size() * (data[1] % 16) / 32);
   }

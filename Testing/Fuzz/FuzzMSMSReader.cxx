@@ -1,7 +1,7 @@
-// libFuzzer target: the bytes up to the first zero as a .vert, the others as its .face; what is
-// read names points that there are, in finite numbers, and as many rows as the first lines promise.
+// libFuzzer target: the bytes up to the first zero as a .vert, the others as its .face; the result
+// refers to existing points, is finite, and has as many rows as the first lines state.
 //
-// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound pair.
+// Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid pair.
 
 #include "FuzzInput.h"
 #include "Meshes/MSMSReader.h"

@@ -1,8 +1,8 @@
 // libFuzzer target: the bytes as a molecule in one of the formats (the first byte says which, the
-// second which atoms are wanted). What is read must have finite positions and bonds between atoms
-// that are there.
+// second which atoms are wanted). The result must have finite positions and bonds between existing
+// atoms.
 //
-// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
+// Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid file.
 
 #include "FuzzInput.h"
 #include "Molecules/MacromoleculeReader.h"

@@ -2,7 +2,7 @@
 // first zero are the .node), the others are the file; what is read is written, read again, and the
 // same.
 //
-// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
+// Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid file.
 
 #include "FuzzInput.h"
 #include "Meshes/MEDITFile.h"

@@ -1,7 +1,7 @@
 // libFuzzer target: vtkOpenDXReader reads the bytes as a file (the first byte chooses the array);
-// what it reads is all there and, written by vtkOpenDXWriter, comes back the same.
+// the result is complete and, written by vtkOpenDXWriter, is read back unchanged.
 //
-// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
+// Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid file.
 
 #include "FuzzImageFile.h"
 #include "vtkOpenDXReader.h"
@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   vtkNew<vtkOpenDXReader> reader;
   reader->SetFieldIndex(data[0] % 3);
   const auto image = ReadImage(reader.Get(), Folder().Write("grid.dx", bytes + 1, bytes + size));
-  if (image->GetNumberOfPoints() > 0) // else refused with a sentence
+  if (image->GetNumberOfPoints() > 0) // otherwise refused with a message
   {
     ExpectToComeBack<vtkOpenDXReader, vtkOpenDXWriter>(image, "Potential", "copy.dx");
   }

@@ -1,5 +1,5 @@
-// libFuzzer target: the bytes as a filter, its properties and a small surface. What comes out has
-// finite points, or is nothing with a sentence.
+// libFuzzer target: the bytes as a filter, its properties and a small surface. The output has
+// finite points, or is empty with an error message.
 //
 // Byte 0 chooses the filter, 1 to 8 its properties, 9 the shape (1 in 2: a sphere that the other
 // bytes damage, as they do with points and corners; else all of it from the bytes).
@@ -38,12 +38,12 @@ namespace
 constexpr std::size_t HeadBytes = 10;
 constexpr std::size_t MostPoints = 200;
 
-/// Numbers that properties and coordinates take beside sound ones.
+/// Unusual numbers for properties and coordinates.
 const double Odd[] = { 0.0, -1.0, 1e-300, 1e-38, 1e-12, 1e-3, 0.3, 2.0, 1e3, 1e9, 1e20, 1e38, 1e150,
   1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
 
-/// What asks for millions of triangles or nodes by its meaning takes minutes under sanitizers, and
-/// is not the point; what is to be refused stays as it is.
+/// Values that legitimately request millions of triangles or nodes take minutes under sanitizers
+/// and are excluded; values that must be refused are kept.
 double LimitLength(double length, double least)
 {
   return length > 1e-6 && length < least ? least : length;
@@ -55,7 +55,7 @@ struct Bytes
   const uint8_t* End;
 
   uint8_t Take() { return this->Next < this->End ? *this->Next++ : 0; }
-  /// An odd number one time in four, else one of steps of 1/32.
+  /// An unusual number one time in four, otherwise a multiple of 1/32.
   double Number()
   {
     const uint8_t byte = this->Take();
@@ -202,7 +202,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   filter->AddObserver(vtkCommand::ErrorEvent, count);
   filter->SetInputDataObject(surface);
   filter->Update();
-  // Filters that pass their input on have its points as they were.
+  // Filters that pass on their input must leave its points unchanged.
   const bool passes = filter->IsA("vtkSurfaceMeasures") || filter->IsA("vtkSurfaceCurvature") ||
     filter->IsA("vtkMeshQualityReport");
   vtkDataObject* output = filter->GetOutputDataObject(0);

@@ -1,7 +1,7 @@
-// libFuzzer target: vtkVolumeTextReader reads the bytes as a .dat; what it reads is all there and,
-// written by vtkVolumeTextWriter, comes back the same.
+// libFuzzer target: vtkVolumeTextReader reads the bytes as a .dat; the result is complete and,
+// written by vtkVolumeTextWriter, is read back unchanged.
 //
-// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
+// Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid file.
 
 #include "FuzzImageFile.h"
 #include "vtkVolumeTextReader.h"

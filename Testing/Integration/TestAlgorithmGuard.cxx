@@ -1,5 +1,5 @@
-// A failed filter says one sentence, once, without VTK's page about its request, and what stands on
-// it is emptied, too.
+// A failed filter reports one message, once, without VTK's description of its request, and
+// downstream outputs are emptied, too.
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/ChildProcess.h"
@@ -32,7 +32,8 @@
 namespace
 {
 
-/// Fails with Sentence, in RequestInformation as well as in RequestData; copies its input without.
+/// Fails with Sentence, in RequestInformation as well as in RequestData; without it, copies its
+/// input.
 class Failing : public vtkPolyDataAlgorithm
 {
 public:
@@ -103,7 +104,7 @@ protected:
 
 vtkStandardNewMacro(FailingTwice);
 
-/// What an algorithm and its executive say, each sentence an entry.
+/// The messages of an algorithm and its executive, one entry each.
 class Ear
 {
 public:

@@ -1,5 +1,5 @@
-// Cracks between facets, patches turned over, cavities that face the wrong way: mended where that
-// is certain, and nothing else.
+// Cracks between facets, patches turned over, cavities that face the wrong way: repaired where the
+// repair is certain, and nowhere else.
 
 #include "Core/PolyDataTriangles.h"
 #include "SharedData.h"
@@ -211,7 +211,8 @@ TEST(CorrectedSurfaces, HolesAndCoarseCracksStay)
 
 TEST(CorrectedSurfaces, CornersThatCloseNoCrackStaySeparate)
 {
-  // Two triangles whose corners nearly meet: joined, there would be as many open edges as before.
+  // Two triangles whose corners nearly meet: joining them would not reduce the number of open
+  // edges.
   TriangleMesh two;
   two.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1e-7, 0, 0 }, { -1, 0, 0 },
     { 0, -1, 0 } };
@@ -239,7 +240,7 @@ TEST(CorrectedSurfaces, PatchesAreOrientedLikeTheirNeighbours)
     EXPECT_NEAR(SignedVolume(turned), SignedVolume(right), 1e-9);
     EXPECT_GT(done.Turned, 10);
   }
-  // A Moebius strip has no such turning.
+  // A Moebius strip has no consistent orientation.
   TriangleMesh strip;
   for (vtkIdType i = 0; i < 12; ++i)
   {

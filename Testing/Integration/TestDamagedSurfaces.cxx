@@ -1,6 +1,6 @@
 // The Automatic engine on surfaces of many kinds with many kinds of damage, among them decimated
 // ones of the shared data: tetrahedra, and a volume or a distance that is as stated. Repair,
-// remeshing and CGAL's mesher on coordinates that no one expects.
+// remeshing and CGAL's mesher on extreme coordinates.
 
 #include "DamagedSurfaces.h"
 #include "LongTests.h"
@@ -108,8 +108,8 @@ void Fill(const DamagedSurface& surface, Row& row)
   }
   ++row.Moved;
   EXPECT_TRUE(made.IsDoubtful || made.Hausdorff > 0.0) << made.Report;
-  // A surface that moves by no more than this sweeps no more than that; what is enclosed by one
-  // that crosses itself is a matter of reading, which the report says.
+  // A surface that moves by no more than this sweeps no more than that; the volume enclosed by a
+  // self-intersecting surface is a matter of interpretation, as the report states.
   EXPECT_TRUE(surface.Volume >= 0.0 || made.IsDoubtful) << made.Report;
   const double swept = 1.5 * ComputeArea(BoundarySurface(made.Mesh)) * made.Hausdorff;
   EXPECT_LE(surface.Volume >= 0.0 ? off : 0.0, 0.01 * truth + swept) << made.Report;
@@ -120,11 +120,11 @@ void Fill(const DamagedSurface& surface, Row& row)
 namespace
 {
 
-/// Nothing, tiny, huge, infinite or no number.
+/// Zero, tiny, huge, infinite or not a number.
 const std::vector<double> Odd{ 0.0, 1e-300, 1e-38, 1e-12, 1e12, 1e38, 1e99, 1e150, 1e300,
   std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
 
-/// Below what the other coordinates resolve, or nearly.
+/// Below the resolution of the other coordinates, or close to it.
 const std::vector<double> Traces{ 0.0, 1e-14, 1e-15, 1e-16, 1e-17, 1e-18, 1e-20, 1e-22, 1e-24,
   1e-26, 1e-30, 1e-28, 1e-34 };
 
@@ -144,8 +144,8 @@ TriangleMesh WithCoordinates(std::uint64_t seed, const std::vector<double>& valu
   return mesh;
 }
 
-/// `known` seeds, as many as `usual`, and those whose turn it is; ISTHMUS_FUZZ_CASES=6000 asks for
-/// more.
+/// The `known` seeds, `usual` further ones, and those of this run (LongTests.h);
+/// ISTHMUS_FUZZ_CASES=6000 runs more.
 std::vector<std::uint64_t> SeedsAnd(std::vector<std::uint64_t> known, std::uint64_t usual)
 {
   const char* const wanted = std::getenv("ISTHMUS_FUZZ_CASES");
@@ -162,7 +162,7 @@ std::vector<std::uint64_t> SeedsAnd(std::vector<std::uint64_t> known, std::uint6
   return known;
 }
 
-/// How many of the seeds `make` made a mesh of; the others ended in a sentence.
+/// How many of the seeds gave a mesh with `make`; the others caused an error message.
 template <typename Make>
 int MakeDamaged(const std::vector<std::uint64_t>& seeds, Make&& make)
 {
@@ -203,7 +203,7 @@ TEST(SurfaceRepair, OddCoordinatesGiveASurfaceOrAMessage)
   EXPECT_GE(4 * static_cast<std::size_t>(made), seeds.size()); // the others reach too far
 }
 
-/// Stars of flat triangles, for which CGAL's relaxation looked up edges that there are none of:
+/// Stars of flat triangles, for which CGAL's relaxation accessed edges that do not exist:
 /// every fiftieth ended in SIGSEGV.
 TEST(SurfaceRemesh, TinyValuesGiveASurfaceOrAMessage)
 {
@@ -217,7 +217,7 @@ TEST(SurfaceRemesh, TinyValuesGiveASurfaceOrAMessage)
   EXPECT_GE(4 * static_cast<std::size_t>(made), 3 * seeds.size());
 }
 
-/// Coordinates of 1e-300, with which products became no numbers (SIGFPE), are taken for 0.
+/// Coordinates of 1e-300, whose products became NaN (SIGFPE), are treated as 0.
 TEST(TetrahedralMesher, TinyValuesGiveAMeshOrAMessage)
 {
   TetrahedralParameters parameters = LimitedParameters();
@@ -233,8 +233,8 @@ TEST(TetrahedralMesher, TinyValuesGiveAMeshOrAMessage)
   EXPECT_GE(made, 2); // two take more points than allowed
 }
 
-/// Acceptance 3. A few cases of each kind, others at each turn; ISTHMUS_FUZZ_CASES=1000 for as
-/// many.
+/// Acceptance 3. A few cases of each kind, different ones in each run; ISTHMUS_FUZZ_CASES=1000 sets
+/// their number.
 TEST(AutomaticMesher, ManyKindsOfDamage)
 {
   const char* const wanted = std::getenv("ISTHMUS_FUZZ_CASES");
@@ -256,7 +256,7 @@ TEST(AutomaticMesher, ManyKindsOfDamage)
     const DamageKind& kind = kinds[seed % kinds.size()];
     kind.Do(surface, chance);
     std::string name = kind.Name;
-    if (seed / kinds.size() % 4 == 3) // a quarter have another one besides
+    if (seed / kinds.size() % 4 == 3) // a quarter have a second one
     {
       kinds[chance.Below(kinds.size())].Do(surface, chance);
       surface.Volume = -1.0;
@@ -318,8 +318,8 @@ void ExpectRepeatedRepair(const TriangleMesh& mesh, const std::string& name)
 
 }
 
-// Many triangles that fill a round hole are equally good; which of them CGAL took was decided by
-// addresses.
+// Many triangles that fill a round hole are equally good; CGAL's choice among them depended on
+// memory addresses.
 TEST(SurfaceRepair, DoesNotDependOnAddresses)
 {
   for (const std::int64_t count : { 36, 53, 100 })

@@ -58,8 +58,8 @@ TEST(Extremes, RepairOfAPointFarAway)
   }
 }
 
-// Found by the soak: next to a point that far away all others are one, and CGAL's smoothing of what
-// they span gave points that are not finite, on which its next step ended the program.
+// Found by the soak test: relative to a point that far away all others coincide, and CGAL's
+// smoothing of them gave points that are not finite, on which its next step crashed.
 TEST(Extremes, AnOutlierIsReportedByAllMeshers)
 {
   for (const double place : { 1e18, 1e38 }) // CGAL's relaxation, by SIGSEGV
@@ -186,7 +186,7 @@ TEST(Extremes, CornersThatAreNoPointsAreReportedByAllMeshers)
 
 TEST(Extremes, SurfaceRemeshOfLongNeedlesIsRefused)
 {
-  Model model = Icosphere(3, 1e-9); // and so next to no area
+  Model model = Icosphere(3, 1e-9); // and therefore almost no area
   model.Points[5] = { 1e9, 0.0, 0.0 };
   TopologyFilterRun<vtkSurfaceRemesh> run(ToPolyData(model),
     [](vtkSurfaceRemesh* filter)
@@ -226,7 +226,7 @@ TEST(Extremes, TheCGALMesherAbortsWithinASecond)
   mesher->AddObserver(vtkCommand::ProgressEvent, observer);
   mesher->Update();
   EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 1000);
-  EXPECT_GT(state.Reports, 50); // where progress is told, a stop is heard
+  EXPECT_GT(state.Reports, 50); // if progress is reported, an abort takes effect
   RecordProperty("LongestSilence", std::to_string(state.LongestSilence));
 }
 

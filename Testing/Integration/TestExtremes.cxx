@@ -1,6 +1,6 @@
-// Finite numbers that were once the end of the program, of its patience or of its memory: spacings,
-// scales and coordinates of 1e-300 to 1e300 in every filter that hands them to others. Each case
-// ends in a finite result or in a sentence and an empty output. Those that mesh:
+// Finite numbers that once caused crashes, endless loops or huge allocations: spacings, scales and
+// coordinates of 1e-300 to 1e300 in every filter that passes them to other libraries. Each case
+// gives a finite result, or an error message and an empty output. Those that mesh:
 // TestExtremeMeshing.
 
 #include "ExtremeInputs.h"

@@ -1,4 +1,4 @@
-// A file that a writer is to replace survives whatever keeps the new one from being whole.
+// An existing file survives if a writer cannot complete its replacement.
 #include "Files/TextFileWriter.h"
 #include "TemporaryFile.h"
 #include "vtkCombinatorialMeshWriter.h"
@@ -46,7 +46,7 @@ using isthmus::testing::TemporaryFile;
 namespace
 {
 
-constexpr int Resolution = 60; // some 3,500 points: all files are larger than the limit
+constexpr int Resolution = 60; // about 3,500 points: all files are larger than the limit
 
 vtkSmartPointer<vtkPolyData> Sphere()
 {
@@ -104,7 +104,7 @@ Files In(const std::filesystem::path& folder)
   return files;
 }
 
-/// What a writer said, and whether it wrote.
+/// A writer's message, and whether it wrote.
 struct Outcome
 {
   int Returned = 0;
@@ -177,7 +177,7 @@ std::vector<Trial> Trials()
   };
 }
 
-/// No file may grow beyond `bytes` as long as it lives: writes fail as on a full disk.
+/// No file may grow beyond `bytes` while this object exists: writes fail as on a full disk.
 class FileLimit
 {
 public:
@@ -201,7 +201,7 @@ private:
   void (*OldAction)(int);
 };
 
-/// Root may write anywhere, so it is another user as long as this lives.
+/// Root may write anywhere, so the process acts as another user while this object exists.
 class OrdinaryUser
 {
 public:
@@ -223,7 +223,7 @@ private:
   bool WasRoot;
 };
 
-/// A folder with a file of each name that a trial writes, and one that it must not touch.
+/// A folder with a file of each name that a trial writes, and a file that it must not change.
 class OldFiles
 {
 public:
@@ -288,7 +288,7 @@ TEST(FileReplacement, WholeFilesReplaceOldOnes)
 
 TEST(FileReplacement, OldFilesSurviveAFullDisk)
 {
-  // The second limit lets the head of a file through, where the first fails at once.
+  // With the second limit the head of a file can be written; with the first, nothing can.
   for (const rlim_t bytes : { 0, 8192 })
   {
     for (const Trial& trial : Trials())
@@ -305,7 +305,7 @@ TEST(FileReplacement, OldFilesSurviveAFullDisk)
   }
 }
 
-/// A filter before that has failed gives no points: the old file became an empty one.
+/// A failed upstream filter provides no points: the old file was replaced by an empty one.
 TEST(FileReplacement, OldFilesSurviveAFailureOfTheFilterBefore)
 {
   std::vector<Trial> trials = Trials();
@@ -342,7 +342,8 @@ TEST(FileReplacement, OldFilesSurviveAFailureOfTheFilterBefore)
   }
 }
 
-/// Points and cells belong together: the old points stay where the new cells find no room.
+/// Points and cells belong together: the old points are kept if there is no space for the new
+/// cells.
 TEST(FileReplacement, FilesOfOneMeshAreReplacedTogether)
 {
   const Trial trial{ With<vtkTetGenMeshWriter>(Tetrahedra()), "a.ele", { "a.ele", "a.node" } };
@@ -489,7 +490,7 @@ TEST(FileReplacement, OldCellFilesAreRemovedWithTheOldPoints)
       path, [&](vtkAlgorithm* writer) { writer->AddObserver(vtkCommand::ProgressEvent, stop); });
     EXPECT_EQ(aborted.Returned, 0);
     EXPECT_EQ(In(folder), before);
-    // The points cannot get their name, so the old cells keep theirs.
+    // The file of points cannot be renamed, so the old file of cells is kept.
     std::filesystem::create_directory(folder / "a.node");
     EXPECT_EQ(write(path, Plain).Returned, 0);
     std::filesystem::remove(folder / "a.node");
@@ -522,7 +523,7 @@ TEST(FileReplacement, AHiddenFileIsThereAgainUnlessItIsRemoved)
   EXPECT_THROW(none.Hide(), std::runtime_error);
 }
 
-/// What is not what the format holds is refused before the old file is touched.
+/// Data that the format cannot store are refused before the old file is touched.
 TEST(FileReplacement, OldFilesSurviveBadInput)
 {
   const Trial trial{ {}, "a.cmesh", { "a.cmesh", "a.ele", "a.face", "a.node" } };

@@ -1,4 +1,4 @@
-// What goes wrong in an algorithm inside of a filter is one error of the filter that was called.
+// A failure of an inner algorithm is one error of the filter that was called.
 #include "Core/AlgorithmGuard.h"
 #include "Core/InnerAlgorithm.h"
 
@@ -43,7 +43,7 @@
 namespace
 {
 
-/// Fails in one of the ways that there are, or succeeds.
+/// Fails in one of several ways, or succeeds.
 class Inner : public vtkPolyDataAlgorithm
 {
 public:
@@ -155,7 +155,7 @@ TEST(InnerAlgorithm, WarningsProgressAndAbortArePassedOn)
   EXPECT_GE(reports.size(), 5u);
   EXPECT_THROW(run(0.5), isthmus::Cancelled);
   EXPECT_EQ(inner->Reached, 0.5);
-  run(2.0); // an abort is over with its execution
+  run(2.0); // an abort does not outlast its execution
   EXPECT_EQ(inner->Reached, 1.0);
 }
 
@@ -196,7 +196,7 @@ std::size_t AddressSpace()
   return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// How an execution in a child with this much more address space ends.
+/// The outcome of an execution in a child process with this much additional address space.
 enum class End
 {
   Whole,    ///< output, no error
@@ -246,7 +246,7 @@ End RunWith(std::size_t bytes, vtkAlgorithm* filter)
 void ExpectErrors(vtkAlgorithm* filter, const char* name)
 {
   std::array<int, 4> ends{};
-  // From the first there is room for a message.
+  // Even with the first limit, memory suffices for a message.
   for (std::size_t mebibytes = 2; mebibytes < 400; mebibytes += mebibytes < 60 ? 3 : 10)
   {
     const End end = RunWith(mebibytes << 20, filter);

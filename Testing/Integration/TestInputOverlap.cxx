@@ -67,7 +67,7 @@ struct Outcome
   vtkIdType Points;
 };
 
-/// What Hessian Curvature says of points beside that density.
+/// The message of Hessian Curvature for points beside that density.
 Outcome RecordWarning(vtkPolyData* points)
 {
   vtkNew<vtkHessianCurvature> filter;
@@ -140,7 +140,7 @@ TEST(InputOverlap, InputsWithAndWithoutPositions)
   EXPECT_NEAR(MeasureOverlap(turned, cube)->First.Min[0], -10.0, 1e-12);
   EXPECT_NEAR(MeasureOverlap(turned, Lattice({ -9.0, 1.0, 1.0 }, 8.0, 3))->Share, 1.0, 1e-12);
   EXPECT_NEAR(MeasureOverlap(turned, Lattice({ 12.0, 1.0, 1.0 }, 8.0, 3))->Share, 0.0, 1e-12);
-  // Points that are nowhere do not count, nor do those that no polygon uses.
+  // Points with undefined positions do not count, nor do those that no polygon uses.
   const auto stray = Lattice({ 1.0, 1.0, 1.0 }, 8.0, 3);
   stray->GetPoints()->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   EXPECT_NEAR(MeasureOverlap(cube, stray)->Share, 1.0, 1e-12);

@@ -96,7 +96,7 @@ std::string Content(const std::string& path)
   return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
-/// All points and point values of what a reader or filter gives, to the last bit, and what it says.
+/// All points and point values of the output of a reader or filter, bit by bit, and its messages.
 template <typename Algorithm>
 std::string FormatResult(Algorithm* algorithm)
 {
@@ -127,7 +127,7 @@ std::string FormatResult(Algorithm* algorithm)
   return result;
 }
 
-/// What `make` gives without a locale has to be what it gives in the German one.
+/// The result of `make` must be the same without a locale and with the German one.
 void ExpectSame(const std::function<std::string()>& make)
 {
   const std::string wanted = make();
@@ -137,7 +137,7 @@ void ExpectSame(const std::function<std::string()>& make)
   EXPECT_EQ(make(), wanted);
 }
 
-/// The files that the writer makes, one behind the other, and what the reader makes of them.
+/// The concatenated files of the writer, and the result of the reader for them.
 template <typename Writer, typename Reader>
 void ExpectSameFiles(
   vtkDataObject* input, const std::vector<std::string>& names,
@@ -324,8 +324,8 @@ TEST(Locales, Messages)
 }
 
 /**
- * std::to_string of a floating point number and std::stod follow the locale; a search of the text
- * can't see which to_string is called, but libstdc++ makes both of __to_xstring and __stoa.
+ * std::to_string of a floating point number and std::stod follow the locale; a text search cannot
+ * see which to_string is called, but libstdc++ implements both by __to_xstring and __stoa.
  */
 TEST(Locales, LibrariesAvoidLocaleDependentFormatting)
 {

@@ -1,4 +1,4 @@
-// Inputs that hold more than they show: points without a place, hidden points and cells.
+// Inputs with hidden or missing parts: points with invalid coordinates, hidden points and cells.
 #include "Core/PipelineInputs.h"
 #include "vtkSurfaceMeasures.h"
 

@@ -1,5 +1,5 @@
-// What readers meet on a disc beside files: folders, pipes, files cut short, packed to nothing,
-// replaced while they are read, and bytes that are no text. Each ends in a sentence.
+// What readers encounter on a disk besides valid files: folders, pipes, files cut short, highly
+// compressed, replaced while being read, and bytes that are not text. Each gives an error message.
 
 #include "vtkCombinatorialMeshReader.h"
 #include "vtkMRCMapReader.h"
@@ -37,7 +37,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// What the reader complained about `path`, and with what code.
+/// The reader's message for `path`, and its error code.
 template <typename Reader>
 std::pair<std::string, unsigned long> Complaint(const std::string& path)
 {
@@ -59,7 +59,7 @@ const std::filesystem::path& Folder()
   return folder.Path();
 }
 
-/// A pair of MSMS files with `faces` of four, whose first line promises four.
+/// A pair of MSMS files with `faces` of four, whose first line states four.
 std::filesystem::path MSMSPair(int vertices, int faces)
 {
   const auto stem = Folder() / "cut";
@@ -112,7 +112,7 @@ TEST(ReaderLimits, PipesAreRefusedWithoutWaiting)
     Complaint<vtkMRCMapReader>(stem + ".mrc").first.find("not a regular file"), std::string::npos);
 }
 
-TEST(ReaderLimits, FoldersAreCalledFolders)
+TEST(ReaderLimits, FoldersAreReportedAsFolders)
 {
   for (const char* name : { "folder.cmesh", "folder.vert", "folder.pqr" })
   {
@@ -127,8 +127,8 @@ TEST(ReaderLimits, FoldersAreCalledFolders)
     std::string::npos);
 }
 
-/// ParaView asks the readers of a name in turn, and then offers those that do not look at files: of
-/// ParaView 5.11's, one never ends on an empty file, and GDAL's waits for pipes.
+/// ParaView asks the readers of a name one after another, and then offers those that do not examine
+/// files: of ParaView 5.11's, one never ends on an empty file, and GDAL's waits for pipes.
 TEST(ReaderLimits, EmptyFilesAreJudgedByTheirName)
 {
   const std::string empty = Folder() / "empty.any";
@@ -169,7 +169,8 @@ TEST(ReaderLimits, MSMSCountsMustMatchTheHeader)
 TEST(ReaderLimits, DecompressionBombsAreRefusedEarly)
 {
   const TemporaryFile newlines(Gzip(std::string(100'000'000, '\n')), "newlines.cif.gz");
-  EXPECT_NE(Complaint<vtkMacromoleculeReader>(newlines.Path()).first.find("unpack to more than"),
+  EXPECT_NE(
+    Complaint<vtkMacromoleculeReader>(newlines.Path()).first.find("decompress to more than"),
     std::string::npos);
   const std::string line =
     "ATOM      1  N   ALA A   1      11.104   6.134  -6.504  1.00  0.00           N  \n";
@@ -179,9 +180,9 @@ TEST(ReaderLimits, DecompressionBombsAreRefusedEarly)
     many += line;
   }
   const TemporaryFile lines(Gzip(many), "lines.pdb.gz");
-  EXPECT_NE(Complaint<vtkMacromoleculeReader>(lines.Path()).first.find("unpack to more than"),
+  EXPECT_NE(Complaint<vtkMacromoleculeReader>(lines.Path()).first.find("decompress to more than"),
     std::string::npos);
-  // A small file may be as even as it likes.
+  // A small file may be arbitrarily compressible.
   const TemporaryFile few(Gzip(many.substr(0, 1000 * line.size())), "few.pdb.gz");
   EXPECT_EQ(Complaint<vtkMacromoleculeReader>(few.Path()).first, "");
 }

@@ -59,7 +59,7 @@ TriangleMesh InsideOut(TriangleMesh mesh)
   return mesh;
 }
 
-/// Turned about an axis along no direction of a grid.
+/// Rotated about an axis that is not a grid direction.
 TriangleMesh TurnedByOneRadian(TriangleMesh mesh)
 {
   for (Point3& p : mesh.Points)
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> CrossingSpheres()
 
 }
 
-TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiSay)
+TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiImply)
 {
   std::mt19937 random(39);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -97,7 +97,7 @@ TEST(ShellCrossings, RandomSpheresCrossAsTheirRadiiSay)
   {
     const double r = 1.0 + part(random), s = 0.3 + part(random);
     const double distance = 1.3 * (r + s) * part(random);
-    // Polyhedra in the spheres: 0.6 % of the radius is what their faces are off at most.
+    // Polyhedra in the spheres: 0.6 % of the radius is the largest deviation of their faces.
     const double gap = std::min(std::abs(distance - r - s), std::abs(distance - std::abs(r - s)));
     if (gap < 0.02)
     {
@@ -165,7 +165,7 @@ TEST(ShellCrossings, TheSameShellTwiceIsFound)
   const auto turned = FindCrossing(InsideOut(sphere), sphere);
   ASSERT_TRUE(turned.has_value());
   EXPECT_TRUE(turned->Coincide);
-  // Whole cubes that face each other by a face, and a sheet with two sides, are no such shells.
+  // Cubes that share a face, and a two-sided sheet, are not crossing shells.
   EXPECT_FALSE(FindCrossing(Cube({ 0, 0, 0 }, 1.0), Cube({ 1.0, 0.0, 0.0 }, 1.0)).has_value());
   TriangleMesh sheet = sphere;
   sheet.Triangles.resize(sheet.Triangles.size() / 3);
@@ -296,7 +296,7 @@ TEST(ShellCrossings, FiltersNameThePlaceInWorldCoordinates)
     const std::string ofMesher = errorOf(mesher);
     EXPECT_TRUE(isThere(ofMesher)) << library << ": " << ofMesher;
   }
-  // What does not depend on an inside is measured all the same.
+  // Measures that do not depend on an inside are still computed.
   vtkNew<vtkSurfaceMeasures> measures;
   vtkNew<vtkTest::ErrorObserver> warned;
   measures->AddObserver(vtkCommand::WarningEvent, warned);

@@ -1,4 +1,4 @@
-// Byte order marks: every text reader skips that of UTF-8, and says what to do with UTF-16.
+// Byte order marks: every text reader skips that of UTF-8, and explains what to do with UTF-16.
 // Line ends: every text reader gives the same for LF, CR LF and CR.
 
 #include "Files/OpenByteSource.h"
@@ -54,7 +54,7 @@ std::string UTF16(const std::string& text, bool isLittle, bool hasMark)
   return wide;
 }
 
-/// Points, cells and complaints of a file.
+/// Points, cells and error messages for a file.
 struct Result
 {
   vtkIdType Points = 0;
@@ -404,7 +404,7 @@ TEST(TextSource, ListsWithCommasAreRead)
   EXPECT_EQ(colours->GetComponent(0, 1), 128.0);
 }
 
-/// Beyond the part that decides about the line ends, from any place to any other.
+/// Seeks beyond the part that determines the line ends, between arbitrary positions.
 TEST(TextSource, CarriageReturnsAreGivenAsNewlines)
 {
   std::string lines;
@@ -423,12 +423,12 @@ TEST(TextSource, CarriageReturnsAreGivenAsNewlines)
     ASSERT_EQ(source->Read(100000, read.data(), read.size()), read.size());
     EXPECT_EQ(read, lines.substr(100000, 50000));
   }
-  // A newline anywhere in the first part: returns are what they are.
+  // A newline anywhere in the first part: carriage returns are not converted.
   const TemporaryFile mixed("a\rb\r\n" + returns, "text");
   EXPECT_EQ(ReadAll(*OpenTextSource(mixed.Path())), "a\rb\r\n" + returns);
 }
 
-/// A tool that changes line ends changes raw bytes, too: no numbers may be made of them.
+/// A tool that changes line ends also changes raw bytes, which must not be read as numbers.
 TEST(TextSource, RawBytesAmongCarriageReturnsAreRefused)
 {
   const std::vector<Text> texts{
@@ -477,7 +477,7 @@ TEST(TextSource, IsTheContentAfterTheMark)
   {
     const TemporaryFile file(bytes, "text");
     const auto source = OpenTextSource(file.Path());
-    // From anywhere to anywhere, across the few bytes that are kept, and back to the beginning.
+    // Seeks between arbitrary positions, across the few buffered bytes, and back to the beginning.
     for (const auto& [offset, size] : std::vector<std::pair<std::size_t, std::size_t>>{
            { 0, 1 }, { 0, 7 }, { 1, 2 }, { 3, 100 }, { 299990, 10 }, { 0, 300000 }, { 2, 5 } })
     {

@@ -1,6 +1,6 @@
 // A small file of each format, cut at every byte: an error and an empty output, the data of the
-// whole file, or what the headers of the readers say of files that cannot be distinguished from
-// whole ones.
+// whole file, or, for files that cannot be distinguished from whole ones, what the readers' headers
+// state.
 
 #include "TemporaryFile.h"
 #include "vtkCombinatorialMeshReader.h"
@@ -37,7 +37,7 @@ using isthmus::testing::TemporaryFile;
 namespace
 {
 
-/// What a reader made of a file.
+/// The result of a reader for a file.
 struct Outcome
 {
   std::string Data; ///< points, cells and arrays as text
@@ -101,7 +101,7 @@ Outcome ReadWith(const std::string& path)
   return outcome;
 }
 
-/// What cut files may be besides errors and whole.
+/// Accepted results for truncated files other than an error or the complete data.
 enum Allowed : unsigned
 {
   Nothing = 0,
@@ -318,7 +318,7 @@ TEST(TruncatedFiles, AreErrorsOrWholeOrAsDocumented)
       }
     }
     EXPECT_GT(errors, 5u);
-    EXPECT_EQ(halves > 0, mayBeHalf); // what the headers say is so
+    EXPECT_EQ(halves > 0, mayBeHalf); // the statements of the headers are true
     EXPECT_EQ(shorter > 0, mayBeShorter);
   }
 }

@@ -48,7 +48,7 @@ for path in sorted(folder.iterdir()):
     image, refused = read(path)
     if image.GetNumberOfPoints() == 0 or image.GetPointData().GetScalars() is None:
         assert refused, path.name
-        print(f"{path.name:40s} is no map for the reader")
+        print(f"{path.name:40s} is refused by the reader")
         continue
     scalars = image.GetPointData().GetScalars()
     if scalars.GetNumberOfComponents() != 1:

@@ -1,7 +1,7 @@
 """How well vtkDenoiseMap denoises, beside the best that other filters can do.
 
 The parameters are chosen by the estimated risk, without the truth. Their rivals are tuned on each phantom
-itself, with the truth at hand.
+itself, with the true map known.
 """
 
 import isthmus

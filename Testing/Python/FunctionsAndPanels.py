@@ -9,7 +9,7 @@ import re
 import isthmus
 from isthmus import functions
 
-# Setters of classes that are no property of a panel, with the reason.
+# Setters of classes that are not properties of a panel, with the reason.
 NOT_IN_PANELS = {
     "Controller": "of MPI", "NumberOfThresholds": "by their list", "NumberOfSecondThresholds": "by their list",
     "PolarizedArrayName": "of the second input, which ParaView 5.11 offers no list for",

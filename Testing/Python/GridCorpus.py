@@ -6,7 +6,7 @@
 Each folder in it is a data set. Testing/Data/grid_corpus.txt lists those in the table of
 Readers/Maps/Agreement.md, and explains what does not agree.
 
-Compared are the numbers of nodes along x, y and z, all values bit by bit, the spacing, and where the first
+The comparison covers the numbers of nodes along x, y and z, all values bit by bit, the spacing, and where the first
 value lies. A quantity agrees if one of the other readers finds the same. Cells that are not orthogonal are read
 twice: with Keep Cell Axes for the values, and resampled for the place of the first value, which has to be a
 node with this value.

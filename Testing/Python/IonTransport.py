@@ -125,8 +125,8 @@ def said(change, warning=False, moving=False):
 # Each refusal has its sentence; what does not converge is kept and marked.
 closed = said(lambda it: it.SetProbeRadius(4.0))
 print(closed)
-assert "closes at (" in closed and "radius of -" in closed
-assert "closes at (" in said(lambda it: it.SetLumenRadius(0.0))
+assert "blocked at (" in closed and "radius of -" in closed
+assert "blocked at (" in said(lambda it: it.SetLumenRadius(0.0))
 assert "neutral" in said(lambda it: it.AddSpecies(2.0, 0.1, 0.0, 0.79))
 assert "called" in said(lambda it: it.SetSpeciesNames("K K"))
 assert "no ions" in said(lambda it: it.ClearSpecies())

@@ -123,8 +123,8 @@ def refused(*arguments):
     return ended.stdout + ended.stderr
 
 
-assert "give more --memory" in refused(source, target, "--memory", "0.401")
-assert "is no map that could be read" in refused(str(OUTPUT / "none.mrc"), target)
+assert "increase --memory" in refused(source, target, "--memory", "0.401")
+assert "is not a map that can be read" in refused(str(OUTPUT / "none.mrc"), target)
 done = Path(target + ".blocks")
 done.write_text('{"job": ["another map"], "sums": {}}')
 assert "remove it to start again" in refused(source, target)

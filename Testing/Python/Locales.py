@@ -27,7 +27,7 @@ def compile_locale(folder):
     with open(numbers, "w", encoding="ascii") as source:
         source.write('LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
     for words in (["-i", "de_DE", "-f", "UTF-8"], ["-i", numbers]):
-        # The exit status is 1 for warnings, too.
+        # The exit status is 1 for warnings as well.
         subprocess.run(["localedef", "--no-archive", "-c", *words, target],
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
         if os.path.exists(os.path.join(target, "LC_NUMERIC")):

@@ -35,7 +35,7 @@ BY_HAND = {
     "clean70SRibosome_vol_65p.mrc": ((65, 65, 65), (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)),
 }
 
-# Words of the sentence that each file which is no map must produce.
+# Words of the message that each file that is not a map must produce.
 REFUSED = {
     "sfftk_empty1.map": "the file is empty (0 bytes)",
     "test_data_corrupt_header.map": "34280108 bytes expected (header 1024, extended header 0, "

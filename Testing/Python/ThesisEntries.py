@@ -87,8 +87,8 @@ def check_server(mirror, folder):
     server.shutdown()
     server.server_close()
     lines = {line.split()[0]: line for line in said.splitlines()}
-    assert status == 1 and "what came is no PDB file" in lines["1PPL"], said
-    assert "what came is no packed map" in lines["EMD-1590"] and "404" in lines["1EJN"], said
+    assert status == 1 and "the download is not a PDB file" in lines["1PPL"], said
+    assert "the download is not a packed map" in lines["EMD-1590"] and "404" in lines["1EJN"], said
     assert "no way to" not in said and said.count("not fetched") == 3, said
     assert sorted(path.name for path in folder.iterdir()) == sorted(
         [name for name, _ in thesis_entries.ENTRIES.values()

@@ -10,6 +10,6 @@ def output_of(proxy, port=0):
 
 
 def stage_times(loops):
-    loops.UpdatePropertyInformation()  # the property is no part of the panel
+    loops.UpdatePropertyInformation()  # the property is not part of the panel
     times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
     return [times.GetAsDouble(stage) for stage in range(5)]

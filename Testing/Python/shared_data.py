@@ -1,4 +1,4 @@
-"""Where the tests find the real maps and proteins, which are not part of the repository."""
+"""The location of the real maps and proteins, which are not part of the repository."""
 
 import os
 import sys

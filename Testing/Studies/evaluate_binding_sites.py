@@ -24,7 +24,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import dijkstra
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import study_paths  # noqa: E402,F401 (before what is in Examples)
+import study_paths  # noqa: E402,F401 (before the modules of Examples)
 import apbs_potential  # noqa: E402
 import site_pipeline  # noqa: E402
 from output_folder import output_folder  # noqa: E402

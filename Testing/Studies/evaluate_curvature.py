@@ -56,7 +56,7 @@ def ellipsoid(axes, seed):
 
 def blobs(centers, deviation, level):
     """The distance, to first order, from a level set of a sum of Gaussians; exact on the surface.
-    Far from the surface, where the first order is meaningless, the slope has a lower bound."""
+    Far from the surface, where the first-order distance is meaningless, the slope has a lower bound."""
     def field(points):
         total, slope = 0.0, 0.0
         for center in centers:
@@ -216,7 +216,7 @@ def misses(row, level, correlation):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--shapes", help="part of the names of the shapes to take")
+    parser.add_argument("--shapes", help="part of the names of the shapes to use")
     parser.add_argument("--denoise", action="store_true", help="Denoise Map before the curvature")
     parser.add_argument("--short", action="store_true", help="two small shapes")
     options = parser.parse_args()

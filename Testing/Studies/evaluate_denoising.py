@@ -34,7 +34,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers what renders)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers the rendering classes)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
@@ -48,7 +48,7 @@ try:
 except ImportError:
     bm4d = None
 
-# Drawn with random.Random(38). Of EMD-5170 and the 70S ribosome one form is here and the other is not.
+# Drawn with random.Random(38). EMD-5170 and the 70S ribosome are each in only one of the two sets.
 ASIDE = {"map EMD-5043", "map EMD-1155", "map GroEL subunit", "map 70S", "model lysozyme 1.5 A",
          "model 1UBQ 4 A", "model ubiquitin 8.5 A", "phantom sharp 2", "phantom gyroid", "masked EMD-5170",
          "masked ubiquitin"}
@@ -389,7 +389,7 @@ def main():
     parser.add_argument("--slow", choices=("none", "one", "all"), default="none",
                         help="non-local means, BM4D and the family's oracle, for which rows")
     parser.add_argument("--halves", action="store_true", help="only simulated pairs of half maps, of noise 0.5")
-    parser.add_argument("--picture", type=Path, help="only the picture of Filters/Imaging/README.md, to this file")
+    parser.add_argument("--picture", type=Path, help="write only the picture of Filters/Imaging/README.md, to this file")
     options = parser.parse_args()
     if options.picture:
         picture(options.data, options.picture)

@@ -128,7 +128,7 @@ def main():
     generator = numpy.random.default_rng(2026)
     turned = [(positions - positions.mean(axis=0)) @ random_rotation(generator).T
               for _ in range(options.rotations)]
-    print("| surface | energy at 0.5, kcal/mol | at 0.25 | apart | outside nodes: "
+    print("| surface | energy at 0.5, kcal/mol | at 0.25 | difference | outside nodes: "
           + ", ".join(f"{100 * q:g} %" for q in QUANTILES) + " within, kT/e | within 0.5 | drift by rotation |")
     print("|---|---|---|---|---|---|---|")
     for surface in options.surfaces:

@@ -3,9 +3,9 @@ other programs.
 
 Usage: pvpython evaluate_solvation.py [--policies] [--molecules] [--picture] [FOLDER]
 
---policies: lysozyme (1HEW) at 0.7 angstrom by every policy of updating: updates, energies, their spread
-(two minutes). --molecules: small molecules beside APBS on the same grid, beside APBS' geometric flow, beside
-experiment; by the constants that alkanes gave, and by ones fitted with each left out (a minute). --picture:
+--policies: lysozyme (1HEW) at 0.7 angstrom with every update policy: updates, energies, their spread
+(two minutes). --molecules: small molecules compared with APBS on the same grid, APBS' geometric flow, and
+experiment; with the constants fitted to alkanes, and with constants fitted to all other molecules (a minute). --picture:
 figure 5.3 of the thesis, the potential on lysozyme's surfaces in the same colours, as
 solvation_potential.png in FOLDER (default: a temporary folder, which is
 printed). Without any of them: all. Prints Markdown. Reads the data from $ISTHMUS_DATA_DIR, else from ../shared/data
@@ -74,7 +74,7 @@ def policies():
 
 
 def apbs_polar(path):
-    """kcal/mol, its own molecular surface on nodes of the same spacing."""
+    """Energy in kcal/mol with APBS' molecular surface on a grid of the same spacing."""
     text = apbs_solvation.input_text((97, 97, 97), SPACING, "mol 1", SOLUTE, SOLVENT)
     return apbs_solvation.energy(path.read_text(), text, timeout=300)
 

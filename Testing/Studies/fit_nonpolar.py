@@ -36,7 +36,7 @@ def read_table(path):
             rows.append((path.parent / row[0].strip(), float(row[1])))
         except (IndexError, ValueError):
             if rows or number > 1:
-                raise SystemExit(f"{path}, line {number}: {','.join(row)!r} is no file and energy.") from None
+                raise SystemExit(f"{path}, line {number}: {','.join(row)!r} is not a file and an energy.") from None
     return rows
 
 

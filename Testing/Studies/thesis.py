@@ -10,9 +10,9 @@ and complex shapes".
 
 --fetch FOLDER  downloads the entries of PDB and EMDB that the thesis uses into FOLDER, with their checksums
     (thesis_entries.py); then WHAT, if anything is named, with these entries.
---entries FOLDER  takes 1MAG, 1PPL and the maps from FOLDER, where they are there, instead of stand-ins.
---pictures FOLDER  draws into FOLDER: Figure 5.6 (1PPL, else lysozyme), 5.7, 5.8 and the gallery of 4.7 where their maps
-    are there; without a screen, put xvfb-run -a in front.
+--entries FOLDER  takes 1MAG, 1PPL and the maps from FOLDER, if they exist, instead of substitutes.
+--pictures FOLDER  draws into FOLDER: Figure 5.6 (1PPL, else lysozyme), 5.7, 5.8 and the gallery of 4.7 if their maps
+    exist; without a screen, put xvfb-run -a in front.
 --page FILE  writes each table into the page FILE as well, between <!-- thesis.py WHAT --> and <!-- end -->.
 
 Data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone. If the entry used in the thesis is not available, the
@@ -78,7 +78,7 @@ ENTRIES = []  # the folder of fetched entries, if there is one
 
 
 def fetched(entry):
-    """The file of an entry of the PDB or EMDB; None where a stand-in is needed."""
+    """The file of an entry of the PDB or EMDB; None if a substitute is needed."""
     return thesis_entries.path_of(entry, ENTRIES[0]) if ENTRIES else None
 
 
@@ -90,7 +90,7 @@ def table(head, rows):
         "| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
 
 
-def beside(here, printed, form=".4g"):
+def comparison(here, printed, form=".4g"):
     """A table cell: the value, the value of the thesis, and their relative difference."""
     if not printed:
         return f"{here:{form}} ({'-' if printed is None else '0'})"
@@ -231,8 +231,8 @@ def memory():
             ("Fertility", 341924, 2385564, 125450, 1980912, 70098, 69438, 4),
             ("Neptune", 358647, 2498975, 133476, 2073588, 73622, 72695, 3)):
         euler = n0 - n1 + (4 * n3 + nb) // 2 - n3
-        rows.append((name, beside(4e-3 * (8.7 * n3 + nb), estimate, ".0f"),
-                     beside(4e-3 * (4 * n0 + 8 * n3 + nb), with_places, ".0f"),
+        rows.append((name, comparison(4e-3 * (8.7 * n3 + nb), estimate, ".0f"),
+                     comparison(4e-3 * (4 * n0 + 8 * n3 + nb), with_places, ".0f"),
                      f"{1 - euler} ({'-' if genus is None else genus})"))
     return table(("model", "the thesis' estimate, 4 (8.7 n3 + nb)", "tables and coordinates, 4 (4 n0 + 8 n3 + nb)",
                   "genus from the counts (from the text)"), rows) + [
@@ -249,10 +249,10 @@ def spheres():
     rows = []
     for square, frequency, area, volume in ((1, 10, 12.53, 4.16), (2, 14, 25.09, 11.81), (3, 17, 37.66, 21.72)):
         count, _, a, v, _ = measures(sphere(frequency, math.sqrt(square)))
-        rows.append((f"sqrt({square})", count, beside(a, area, ".2f"), f"{4 * math.pi * square:.2f}",
-                     beside(v, volume, ".2f"), f"{4 / 3 * math.pi * square ** 1.5:.2f}"))
+        rows.append((f"sqrt({square})", count, comparison(a, area, ".2f"), f"{4 * math.pi * square:.2f}",
+                     comparison(v, volume, ".2f"), f"{4 / 3 * math.pi * square ** 1.5:.2f}"))
     return table(("radius", "points", "area", "exact", "volume", "exact"), rows) + [
-        "", "Stand-ins for the thesis' spheres: icosahedra whose edges are cut into 10, 14, 17 parts, so that the "
+        "", "Substitutes for the thesis' spheres: icosahedra whose edges are cut into 10, 14, 17 parts, so that the "
         "areas agree. The first volume is 4.166: the thesis cut it off instead of rounding it."]
 
 
@@ -270,7 +270,7 @@ def statistics(area_rule, printed):
             values = points(out, name)
             average = numpy.average(values, weights=weights)
             spread = math.sqrt(numpy.mean((values - average) ** 2))
-            cells += [beside(average, mean, ".6f"), beside(spread, deviation, ".6f")]
+            cells += [comparison(average, mean, ".6f"), comparison(spread, deviation, ".6f")]
         rows.append((f"sqrt({square})", *cells))
     return table(("radius", "K, mean", "K, deviation", "H, mean", "H, deviation"), rows)
 
@@ -382,7 +382,7 @@ def area_rows(array, printed):
         else:  # an empty region between
             below, above, beyond = column(areas_between(array, (low, 1e9)), "Area")
             found = [below, 0.0, above + beyond]
-        rows.append((f"{low:g}, {high:g}", *(beside(a, b, ".1f") for a, b in zip(found, wanted)), f"{sum(found):.1f}"))
+        rows.append((f"{low:g}, {high:g}", *(comparison(a, b, ".1f") for a, b in zip(found, wanted)), f"{sum(found):.1f}"))
     return rows
 
 
@@ -415,7 +415,7 @@ def joint_areas():
     names = [found.GetColumnName(c) for c in range(found.GetNumberOfColumns())]
     columns = [column(found, name) for name in names if name.startswith("Potential")]
     printed = ((37.3, 172.9, 86.9), (72.3, 2887.8, 1554.7), (0.0, 21.6, 24.4))
-    rows = [(label, *(beside(columns[c][r], printed[r][c], ".1f") for c in range(3)))
+    rows = [(label, *(comparison(columns[c][r], printed[r][c], ".1f") for c in range(3)))
             for r, label in enumerate(("below -0.1", "-0.1 to 0.1", "above 0.1"))]
     sums = [sum(values) for values in columns]
     single = column(areas_between("Potential", (-1.0, 2.0)), "Area")
@@ -471,13 +471,13 @@ def crossings():
         grid.Update()
         places = vtk_to_numpy(grid.GetCrossings().GetPoints().GetData())
         found.append(numpy.abs(2.0 - numpy.linalg.norm(places, axis=1)).mean())
-        rows.append([f"{h:g}", len(places), beside(found[-1], printed, ".3e")])
+        rows.append([f"{h:g}", len(places), comparison(found[-1], printed, ".3e")])
     for row, here, theirs in zip(rows, orders(found), orders([7.985e-4, 2.651e-4, 7.265e-5, 1.979e-5])):
         row.append("" if math.isnan(here) else f"{here:.2f} ({theirs:.2f})")
     return table(("h", "crossings", "mean error", "order"), rows) + [
         "", "The error is that of the triangles, not of the grid: it does not decrease if only h is reduced. "
-        "Stand-ins: "
-        "icosahedral spheres whose triangles are refined with h; the thesis must have done the same."]
+        "Substitutes: icosahedral "
+        "spheres whose triangles are refined with h; the thesis must have done the same."]
 
 
 @reproduces("5.2", "Sharp area of a sphere (r = 2): error")
@@ -504,7 +504,7 @@ def sharp_areas():
         exact = 16.0 * math.pi
         strict = abs(h * h * normal[between].sum() - exact)
         error = abs(field(whole.GetOutput(), "Area") - exact)
-        rows.append((n, f"{h:g}", int((~between).sum()), beside(strict, printed, ".4g"), f"{error:.4g}"))
+        rows.append((n, f"{h:g}", int((~between).sum()), comparison(strict, printed, ".4g"), f"{error:.4g}"))
     return table(("nodes", "h", "crossings at nodes", "error without them", "error with them"), rows) + [
         "", "The thesis' test for a crossing (a product below 0) loses those at the six nodes that lie on the sphere, "
         "and with them 6 h^2. Without them the printed digits are reproduced; counting each is better."]
@@ -550,7 +550,7 @@ def graph_table(height, exact, printed):
     rows, found = [], []
     for n, *wanted in printed:
         found.append(graph_errors(height, exact, n))
-        rows.append([f"{n} x {n}", *(beside(a, b, ".3e") for a, b in zip(found[-1], wanted))])
+        rows.append([f"{n} x {n}", *(comparison(a, b, ".3e") for a, b in zip(found[-1], wanted))])
     for row, k, m in zip(rows, orders([r[1] for r in found]), orders([r[3] for r in found])):
         row += ["" if math.isnan(k) else f"{k:.2f}", "" if math.isnan(m) else f"{m:.2f}"]
     return table(("grid", "K, largest error", "K, rms", "H, largest error", "H, rms", "order of K", "of H"), rows)
@@ -599,7 +599,7 @@ def open_to_water(path, spacing):
 
 
 def gramicidin():
-    """1MAG, where it was fetched, else its stand-in 1GRM."""
+    """1MAG if it was downloaded, otherwise its substitute 1GRM."""
     return open_to_water(fetched("1MAG") or data("molecules/1grm_gramicidin_model1.pdb"), 0.35)
 
 

@@ -17,7 +17,7 @@ import urllib.request
 PDB = "https://files.rcsb.org/download/{name}"
 EMDB = "https://files.wwpdb.org/pub/emdb/structures/{id}/map/{name}"
 SECONDS = 60.0
-# {id: (name of its file, what it is in the thesis)}
+# {id: (name of its file, its use in the thesis)}
 ENTRIES = {
     "1HEW": ("1HEW.pdb", "lysozyme: chapters 4 and 5"),
     "1ADS": ("1ADS.pdb", "Figures 4.17 and 4.23"),
@@ -32,7 +32,7 @@ ENTRIES = {
         (1590, "chapter 4"), (1617, "Figures 4.2 and 4.7"), (5119, "Figures 4.2 and 4.7"),
         (5020, "Figure 5.8"), (5273, "Figure 5.7"))},
 }
-# Of the copies that the page was made with; of the others there were none.
+# Checksums of the copies used for the page; the other entries were not available.
 RECORDED = {
     "1HEW": "6c164082deb21262d63948c2ffa0c68157d5032f12922204459251d1c0d63541",
     "2KIX": "c0fc81a3bc5c1e3d8a02f4f810dd8061ed09ca85917b825828ca76676b1c348a",
@@ -85,7 +85,7 @@ def download(entry, folder, base):
     except (urllib.error.URLError, TimeoutError) as error:
         raise ConnectionError(f"{url}: {getattr(error, 'reason', error)}") from error
     if not is_whole(name, content):
-        raise OSError(f"{url}: what came is no {'packed map' if name.endswith('.gz') else 'PDB file'}")
+        raise OSError(f"{url}: the download is not a {'packed map' if name.endswith('.gz') else 'PDB file'}")
     part = folder / (name + ".part")
     part.write_bytes(content)
     part.replace(folder / name)
@@ -122,7 +122,7 @@ def fetch(folder, base=None, entries=None):
     write_lock(folder, sums)
     if len(reasons.get(True, [])) == len(entries or ENTRIES):
         print(f"There is no way to {base or 'the archives'} from here: connect to a network, or name a mirror or folder "
-              "by --from URL. thesis.py takes the stand-ins that it names.")
+              "by --from URL. thesis.py uses the substitutes that it names.")
     return 1 if failed else 0
 
 

@@ -25,7 +25,7 @@ import numpy
 NEAR, SUCCESS, SPACING, AROUND = 3.0, 4.0, 8.0, 10.0  # angstrom
 LEAST = 0.01  # of the largest density, for a site
 PER_FAMILY, FOLDS = 4, 5
-PLACES = (150, 350)  # of each complex that take part: at most so many right ones and wrong ones
+PLACES = (150, 350)  # of each complex that take part: the largest number of right ones and of wrong ones
 REACHES, TREES = (5.0, 6.0, 7.0), (80, 160)
 SHIPPED = 6.0, 160  # kernel's reach (PocketSites.h) and number of trees
 PARAMETERS = {"objective": "binary", "num_leaves": 12, "learning_rate": 0.06, "min_data_in_leaf": 200,

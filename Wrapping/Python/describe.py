@@ -5,7 +5,7 @@
 
 Reads the panels (Plugin/*.xml), the lists of classes (CMakeLists.txt of the modules) and the examples of
 docstrings (function_examples.txt) of the tree SOURCE, and writes into the folder PACKAGE
-filters.json, which functions.py makes functions of, __init__.py with the names of the classes, and stubs
+filters.json, from which functions.py creates the functions, __init__.py with the names of the classes, and stubs
 (__init__.pyi) for editors and type checkers.
 
 A keyword is the name of the property in snake_case.
@@ -22,7 +22,7 @@ import output_arrays
 # Commands of panels that differ from the setters of the class, which Python calls.
 PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetScaleOnly": "SetScale", "SetRangeOnly": "SetRange",
                   "SetThresholdOnly": "SetThreshold", "SetNamedInputArray": "SetInputArrayToProcess"}
-# Proxies of the same class under another name, of ParaView's own readers, and those that are no filter of ours.
+# Proxies of the same class under another name, of ParaView's own readers, and those that are not filters of Isthmus.
 SKIPPED = {"MRCSeriesReader", "DensityMapReader", "pdbreader", "xyzreader", "TrajectoryReader"}
 # Names of proxies that differ from those of their class without a reason for Python.
 RENAMED_PROXIES = {"MRCMapReaderOfOneFile": "MRCMapReader", "DatVolumeReader": "VolumeTextReader"}
@@ -76,13 +76,13 @@ def array_property(element, described):
 
 
 def default_values(element):
-    """As text: those of the property, or of its hint where the data propose others (IsthmusInitialization.cxx)."""
+    """The default values as text: those of the property, or of its hint if values are proposed from the data (IsthmusInitialization.cxx)."""
     hint = element.find("./Hints/DefaultWithoutData")
     return hint.get("values") if hint is not None else element.get("default_values")
 
 
 def describe_property(element):
-    """None for what cannot be set."""
+    """None for values that cannot be set."""
     name, command = element.get("name"), element.get("command") or ""
     if element.get("information_only") == "1" or name in NOT_PROPERTIES or not command:
         return None
@@ -124,7 +124,7 @@ def describe_property(element):
             values = numbers(default, kind)
             described["default"] = (values or [kind(0)])[0] if count == 1 else values
             if element.find("ArrayRangeDomain") is not None or element.find("BoundsDomain") is not None:
-                described["from_input"] = True # the panel proposes a value by the input
+                described["from_input"] = True # the panel proposes a value from the input
     return described
 
 

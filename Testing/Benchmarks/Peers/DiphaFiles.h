@@ -1,7 +1,6 @@
 /**
  * @file DiphaFiles.h
- * @brief Volumes and persistence diagrams in DIPHA's format, as programs of others read and write
- * them.
+ * @brief Volumes and persistence diagrams in DIPHA's format, as other programs read and write them.
  *
  * Format: U. Bauer, M. Kerber, J. Reininghaus, DIPHA, README: 64-bit little-endian integers (magic
  * 8067171840, type 1 image data, number of values, number of axes, sizes; or type 2 persistence
@@ -72,7 +71,7 @@ inline DiphaImage ReadDiphaImage(const std::string& name)
   ReadRaw(file, header, 7, name);
   if (header[0] != DiphaMagic || header[1] != 1 || header[3] != 3)
   {
-    throw std::runtime_error(name + " is no volume in DIPHA's format.");
+    throw std::runtime_error(name + " is not a volume in DIPHA's format.");
   }
   DiphaImage image{ { header[4], header[5], header[6] }, {} };
   image.Values.resize(static_cast<std::size_t>(header[2]));
@@ -99,7 +98,7 @@ inline DiphaPairs ReadDiphaPairs(const std::string& name)
   ReadRaw(file, header, 3, name);
   if (header[0] != DiphaMagic || header[1] != 2)
   {
-    throw std::runtime_error(name + " is no persistence diagram in DIPHA's format.");
+    throw std::runtime_error(name + " is not a persistence diagram in DIPHA's format.");
   }
   DiphaPairs pairs(static_cast<std::size_t>(header[2]));
   ReadRaw(file, pairs.data(), pairs.size(), name);

@@ -3,7 +3,7 @@
  * @brief Persistence pairs of any of TTK's triangulations by its Discrete Morse Sandwich
  * (P. Guillou, J. Vidal, J. Tierny, IEEE Trans. Visualization and Computer Graphics, 2023).
  *
- * For programs that are no part of Isthmus: it needs TTK's base layer (1.2 or newer).
+ * For programs outside of Isthmus: it needs TTK's base layer (1.2 or newer).
  */
 #ifndef isthmus_TTKPairs_h
 #define isthmus_TTKPairs_h
@@ -18,7 +18,7 @@
 namespace isthmus::testing
 {
 
-/// Those that last, by value; what never ends dies at infinity.
+/// Pairs of positive persistence, by value; classes that never end die at infinity.
 template <typename Triangulation>
 DiphaPairs TTKPairs(Triangulation& triangulation, const std::vector<double>& values, int threads)
 {

@@ -1,6 +1,6 @@
 /**
  * @file TetrahedraFiles.h
- * @brief Tetrahedral meshes with a value at each point, as programs of others are given them.
+ * @brief Tetrahedral meshes with a value at each point, as input of other programs.
  *
  * Little-endian: 64-bit integers (magic 7453010314, number of points, number of tetrahedra), three
  * doubles for each point, a double for each point's value, four 64-bit ids from 0 for each

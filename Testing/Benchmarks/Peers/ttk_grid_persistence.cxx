@@ -2,7 +2,7 @@
 // grid, one thread: ttk_grid_persistence IN.complex OUT.diagram, both in DIPHA's format
 // (DiphaFiles.h).
 //
-// No part of Isthmus: it needs TTK's base layer.
+// Not part of Isthmus: it needs TTK's base layer.
 
 #include "TTKPairs.h"
 

@@ -4,7 +4,7 @@
 // two numbers, the CPU and the wall seconds of preconditioning, gradient and pairing, files not
 // among them. One thread unless more are asked for.
 //
-// No part of Isthmus: it needs TTK's base layer.
+// Not part of Isthmus: it needs TTK's base layer.
 
 #include "TTKPairs.h"
 #include "TetrahedraFiles.h"

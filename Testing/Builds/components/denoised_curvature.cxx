@@ -1,5 +1,5 @@
 // denoised_curvature MAP: a map, denoised, with the curvature of its level sets at the nodes. The
-// other classes are made only, so that their libraries are linked.
+// other classes are only instantiated, so that their libraries are linked.
 
 #include <vtkDenoiseMap.h>
 #include <vtkHessianCurvature.h>

@@ -1,6 +1,6 @@
 /**
  * @file Inputs.h
- * @brief The inputs that the cases of ResultDigests share, each made when it is first used.
+ * @brief The inputs that the cases of ResultDigests share, each created on first use.
  */
 #ifndef isthmus_digests_Inputs_h
 #define isthmus_digests_Inputs_h

@@ -1,4 +1,4 @@
-// Readers and writers. What has no file among the shared data is written first.
+// Readers and writers. Formats without a file in the shared data are written first.
 
 #include "Cases.h"
 #include "vtkCombinatorialMeshReader.h"

@@ -98,7 +98,7 @@ vtkSmartPointer<vtkPolyData> Molecule()
   return molecule;
 }
 
-/// The numbers of the atoms that are kept, as the array AtomId has carried them along.
+/// Ids of the selected atoms in the input, from the array AtomId.
 std::vector<int> KeptAtomIds(const std::function<void(vtkAtomSelection*)>& set)
 {
   vtkNew<vtkAtomSelection> filter;
@@ -169,7 +169,7 @@ TEST(AtomSelection, BondsOfKeptAtomsStayWithTheirArrays)
   auto* output = vtkPolyData::SafeDownCast(filter->GetOutput());
   ASSERT_NE(output, nullptr);
   ASSERT_EQ(output->GetNumberOfVerts(), 2);
-  ASSERT_EQ(output->GetNumberOfLines(), 1); // not the one to the glycine
+  ASSERT_EQ(output->GetNumberOfLines(), 1); // without the bond to the glycine
   vtkDataArray* cells = output->GetCellData()->GetArray("Cell");
   // Of the input: vertices 8 and 9; bonds 12 to 15 in the glycine, 16 in the heme, 17 in the
   // ligand.

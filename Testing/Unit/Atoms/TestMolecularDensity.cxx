@@ -107,7 +107,8 @@ double SquaredDistance(const std::array<double, 3>& a, const std::array<double, 
 
 TEST(MolecularDensity, VolumeOfOneBallConverges)
 {
-  // Off the grid's symmetry; the error of counting nodes falls about as h^1.5 or faster.
+  // Balls at positions without symmetry on the grid: the error of counting nodes falls as h^1.5 or
+  // faster.
   const std::vector<Ball> ball{ { { 0.123, 0.456, 0.789 }, 2.0 } };
   const double exact = 4.0 / 3.0 * Pi * 8.0;
   double worst = 1.0;
@@ -128,7 +129,7 @@ TEST(MolecularDensity, VolumeOfTwoBallsLessTheirLens)
   const std::vector<Ball> balls{ { { 0.1, 0.2, 0.3 }, r }, { { 0.1 + d, 0.2, 0.3 }, r } };
   const double lens = Pi * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
   const double exact = 2.0 * 4.0 / 3.0 * Pi * r * r * r - lens;
-  // Paddings that keep the centers off the nodes, where the counts of symmetric nodes jump
+  // Paddings that place the centers between nodes; on nodes, symmetric nodes would change sides
   // together.
   const double found = Make(balls, Form::Union, 0.05, { 0.31, 0.17, 0.23 }).Integral();
   EXPECT_NEAR(found / exact, 1.0, 1e-3);
@@ -136,7 +137,8 @@ TEST(MolecularDensity, VolumeOfTwoBallsLessTheirLens)
 
 TEST(MolecularDensity, IntegralOfGaussians)
 {
-  // The sum over a grid of a Gaussian is its integral to far below the terms left out.
+  // The sum over a grid of a Gaussian equals its integral with an error far below the neglected
+  // terms.
   for (const double decay : { 1.0, 2.3, 5.0 })
   {
     const std::vector<Ball> balls{ { { 0.1, 0.2, 0.3 }, 1.7 }, { { 2.0, 0.4, 0.1 }, 1.2 } };
@@ -167,7 +169,7 @@ TEST(MolecularDensity, EveryNodeIsTheSumOverAllBalls)
       in = in || q <= 1.0;
       near = near || std::abs(q - 1.0) < 1e-12;
     }
-    // At most 300 terms of 1e-6 are left out, in truth a dozen.
+    // The bound: at most 300 neglected terms of 1e-6; actually about a dozen.
     ASSERT_NEAR(sum.Values[node], expected, 2e-5 + 1e-6 * expected) << node;
     ASSERT_TRUE(near || inside.Values[node] == (in ? 1.0F : 0.0F)) << node;
     ones += in ? 1 : 0;
@@ -215,7 +217,7 @@ TEST(MolecularDensity, GridHoldsBallsAndPadding)
   EXPECT_EQ(grid.Dimensions, (std::array<std::int64_t, 3>{ 31, 17, 13 }));
   // Not a multiple of the spacing: rounded up.
   EXPECT_EQ(GridAroundBalls(balls, 0.7, { 0.0, 0.0, 0.0 }).Dimensions[0], 20);
-  // Two nodes at least, and no more where two hold everything.
+  // At least two nodes along an axis, and no more if two suffice.
   for (const double radius : { 0.0, 0.1, 0.5 })
   {
     EXPECT_EQ(GridAroundBalls({ { { 1.0, 2.0, 3.0 }, radius } }, 1.0, { 0.0, 0.0, 0.0 }).Dimensions,
@@ -228,7 +230,8 @@ TEST(MolecularDensity, AnyRadiusIsSafe)
   std::vector<Ball> balls{ { { 0.0, 0.0, 0.0 }, 1.5 }, { { 0.5, 0.0, 0.0 }, 0.0 } };
   const Volume volume = Make(balls, Form::Gaussians, 0.5);
   balls.pop_back();
-  EXPECT_EQ(Make(balls, Form::Gaussians, 0.5).Values, volume.Values); // radius 0 leaves no trace
+  EXPECT_EQ(
+    Make(balls, Form::Gaussians, 0.5).Values, volume.Values); // an atom of radius 0 has no effect
   for (const double tiny : { 1e-300, 1e-200, 1e-10 })
   {
     const Volume spike = Make({ { { 0.0, 0.0, 0.0 }, tiny } }, Form::Gaussians, 0.5);
@@ -298,7 +301,7 @@ TEST(MolecularDensity, ReportsBadInput)
   bad = sound;
   bad[0].Radius = -1.0;
   EXPECT_NE(saidOf(MakeAtoms(bad)).find("The radius of atom 0 is -1"), std::string::npos);
-  bad[0].Radius = 0.25; // as small as it likes
+  bad[0].Radius = 0.25; // arbitrarily small
   EXPECT_EQ(saidOf(MakeAtoms(bad)), "");
   bad[0].Radius = std::nan("");
   EXPECT_NE(saidOf(MakeAtoms(bad)).find("1 of 2 atoms have no radius"), std::string::npos);

@@ -126,7 +126,7 @@ isthmus::Point3 Corner(const isthmus::CartoonMesh& mesh, std::size_t polygon, st
     mesh.Corners[static_cast<std::size_t>(mesh.Offsets[polygon] + k)])];
 }
 
-/// The share of polygons whose corners turn as their normals point.
+/// Fraction of polygons whose orientation agrees with their normals.
 double ShareFacingOutward(const isthmus::CartoonMesh& mesh)
 {
   double outward = 0.0;
@@ -146,7 +146,7 @@ double ShareFacingOutward(const isthmus::CartoonMesh& mesh)
   return outward / all;
 }
 
-/// Largest height above z = 0 of the polygons of an item, or lowest.
+/// Largest or smallest z of the polygons of an item.
 std::set<std::int64_t> ItemsBetween(const isthmus::CartoonMesh& mesh, double low, double high)
 {
   std::set<std::int64_t> items;
@@ -264,7 +264,7 @@ TEST(MoleculeCartoon, HelixIsAClosedRibbonAroundItsAxis)
   EXPECT_GT(ShareFacingOutward(mesh), 0.99);
   std::set<std::int64_t> items(mesh.Items.begin(), mesh.Items.end());
   EXPECT_EQ(items.size(), 20U);
-  // Every edge of the tube has two polygons, apart from those of the lids, which have rings of
+  // Every edge of the tube has two polygons, apart from edges of the caps, which have points of
   // their own.
   std::map<std::pair<std::int64_t, std::int64_t>, int> edges;
   for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
@@ -280,7 +280,7 @@ TEST(MoleculeCartoon, HelixIsAClosedRibbonAroundItsAxis)
   }
   const auto open =
     std::count_if(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 2; });
-  EXPECT_EQ(open, 4 * 12); // both ends: the ring of the tube, and that of its lid
+  EXPECT_EQ(open, 4 * 12); // both ends: the ring of the tube, and that of its cap
   double most = 0.0;
   for (const isthmus::Point3& p : mesh.Points)
   {
@@ -310,7 +310,7 @@ TEST(MoleculeCartoon, ChainsOfOneNameOrTwoAreNotJoined)
   Atoms atoms = Helix(5, "A");
   for (NamedAtom atom : Helix(5, "B"))
   {
-    atom.Place[2] += 7.5; // where chain A would go on
+    atom.Place[2] += 7.5; // where the next residue of chain A would be
     atoms.push_back(atom);
   }
   const auto residues = ResiduesOfAll(atoms);

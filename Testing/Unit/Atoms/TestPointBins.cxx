@@ -1,4 +1,4 @@
-// Points near a place, beside a search through all of them.
+// Points near a position, compared with a search through all points.
 
 #include "Atoms/PointBins.h"
 
@@ -55,7 +55,7 @@ void ExpectAllNear(const std::vector<Point3>& points, double size, double reach)
       });
     EXPECT_EQ(std::set<std::int64_t>(found.begin(), found.end()), expected);
     EXPECT_EQ(found.size(), expected.size());
-    // Ranges of Order() have them all, and each position once.
+    // The ranges of Order() contain each point exactly once.
     std::vector<std::int64_t> inRanges;
     bins.NearRanges(place, reach,
       [&](std::size_t first, std::size_t last)

@@ -1,6 +1,6 @@
 /**
  * @file BruteForceIncidence.h
- * @brief What the cells of a mesh say of its incidences, with no darts and no code shared with the
+ * @brief Incidences computed from the cells alone, without darts and without code shared with the
  * map.
  */
 #ifndef isthmus_BruteForceIncidence_h
@@ -21,7 +21,7 @@ using Numbers = std::set<std::int64_t>;
 using Pair = std::pair<std::int64_t, std::int64_t>;
 using Corners = std::vector<std::int64_t>; // ascending
 
-/// What the cells say, with no darts and no shared code.
+/// Incidences computed from the cells alone.
 struct BruteForce
 {
   std::map<Pair, Numbers> CellsOfEdge;
@@ -49,7 +49,8 @@ struct BruteForce
     this->LookAtFaces();
   }
 
-  /// How many pieces the cells around an edge make, those with a common face there being one.
+  /// Number of components of the cells around an edge, where cells are adjacent if they share a
+  /// face at the edge.
   std::size_t FansOfEdge(const Pair& edge) const
   {
     const Numbers& cells = this->CellsOfEdge.at(edge);
@@ -90,8 +91,8 @@ struct BruteForce
     return euler;
   }
 
-  /// Whether the boundary is no surface: more than two faces at an edge, or several fans at a
-  /// vertex, which shows as more edges than one fan of its faces has.
+  /// Whether the boundary is not a manifold: more than two faces at an edge, or several fans at a
+  /// vertex, which then has more edges than a single fan of its faces.
   bool IsPinched() const
   {
     std::map<Pair, int> facesOfEdge;
@@ -190,7 +191,7 @@ private:
   std::map<Corners, std::vector<Pair>> Sides;
 };
 
-/// The faces at an edge that a cell has, by their corners: two, found without darts.
+/// The two faces of a cell that meet at an edge, by their corners; found without darts.
 inline std::set<Corners> FacesAtEdge(const BruteForce& truth, const Pair& edge, std::int64_t cell)
 {
   std::set<Corners> faces;

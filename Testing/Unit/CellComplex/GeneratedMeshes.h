@@ -99,7 +99,7 @@ inline void AddHexahedron(GeneratedMesh& mesh, const Cube& c)
   mesh.Add(Hexahedron, { c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7] });
 }
 
-/// Two prisms that stand on z, split along the diagonal from corner 0 to corner 2.
+/// Two prisms with axes along z, split along the diagonal from corner 0 to corner 2.
 inline void AddPrisms(GeneratedMesh& mesh, const Cube& c)
 {
   mesh.Add(Prism, { c[0], c[1], c[2], c[4], c[5], c[6] });

@@ -1,6 +1,6 @@
 /**
  * @file GridFixtures.h
- * @brief Small vtkUnstructuredGrids of every cell type that the topology filters take.
+ * @brief Small vtkUnstructuredGrids of every cell type that the topology filters accept.
  */
 #ifndef isthmus_GridFixtures_h
 #define isthmus_GridFixtures_h

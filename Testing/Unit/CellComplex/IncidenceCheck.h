@@ -22,7 +22,7 @@
 namespace isthmus::testing
 {
 
-/// The number in a handle, in the type that brute force counts with.
+/// The id in a handle, in the integer type of the brute-force search.
 template <typename Handle>
 std::int64_t Number(Handle handle)
 {
@@ -87,7 +87,8 @@ void CheckFanOrder(const Map& map, const BruteForce& truth, const Pair& ends,
   const std::vector<typename Map::Dart>& fan)
 {
   std::size_t fans = 0;
-  Corners first, ahead; // of the fan at hand: where it began, where the last cell was left
+  Corners first,
+    ahead; // of the current fan: its first dart, and the dart by which the last cell was left
   const auto isBorder = [&truth](const Corners& face)
   { return truth.CellsOfFace.at(face).size() == 1; };
   for (const auto dart : fan)
@@ -115,7 +116,7 @@ void CheckEdges(const Map& map, const BruteForce& truth)
   const auto& edges = map.Edges();
   using Id = typename Map::IdType;
   ASSERT_EQ(edges.Size(), truth.CellsOfEdge.size());
-  auto expected = truth.CellsOfEdge.begin(); // std::map is in the order that edges must have
+  auto expected = truth.CellsOfEdge.begin(); // std::map is sorted in the required order of edges
   for (std::size_t e = 0; e < edges.Size(); ++e, ++expected)
   {
     const typename Map::Edge edge(static_cast<Id>(e));

@@ -43,7 +43,7 @@ void FreeCounted(void* memory) noexcept
 
 }
 
-// Every new of this program, so that nothing the map allocates goes unseen.
+// Replaces operator new, so that all allocations of the map are counted.
 void* operator new(std::size_t size)
 {
   return AllocateCounted(size);
@@ -102,7 +102,7 @@ TEST(CombinatorialMapMemory, TablesHaveNoSlackAndThePeakIsLow)
   auto bytes = Report(map);
   EXPECT_EQ(bytes["Cv2V"] + bytes["H2D"] + bytes["V2D"] + bytes["B2D"], tables);
   EXPECT_LE(bytes["Runs"] + bytes["Types"] + bytes["Umbrellas"], 8000u);
-  // What the process holds more, cell types copied from the list included.
+  // Increase of the process' memory, including cell types copied from the list.
   EXPECT_LE(held - before, tables + 20000);
   EXPECT_LE(static_cast<double>(peak - before), 2.5 * static_cast<double>(tables));
   RecordProperty("PeakOverTables",
@@ -115,7 +115,7 @@ TEST(CombinatorialMapMemory, OptionalTablesHaveTheirDocumentedSize)
 {
   const GeneratedMesh mesh = Tetrahedra(10);
   const Map map(mesh.List());
-  EXPECT_EQ(Report(map).count("E2D"), 0u); // built when first asked for
+  EXPECT_EQ(Report(map).count("E2D"), 0u); // built on first use
   const std::size_t n0 = map.NumberOfVertices(), n1 = map.Edges().Size(), n2 = map.Faces().Size();
   auto bytes = Report(map);
   EXPECT_EQ(bytes["E2D"], 4 * n1);

@@ -1,4 +1,4 @@
-// vtkCombinatorialMap: every relation against the cells as VTK has them, and against its transpose.
+// vtkCombinatorialMap: every relation compared with VTK's cells, and with its transpose.
 
 #include "GridFixtures.h"
 #include "vtkCombinatorialMap.h"
@@ -38,7 +38,7 @@ Ids SortIds(Ids ids)
 
 using Pairs = std::set<std::pair<vtkIdType, vtkIdType>>;
 
-/// The relation as pairs, each turned round on request.
+/// The relation as pairs, each reversed on request.
 Pairs Relation(Map* map, int from, int to, bool turned)
 {
   vtkNew<vtkIdTypeArray> offsets, ids;
@@ -99,7 +99,7 @@ void CheckStarsAndCells(Map* map, vtkUnstructuredGrid* grid)
     [map](vtkIdType i) { return SortIds(Incident(map, Map::Face, i, Map::Vertex)); });
 }
 
-/// Consecutive cells around an edge have a face at it in common.
+/// Consecutive cells around an edge share a face that contains the edge.
 void CheckFans(Map* map)
 {
   for (vtkIdType e = 0; e < map->GetNumber(Map::Edge); ++e)
@@ -241,8 +241,8 @@ TEST(CombinatorialMapQueries, RefuseInvalidIds)
     "no edge 10000", [&] { EXPECT_TRUE(Incident(map, Map::Edge, 10000, Map::Cell).empty()); });
   refuses("no vertex -1", [&] { EXPECT_TRUE(Incident(map, Map::Vertex, -1, Map::Cell).empty()); });
   refuses("no kind 6", [&] { EXPECT_EQ(map->GetNumber(6), 0); });
-  refuses(
-    "Neighbours of one kind", [&] { EXPECT_TRUE(Incident(map, Map::Edge, 0, Map::Edge).empty()); });
+  refuses("neighbours of their own kind",
+    [&] { EXPECT_TRUE(Incident(map, Map::Edge, 0, Map::Edge).empty()); });
   vtkNew<vtkIdTypeArray> darts;
   refuses("no beta_4", [&] { map->GetBeta(4, darts); });
   GridPointer twice = MakeGrid(Tetrahedra(1));

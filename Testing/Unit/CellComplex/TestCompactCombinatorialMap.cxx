@@ -78,7 +78,7 @@ TEST(CompactCombinatorialMap, BytesOfATypeMatchItsTables)
     {
       faces += sizeof(std::vector<int>) + face.size() * sizeof(int);
     }
-    // Darts, those of faces and of vertices; one more offset than there are of either.
+    // Darts, those of faces and of vertices; offsets have one entry more.
     const std::size_t least = sizeof(CellType) + (darts + 1) * sizeof(CellType::Dart) + faces +
       (2 * darts + static_cast<std::size_t>(type->NumberOfFaces() + type->NumberOfVertices() + 2)) *
         sizeof(CellType::Local);

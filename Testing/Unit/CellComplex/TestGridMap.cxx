@@ -22,7 +22,7 @@ namespace
 using namespace isthmus;
 using namespace isthmus::testing;
 
-/// What VTK finds across each face of each cell, if it shares all points with one other cell.
+/// The neighbour that VTK finds across each face of each cell, if there is one.
 template <typename Map>
 void CheckAgainstVTK(const Map& map, const GridCells& cells, vtkUnstructuredGrid* grid)
 {

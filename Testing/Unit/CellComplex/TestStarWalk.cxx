@@ -1,5 +1,5 @@
-// The parts a walk around a vertex is made of, each against the standard library, and stars that
-// outgrow the first memory of a walk.
+// The building blocks of a walk around a vertex, compared with the standard library, and stars that
+// exceed the initial buffer of a walk.
 
 #include "CellComplex/EdgeTable.h"
 #include "CellComplex/StarTable.h"
@@ -30,7 +30,7 @@ void SetsAgree()
   {
     ours.Clear();
     std::set<Id> expected;
-    // Few ids often, and in some rounds more than the first memory holds.
+    // Few ids many times, and in some rounds more than the initial buffer holds.
     const int count = round % 20 == 0 ? 5000 : 60;
     std::uniform_int_distribution<Id> any(0, static_cast<Id>(count));
     for (int i = 0; i < 2 * count; ++i)
@@ -92,7 +92,7 @@ GeneratedMesh Umbrella(std::int64_t count, bool whole)
   return mesh;
 }
 
-/// The same with a prism on the last cell's face: not only tetrahedra, so walked the general way.
+/// The same with a prism on the last cell's face: not only tetrahedra, so the general walk is used.
 GeneratedMesh WithPrism(GeneratedMesh mesh)
 {
   const auto n = static_cast<std::int64_t>(mesh.Points.size());
@@ -128,7 +128,7 @@ TEST(StarWalk, AgreesWithTheListWhereStarsAreLarge)
           expected.push_back(map.GetCell(dart).Value);
         }
         ASSERT_EQ(cells, expected) << count << " cells, vertex " << v;
-        // Both ways find the same darts in the same order.
+        // Both walks find the same darts in the same order.
         ASSERT_EQ(walked.size(), generally.size());
         EXPECT_TRUE(std::equal(walked.begin(), walked.end(), generally.begin()));
       }

@@ -69,8 +69,8 @@ TEST(TetCutaway, RemovesTheRequestedNumber)
   }
 }
 
-// Cubes beside each other by a face: in breadth-first order from a corner none goes before one
-// with fewer steps, so what goes is connected, and n + 1 cells are n and another.
+// Cubes beside each other by a face: removed in breadth-first order from a corner, by number of
+// steps; so the removed part is connected, and the first n + 1 cells are the first n and another.
 TEST(TetCutaway, RemovesTheNearestFirst)
 {
   constexpr int side = 5;

@@ -1,6 +1,6 @@
 /**
  * @file BeadShapes.h
- * @brief Beads joined by waisted struts: every neck's place and girth are known.
+ * @brief Beads joined by struts with a waist: position and circumference of each neck are known.
  */
 #ifndef isthmus_BeadShapes_h
 #define isthmus_BeadShapes_h
@@ -73,7 +73,7 @@ struct BeadShape
     return value;
   }
 
-  /// The surface, cells of side `h` at most, in a box that nothing touches.
+  /// The surface, with cells of side at most `h`, in a box that the shape does not touch.
   TriangleMesh Surface(double h) const
   {
     Bounds3 box{ this->Centers.front(), this->Centers.front() };
@@ -211,7 +211,8 @@ inline BeadShape Honeycomb(int rows, double neck)
   return shape;
 }
 
-/// A closed tube along a curve over [0, 1], `Thick` but for a waist, `Thin`, at `Waist`.
+/// A closed tube along a curve over [0, 1], of radius `Thick` with a waist of radius `Thin` at
+/// `Waist`.
 struct Tube
 {
   std::function<Point3(double)> Curve;
@@ -239,7 +240,7 @@ inline TriangleMesh TubeSurface(const Tube& tube, int along, int across)
     const Point3 t = tangent(static_cast<double>(i) / along);
     normals.push_back(unit(normals.back() - Dot(normals.back(), t) * t));
   }
-  // What the frame has turned by when it comes round is taken back evenly.
+  // The rotation of the frame after one round is distributed evenly along the curve.
   const Point3 side = Cross(tangent(0.0), normals.front());
   const double twist = std::atan2(Dot(normals.back(), side), Dot(normals.back(), normals.front()));
   for (int i = 0; i < along; ++i)

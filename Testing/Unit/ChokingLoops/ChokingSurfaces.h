@@ -33,7 +33,7 @@ inline TriangleMesh ReadOFF(const std::string& path)
 {
   std::ifstream in(path);
   std::string line;
-  const auto next = [&in, &line] { // colours at the end of a line are nobody's business
+  const auto next = [&in, &line] { // colours at the end of a line are ignored
     std::getline(in, line);
     return std::istringstream(line);
   };
@@ -205,7 +205,7 @@ inline TriangleMesh Torus(double large, double small, int around, int across)
   return mesh;
 }
 
-/// What a selection holds, by side and kind.
+/// Numbers of selected features by side and kind.
 template <typename Loops, typename Selection>
 std::array<int, 4> CountFeatures(const Loops& loops, const Selection& selection)
 {

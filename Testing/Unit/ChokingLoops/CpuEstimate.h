@@ -1,7 +1,7 @@
 /**
  * @file CpuEstimate.h
- * @brief What an analysis of choking loops is told to take, by a clock that other work does not
- * touch.
+ * @brief The predicted cost of an analysis of choking loops, measured in CPU time, which other load
+ * does not affect.
  */
 #ifndef isthmus_CpuEstimate_h
 #define isthmus_CpuEstimate_h
@@ -13,8 +13,8 @@
 namespace isthmus::testing
 {
 
-/// Of this process, all its threads and what it has started (TetGen), so that what else runs does
-/// not count.
+/// CPU time of this process, all its threads and its children (TetGen); other processes do not
+/// count.
 inline double CpuSeconds()
 {
   double seconds = 0.0;
@@ -30,7 +30,7 @@ inline double CpuSeconds()
   return seconds;
 }
 
-/// What was told of an analysis, as it would have been told by a clock of CPU time.
+/// The estimates of an analysis, converted from wall time to CPU time.
 class CpuEstimate
 {
 public:
@@ -58,7 +58,7 @@ public:
 
   AnalysisCost Last;
   double Began = 0.0;     ///< the last round
-  double Corrected = 0.0; ///< what was told at last instead of Last.Seconds; 0: nothing
+  double Corrected = 0.0; ///< the last estimate, instead of Last.Seconds; 0: none
 };
 
 }

@@ -1,6 +1,7 @@
 /**
  * @file LoopChecks.h
- * @brief Are reported loops what they are said to be? Checked without the library's homology.
+ * @brief Checks that reported loops have the claimed properties. Checked without the library's
+ * homology.
  */
 #ifndef isthmus_LoopChecks_h
 #define isthmus_LoopChecks_h
@@ -182,7 +183,7 @@ inline double LinkingNumber(const std::vector<Point3>& a, const std::vector<Poin
   return sum / (4.0 * M_PI);
 }
 
-/// True for polygons whose boxes are apart: a plane parts them, and they are not linked.
+/// True for polygons whose boxes are disjoint: a plane separates them, so they are not linked.
 inline bool AreApart(const std::vector<Point3>& a, const std::vector<Point3>& b)
 {
   Bounds3 boxA{ a.front(), a.front() };
@@ -197,7 +198,7 @@ inline bool AreApart(const std::vector<Point3>& a, const std::vector<Point3>& b)
   return apart;
 }
 
-/// Linking number mod 2 of two families of loops; -1 when the integral is no integer.
+/// Linking number mod 2 of two families of loops; -1 if the integral is not an integer.
 inline int LinkingParity(
   const std::vector<std::vector<Point3>>& a, const std::vector<std::vector<Point3>>& b)
 {
@@ -270,7 +271,7 @@ inline Bits Intersections(ChokingLoops& loops, const std::vector<std::size_t>& r
  * In space, a class c of M bounds inside if and only if c pushed inward links no loop of M pushed
  * outward (Alexander duality), and bounds outside if and only if, pushed outward, it is not linked
  * by any pushed inward. Handles and tunnels together generate H1(M) once they are independent, so
- * these are the loops to try.
+ * testing these loops suffices.
  */
 inline void ExpectGenerators(ChokingLoops& loops, std::size_t genus)
 {

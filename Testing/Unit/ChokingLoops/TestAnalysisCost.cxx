@@ -1,5 +1,5 @@
-// What an analysis is said to take: counts against shapes of known genus, bytes against the peak
-// that the kernel tells, seconds in CPU time, whose unit is a stage of the same run.
+// The predicted cost of an analysis: counts for shapes of known genus, bytes against the peak that
+// the kernel reports, CPU seconds relative to a stage of the same run.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/LoopDrawing.h"
@@ -62,7 +62,7 @@ TEST(AnalysisCost, ReusesTheCostOfTheRoundBefore)
   second.LearnFrom(first, 9.0); // 4.5 triangulations
   EXPECT_DOUBLE_EQ(second.After(4.0).Seconds, 18.0);
   EXPECT_EQ(second.Bytes, usual.Bytes);
-  // From one that was not even triangulated there is nothing to learn.
+  // An analysis that was not even triangulated provides no estimate.
   AnalysisCost third = usual;
   third.LearnFrom(EstimateCost(Torus(1.0, 0.3, 30, 20)), 9.0);
   EXPECT_EQ(third.After(1.0).Seconds, usual.After(1.0).Seconds);
@@ -125,7 +125,7 @@ TEST(FeatureDrawing, SampleIsSpreadOverAll)
     {
       EXPECT_EQ(sorted[i], i) << "each once";
     }
-    // One in each of as many equal parts.
+    // One in each of equal parts.
     for (std::size_t i = 0; i < sample; ++i)
     {
       EXPECT_GE((order[i] + 1) * sample, i * count);
@@ -155,7 +155,8 @@ TEST(FeatureDrawing, ReportsOnceAndDrawsTheRest)
     EXPECT_EQ(among.Lengths, alone.Lengths);
     EXPECT_EQ(among.Extra, alone.Extra);
   }
-  // All is drawn: nothing to do, nothing to tell. As they come is another drawing.
+  // All loops are drawn: nothing to compute, nothing to report. Loops without shortening are a
+  // separate drawing.
   DrawFeatures(loops, chosen, 1000, drawn, tell);
   EXPECT_EQ(reported.size(), 1U);
   DrawFeatures(loops, { chosen.front() }, 0, drawn, tell);
@@ -180,7 +181,8 @@ TEST(AnalysisCost, ReportedBeforeAndAfterTriangulation)
 
 TEST(AnalysisCost, BytesAreWithinAFactorOfTwo)
 {
-  TriangleMesh mesh = Torus(1.0, 0.3, 600, 200); // 120,000 points: the heap before is small to it
+  TriangleMesh mesh =
+    Torus(1.0, 0.3, 600, 200); // 120,000 points: the heap before it is small in comparison
   for (Point3& p : mesh.Points)
   {
     p = (1.0 + 0.05 * std::sin(5.0 * p[0] + 3.0 * p[1]) * std::cos(4.0 * p[1] - p[2])) * p;

@@ -1,4 +1,4 @@
-// Round a wire that runs through a neck, what closes the way is an annulus: one feature with two
+// Round a wire that runs through a neck, the membrane is an annulus: one feature with two
 // loops, one on the neck and one on the wire.
 
 #include "BeadShapes.h"
@@ -21,7 +21,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// What the filter tells of one feature.
+/// What the filter reports for one feature.
 struct ReportedFeature
 {
   int Kind = 0;
@@ -121,7 +121,7 @@ private:
 
 constexpr double NeckRadius = 0.4;
 constexpr double WireRadius = 0.12;
-constexpr double OffAxis = 0.05; ///< so that the ball has one place to pass
+constexpr double OffAxis = 0.05; ///< so that the ball can pass at one place only
 
 /// Widest at 1.2 beside the waist at 0, closed at 1.9.
 double WireAt(double z)
@@ -193,9 +193,9 @@ TEST(AnnularMembranes, RoundAWireThatGoesThrough)
   EXPECT_EQ(shown.FieldValue("NumberOfTunnels"), 1.0);
 }
 
-// A tube with a waist, closed to a ring, and a wire in it that is closed to a ring, too. Of the
-// four classes of the two tori's loops, two bound in the space between them, each together with
-// its like: round the tube, and along it. The handle at the waist is an annulus.
+// A tube with a waist, closed to a ring, and a wire in it that is closed to a ring as well. Of the
+// four classes of the two tori's loops, each bounds in the space between them together with its
+// counterpart: round the tube, and along it. The handle at the waist is an annulus.
 TEST(AnnularMembranes, RoundAWireClosedToARing)
 {
   const auto circle = [](double shift)

@@ -1,5 +1,5 @@
-// On every shared surface: what the filter counts, draws and lists agrees, and each loop is long
-// enough for the ball in it and without sharp corners.
+// On every shared surface: the filter's counts, loops and tables agree; each loop is long enough to
+// enclose its ball, and has no sharp corners.
 
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/SurfacePaths.h"
@@ -28,7 +28,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// What is told of each feature in the loops.
+/// What the loops report for each feature.
 struct ReportedFeature
 {
   int Kind = 0;
@@ -75,7 +75,7 @@ std::map<int, ReportedFeature> CollectReported(vtkPolyData* loops)
   return reported;
 }
 
-/// Loops, membranes, choke points, diagram and field data tell one story.
+/// Loops, membranes, choke points, diagram and field data are consistent.
 void ExpectAgreement(vtkChokingLoops* filter, const std::map<int, ReportedFeature>& reported)
 {
   vtkPolyData* loops = filter->GetOutput();
@@ -185,7 +185,7 @@ private:
 /// A loop turns by more than 60 degrees only where the surface itself bends by three quarters of
 /// that, or where the samples are too far apart for the ball to cut it: straight on, a path over an
 /// edge turns by no more than the edge does, and by somewhat more at a point where several meet.
-/// Where the samples are no nearer to each other than the ball is wide, nothing is asked.
+/// Nothing is required where the distance of samples exceeds the ball's diameter.
 void ExpectNoCorners(const SurfaceEdges& edges, const std::vector<Point3>& loop,
   const ReportedFeature& reported, int feature)
 {

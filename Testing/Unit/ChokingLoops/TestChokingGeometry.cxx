@@ -68,7 +68,8 @@ TEST(ChokingGeometry, NeckOfAHyperboloid)
             << usual.Length << ", " << fine.Length << "\n";
 }
 
-// Through the tube a ball of its radius, through the hole one of the inner equator's.
+// A ball of the tube's radius passes the tube; a ball of the inner equator's radius passes the
+// hole.
 TEST(ChokingGeometry, TubeAndHoleOfATorus)
 {
   ChokingLoops loops(Torus(1.0, 0.3, 120, 40));

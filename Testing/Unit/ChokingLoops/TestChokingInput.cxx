@@ -1,5 +1,5 @@
-// What vtkChokingLoops says to surfaces that it can't take, and that nothing but the shape matters
-// to those that it can.
+// Messages of vtkChokingLoops for surfaces that it refuses; for others, the result depends on the
+// shape alone.
 
 #include "ChokingSurfaces.h"
 #include "LongTests.h"
@@ -134,7 +134,7 @@ TEST(ChokingInput, AcceptsSmallAndLargeSurfaces)
 
 TEST(ChokingInput, DoesNotDependOnUnits)
 {
-  // Powers of two, by which nothing is rounded: the smallest and the largest that are in range.
+  // Powers of two, which cause no rounding: the smallest and the largest that are in range.
   const TriangleMesh ring = Torus(1.0, 0.3, 60, 40);
   const auto radii = [&ring](double factor)
   {
@@ -265,7 +265,8 @@ std::vector<double> Numbers(vtkPolyData* data)
 TEST(ChokingInput, DoesNotDependOnThreads)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/Kitten.off");
-  // So coarse that its generators must be completed from tetrahedra; refined where it is blurred.
+  // So coarse that its generators must be completed from tetrahedra, and that uncertain regions are
+  // refined.
   const std::array<std::pair<TriangleMesh, double>, 2> cases{ { { ReadSurface("Kitten.off"), 1e30 },
     { TangleCube(30), 0.0 } } };
   for (const auto& [mesh, spacing] : cases)
@@ -345,7 +346,7 @@ struct InvariantCase
 {
   const char* File;
   double Spacing; ///< 0: automatic
-  int Turn;       ///< among the long cases, which take turns; -1: always
+  int Turn;       ///< among the long cases, of which each run does a share; -1: always
 };
 
 std::ostream& operator<<(std::ostream& out, const InvariantCase& c)
@@ -357,8 +358,8 @@ class Invariance : public ::testing::TestWithParam<InvariantCase>
 {
 };
 
-// Of all features that the samples settle. What they do not settle, as in the thin walls of casting
-// with automatic spacing, is said to be not trusted and may come out otherwise: hence its spacing.
+// Of all features that are certain at the given sampling. Uncertain features, as in the thin walls
+// of casting with automatic spacing, are marked as not trusted and may differ: hence its spacing.
 TEST_P(Invariance, DoesNotDependOnOrderOrRotation)
 {
   const InvariantCase& c = GetParam();

@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Counts, SharedSurface,
     Expected{ "skull_low_resolution.obj", 100, 10, 2, -1, -1 },
     Expected{ "65004.stl", 100, 10, 2, -1, -1 }, Expected{ "botijo.off", 100, 10, 5, -1, -1 },
     Expected{ "elk.off", 100, 10, 1, -1, -1 }, Expected{ "fertility.off", 100, 10, 4, -1, -1 },
-    Expected{ "casting.off", 100, 10, 9, -1, -1 },  // thin walls: these two take generators from
+    Expected{ "casting.off", 100, 10, 9, -1, -1 }, // thin walls: these two complete generators from
     Expected{ "1514499.stl", 100, 10, 15, -1, -1 }, // tetrahedra, see GeneratorCompletion
     Expected{ "129110__sf.obj", 100, 10, 24, -1, -1 },
     Expected{ "emd_5043.obj", 100, 5, 36, -1, -1 }),
@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Counts, SharedSurface,
 
 // Table 6.1 of the thesis at its own thresholds (the largest radius and the least persistence, in
 // percent of the reference length inside: A12 of the specification): additional loops inside by the
-// thesis, and here. The thesis' meshes are not these; a third more or less of the persistence gives
-// its counts.
+// thesis, and here. The thesis used other meshes; a persistence that is a third larger or smaller
+// gives its counts.
 TEST(ChokingLoops, Table61)
 {
   struct Row
@@ -238,7 +238,7 @@ TEST(ChokingLoops, CubeHasNone)
   EXPECT_TRUE(loops.Select(Percent(100, 5)).empty());
 }
 
-/// A crossing surface is repaired and that is told, or refused with the same words.
+/// A self-intersecting surface is repaired, or refused, with a message that contains `words`.
 bool IsCorrected(TriangleMesh mesh, const std::string& words)
 {
   try

@@ -1,4 +1,4 @@
-// vtkChokingLoops as it is steered: what is not computed again, how it stops, how it tells.
+// vtkChokingLoops under control of an application: caching, abort, progress.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/ChokingLoopsOutput.h"
@@ -101,8 +101,7 @@ private:
   vtkNew<vtkTest::ErrorObserver> Observer, Pipeline;
 };
 
-// The times of an analysis are as good as a fingerprint: a second one would not take the same
-// nanoseconds in all of its stages.
+// Times identify an analysis: a second one would not take the same nanoseconds in all stages.
 TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/soccerball.obj");
@@ -135,7 +134,7 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
   EXPECT_EQ(steered.Times(), first);
   EXPECT_EQ(steered.Count("NumberOfShownFeatures"), 5);
   EXPECT_EQ(steered.Count("NumberOfFeatures"), 31 + 1);
-  // And the opposite, lest the times never change at all.
+  // Also the converse: a new analysis has other times.
   loops->SetSampleSpacing(1.0);
   steered.Run();
   EXPECT_NE(steered.Times(), first);
@@ -264,7 +263,7 @@ TEST(ChokingLoopsFilter, ProgressOnlyMovesForward)
   EXPECT_TRUE(std::is_sorted(steered.ProgressSeen.begin(), steered.ProgressSeen.end()));
   ASSERT_FALSE(steered.ProgressSeen.empty());
   EXPECT_LE(steered.ProgressSeen.back(), 1.0);
-  // It moves: no step takes a third of the bar, and few reports stand still.
+  // Progress advances: no step is a third of the whole, and few reports repeat a value.
   const auto distinct = std::set<double>(steered.ProgressSeen.begin(), steered.ProgressSeen.end());
   EXPECT_GT(distinct.size(), steered.ProgressSeen.size() / 2);
   for (std::size_t i = 1; i < steered.ProgressSeen.size(); ++i)
@@ -273,7 +272,7 @@ TEST(ChokingLoopsFilter, ProgressOnlyMovesForward)
   }
 }
 
-/// Stopped at every tenth of the bar: empty outputs, no message; then a full run.
+/// Aborted at every tenth of the progress: empty outputs, no message; then a full run.
 void ExpectStops(FilterUnderTest& steered)
 {
   for (double stop = 0.0; stop < 0.995; stop += 0.1)
@@ -281,7 +280,7 @@ void ExpectStops(FilterUnderTest& steered)
     steered.Run(stop);
     EXPECT_TRUE(steered.Empty()) << "stopped at " << stop;
     EXPECT_FALSE(steered.HasReported()) << "stopped at " << stop;
-    // What had been done can't be told apart: the next run starts from what is kept.
+    // The next run starts from the cached stages, so its result is the same.
     steered.Loops->SetSampleSpacing(steered.Loops->GetSampleSpacing() + 1e-9);
   }
   steered.Run();
@@ -305,7 +304,7 @@ TEST(ChokingLoopsFilter, StopsWhileTetGenRuns)
   ExpectStops(steered);
 }
 
-// Anywhere on the bar. By the fraction: how many reports there are depends on their time.
+// At any progress. By the fraction: how many reports there are depends on their time.
 TEST(ChokingLoopsFilter, StopsAnywhere)
 {
   const TriangleMesh torus = Torus(1.0, 0.3, 60, 20);

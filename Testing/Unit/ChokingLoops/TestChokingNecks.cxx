@@ -1,4 +1,4 @@
-// Every neck of a shape has its loop, at its place, as tight as it gets, and none has two.
+// Every neck of a shape has exactly one loop, at its position and of its circumference.
 
 #include "BeadShapes.h"
 #include "ChokingLoops/ChokingLoopsOutput.h"
@@ -69,7 +69,7 @@ struct FeatureLoops
   std::vector<ShownFeature> Shown;
 };
 
-/// What holds of any feature; `areSmooth`: and on a surface without sharp edges.
+/// Checks that hold for any feature; with `areSmooth` also those for surfaces without sharp edges.
 void ExpectTight(const FeatureLoops& analysed, bool areSmooth = true)
 {
   for (const ShownFeature& shown : analysed.Shown)
@@ -93,7 +93,7 @@ void ExpectTight(const FeatureLoops& analysed, bool areSmooth = true)
   }
 }
 
-/// One loop at each neck, of its girth, and no other inside.
+/// One loop at each neck, of its circumference, and no other inside.
 void ExpectLoops(const FeatureLoops& analysed, const std::vector<Neck>& necks, SpaceSide side)
 {
   std::vector<int> met(necks.size(), 0);
@@ -289,7 +289,7 @@ double Apart(const std::vector<Point3>& a, const std::vector<Point3>& b)
   return farthest;
 }
 
-/// Of those drawn, no two coincide; what is shared is another's, and belongs to both.
+/// No two drawn loops coincide; a loop marked as shared belongs to two features.
 void ExpectConsistentSharing(const FeatureLoops& analysed)
 {
   for (const ShownFeature& shown : analysed.Shown)
@@ -315,9 +315,9 @@ void ExpectConsistentSharing(const FeatureLoops& analysed)
   }
 }
 
-// A blob is only a bump in the wall of 14: what parts it from the next is a section of the wall,
-// and the shortest closed path round that section is one length by symmetry, wherever it is. It
-// runs through a narrowing of either ring, so that it stands for both.
+// In the wall of 14 blobs, each is only a bump: a section of the wall separates it from the next,
+// and by symmetry the shortest closed path round that section has the same length everywhere. It
+// passes a narrowing of either ring, and represents both.
 TEST(ChokingNecks, ClosedWindows)
 {
   const FeatureLoops analysed(ClosedWindows());

@@ -1,5 +1,5 @@
-// How finely a surface is sampled, and where more finely, by the lengths of the edges; and that
-// what a finer sampling everywhere leaves is not sampled again.
+// The sampling density of a surface and its local refinement, by the lengths of the edges; regions
+// that a uniformly finer sampling does not resolve are not refined again.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/SurfacePreparation.h"
@@ -16,7 +16,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// The longest edge of those whose middle is so near to `center`.
+/// The longest edge whose midpoint is within the given distance of `center`.
 double LongestEdge(const TriangleMesh& mesh, const Point3& center = {}, double reach = HUGE_VAL)
 {
   double longest = 0.0;
@@ -33,7 +33,7 @@ double LongestEdge(const TriangleMesh& mesh, const Point3& center = {}, double r
   return longest;
 }
 
-/// So many places round a torus that ask for edges of `length`.
+/// The given number of places round a torus that require edges of `length`.
 std::vector<Refinement> Places(std::size_t count, double length)
 {
   std::vector<Refinement> places;
@@ -119,7 +119,7 @@ TEST(ChokingSamples, ManyUnresolvedPlacesAreLeft)
   const double finest = 0.216 * 0.08;
   std::vector<Refinement> places = Places(ManyPlaces + 2, 0.5 * finest);
   EXPECT_TRUE(Refined(samples, places, 0.08, finest).Points.empty());
-  // Half of them can be settled; then one less.
+  // Half of them can be refined; then one fewer.
   for (std::size_t i = 0; i < places.size() / 2; ++i)
   {
     places[i].EdgeLength = 1.01 * finest;
@@ -134,7 +134,7 @@ TEST(ChokingSamples, ManyUnresolvedPlacesAreLeft)
 
 TEST(ChokingSamples, ThinRodsStartWithFewSamples)
 {
-  // As thick as a hair of their spacing, and a hundred times that: needles take up to 100,000
+  // Far thinner than the spacing, and a hundred times as thick: needles take up to 100,000
   // points.
   const auto rod = [](double radius)
   {

@@ -1,6 +1,6 @@
-// Do counts survive noise, rotation, refinement and simplification? Two cheap surfaces once for
-// each way of disturbing them; of the sixteen pairs of a surface and a way, another one ten times
-// at each turn (LongTests.h); with ISTHMUS_LONG_TESTS=1 all of them fifty times (half an hour).
+// Do counts survive noise, rotation, refinement and simplification? Two small surfaces once for
+// each kind of perturbation; of the sixteen pairs of surface and perturbation, one ten times in
+// each run (LongTests.h); with ISTHMUS_LONG_TESTS=1 all of them fifty times (half an hour).
 
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
@@ -42,8 +42,8 @@ std::vector<double> Bars(const ChokingLoops& loops, SpaceSide side)
 }
 
 /// The largest gap of a side's diagram: of the bars in descending order, 0 being the last, the two
-/// neighbours whose difference is largest. What is above their mean counts. A gap narrower than a
-/// hundredth of the side's reference length is none; then nothing may rise above that.
+/// neighbours whose difference is largest. Bars above the mean of these two are counted. A gap
+/// below a hundredth of the reference length does not count; then no bar may be longer than that.
 struct Gap
 {
   double Threshold;
@@ -184,19 +184,19 @@ TriangleMesh MakeSurface(const std::string& name)
 {
   const bool tangle = name == "tangle";
   const TriangleMesh mesh = tangle ? TangleCube(IsLong() ? 60 : 30) : ReadSurface(name);
-  // Level sets have slivers, which cross as soon as they are touched.
+  // Level sets have slivers, which intersect after the smallest perturbation.
   return tangle || name == "emd_5043.obj"
     ? RemeshSurface(mesh, { MeanEdgeLength(mesh), 180.0, 5 }).Mesh
     : mesh;
 }
 
-/// Runs whose counts stayed those of the undisturbed surface.
+/// Runs with the same counts as the undisturbed surface.
 struct Tally
 {
   int Runs = 0;
-  int Same = 0;          ///< each diagram parted at its own largest gap
+  int Same = 0;          ///< each diagram split at its own largest gap
   int SameThreshold = 0; ///< all at that of the undisturbed one
-  int Redrawn = 0;       ///< draws that crossed themselves
+  int Redrawn = 0;       ///< perturbed surfaces that intersect themselves
 };
 
 void Disturb(const TriangleMesh& mesh, Way way, unsigned seed, int runs, Tally& tally)

@@ -1,5 +1,6 @@
-// TetGen's mesh for handles and tunnels is made beside other work: the same as when it is waited
-// for; TetGen ends with the object; an abort and TetGen's errors reach the one who takes the mesh.
+// TetGen's mesh for handles and tunnels is computed concurrently: the result is the same as without
+// concurrency; TetGen ends with the object; an abort and TetGen's errors reach the caller that
+// takes the mesh.
 
 #include "ChokingLoops/GeneratorCompletion.h"
 #include "ChokingSurfaces.h"

@@ -1,5 +1,4 @@
-// Corners cut off a curve that is held at two points of a cylinder: unrolled, all of it is plane
-// geometry.
+// Corner cutting of a curve with two fixed points on a cylinder; unrolled, this is plane geometry.
 
 #include "BeadShapes.h"
 #include "ChokingLoops/LoopShortening.h"
@@ -62,7 +61,8 @@ public:
   int MiddleRing() const { return (this->Rings - 1) / 2; }
   double RingHeight(int rings) const { return 6.0 * rings / (this->Rings - 1); }
 
-  /// Once round from (angle 0, z 0): half way at z 0, `rings` rings up, on round, and down again.
+  /// Once around from (angle 0, z 0): half of it at z 0, `rings` rings up, on round, and down
+  /// again.
   std::vector<SimplexId> Stair(int rings) const
   {
     std::vector<SimplexId> loop;
@@ -87,7 +87,7 @@ public:
     return loop;
   }
 
-  /// Where the stair's foot is, and its head on the other side.
+  /// The lower end of the staircase, and its upper end on the opposite side.
   std::array<SimplexId, 2> Ends(int rings) const
   {
     return { static_cast<SimplexId>(this->Id(0, this->MiddleRing())),
@@ -99,8 +99,8 @@ public:
   TriangleMesh Mesh;
 };
 
-/// Held at foot and head: two straight ways, pi wide and `Height` (about 2) high, with a corner at
-/// each end.
+/// Fixed at both ends: two straight lines, pi wide and `Height` (about 2) high, that meet in
+/// corners.
 struct HeldStair
 {
   HeldStair(int n, double shift = 0.0)
@@ -165,7 +165,7 @@ TEST(CornerCutting, MeasuresWithoutCutting)
     EXPECT_EQ(measured.Crossings[i].HalfEdge, stair.Curve.Crossings[i].HalfEdge);
     EXPECT_EQ(measured.Crossings[i].Fraction, stair.Curve.Crossings[i].Fraction);
   }
-  // Nor where the corners are not too sharp.
+  // No cut either where the corners are not sharp.
   const SurfaceCurve kept = CutCorners(stair.Surface, stair.Curve, stair.Turn() + 0.1, 0.3);
   EXPECT_EQ(kept.Length, stair.Curve.Length);
   EXPECT_EQ(kept.Pins.size(), 2U);
@@ -252,8 +252,7 @@ TEST(CornerCutting, DoesNotDependOnUnitOrDirection)
   EXPECT_NEAR(other.SharpestBend, cut.SharpestBend, 0.05);
 }
 
-// Where another pin stands next to one, there is no room to cut, and none is: the curve passes
-// both.
+// Between two adjacent fixed points there is no room for a cut: the curve passes both.
 TEST(CornerCutting, KeepsPinsThatAreNeighbours)
 {
   const HeldStair stair(96);

@@ -1,5 +1,5 @@
-// Shortest loops round a choke, held against a search that knows of no homology: on a torus, how
-// often a walk goes round either way is seen from the angles of its points.
+// Shortest loops round a choke, compared with a search without homology: on a torus, the winding
+// numbers of a walk follow from the angles of its points.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingSurfaces.h"
@@ -19,7 +19,7 @@ namespace
 constexpr double Large = 1.0;
 constexpr double Small = 0.3;
 
-/// A torus turned and moved, whose points are somewhat off it; its analysis adds none.
+/// A torus turned and moved, whose points are slightly perturbed; its analysis adds no points.
 struct RoughTorus
 {
   explicit RoughTorus(bool isTurned = false, double unit = 1.0)
@@ -43,11 +43,11 @@ struct RoughTorus
   ChokingLoops Analyse() const
   {
     ChokingLoopParameters parameters;
-    parameters.SampleSpacing = 1e3; // no edge is as long
+    parameters.SampleSpacing = 1e3; // longer than any edge
     return ChokingLoops(this->Mesh, parameters);
   }
 
-  /// How far an edge goes round the hole, and round the tube, in turns.
+  /// Angle of an edge round the hole and round the tube, in turns.
   std::array<double, 2> Turns(SimplexId a, SimplexId b) const
   {
     const auto angles = [this](SimplexId i)
@@ -103,7 +103,8 @@ double ShortestWinding(const RoughTorus& torus, SimplexId base, std::size_t axis
     };
     return std::abs(angle(a) - angle(b)) > M_PI ? 1U : 0U;
   };
-  using State = std::pair<SimplexId, unsigned>; // a point, and which cuts were crossed oddly
+  using State =
+    std::pair<SimplexId, unsigned>; // a point, and which cuts were crossed an odd number of times
   std::map<State, double> known;
   std::priority_queue<std::pair<double, State>, std::vector<std::pair<double, State>>,
     std::greater<>>
@@ -219,8 +220,8 @@ TEST(EncirclingLoops, AreWithinTheLimitShortestFirst)
   {
     lengths.push_back(LengthOfLoop(loops.Samples(), membrane.Loops[0]));
   }
-  // What goes to and fro at the ends of a walk is taken off it, so that it is shorter than it was
-  // when it was put in order.
+  // Edges traversed back and forth at the ends of a walk are removed, so the walk may be shorter
+  // than when it was queued.
   EXPECT_LE(lengths.front(), *std::min_element(lengths.begin(), lengths.end()) + 1e-12);
   EXPECT_TRUE(loops.ComputeEncirclingMembranes(handle, 0.99 * lengths.front()).empty());
   const std::vector<Membrane> some =
@@ -279,7 +280,7 @@ TEST(EncirclingLoops, AreMissingWhereNothingBounds)
   EXPECT_TRUE(loops.ComputeEncirclingMembranes(neck, 100.0).empty());
 }
 
-// Straight from each contact to the next, where the ball touches all round.
+// Straight from each contact to the next, if the ball has contacts all round.
 TEST(ContactLoop, PassesAllPointsWhereTheBallTouches)
 {
   const RoughTorus torus;

@@ -1,5 +1,5 @@
 // Handles, tunnels and narrowings by both filtrations of Choking Loops, on tori and necklaces whose
-// values are known and on shared surfaces; three of the thirty at each turn (LongTests.h).
+// values are known and on shared surfaces; three of the thirty in each run (LongTests.h).
 
 #include "BeadShapes.h"
 #include "ChokingSurfaces.h"
@@ -26,7 +26,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// What a surface is known to have.
+/// Known features of a surface.
 struct KnownValues
 {
   std::array<double, 2> Polyhedron; ///< radii of the handle and of the tunnel
@@ -222,7 +222,7 @@ void ExpectAgreement(const SurfaceCase& c)
       EXPECT_TRUE(!b.Trusted || b.Uncertainty < b.Radius) << c.Name;
     }
   }
-  // What the mesh finds beside them and trusts is there.
+  // Other trusted features of the mesh filtration exist.
   for (const Found& b : onMesh[2])
   {
     const bool isThere = std::any_of(delaunay[2].begin(), delaunay[2].end(),

@@ -27,8 +27,8 @@ using namespace isthmus::testing;
 namespace
 {
 
-// An octahedron around v: f = (v, a, b) between c above and d below, which enter last; the way
-// round from a to b leads over p or over q.
+// An octahedron around v: f = (v, a, b) between c above and d below, which enter last; the path
+// from a to b passes p or q.
 constexpr SimplexId V = 0, A = 1, B = 2, C = 3, D = 4, P = 5, Q = 6;
 
 TriangleMesh Hull()
@@ -92,7 +92,7 @@ TEST(GreedyGrowth, PathIsTheCheapestByLengthAndDistance)
   EXPECT_EQ(byLength->Steps, 1U);
   EXPECT_NEAR(byLength->Cost, 0.5 * Way(Q), 1e-12); // q is nearer than p
   EXPECT_LT(Way(Q), Way(P));
-  // p is farther by 0.9 in length: as much deeper q may lie.
+  // The path over p is longer by 0.9, so q may be deeper by as much.
   const double detour = Way(P) - Way(Q);
   EXPECT_NEAR(GrowthInOneRing(0.0, 0.99 * detour)->Cost, 0.5 * (Way(Q) + 0.99 * detour), 1e-12);
   EXPECT_NEAR(GrowthInOneRing(0.0, 1.01 * detour)->Cost, 0.5 * Way(P), 1e-12);
@@ -105,7 +105,7 @@ TEST(GreedyGrowth, TakesOnlyEarlierTriangles)
   EXPECT_FALSE(GrowthInOneRing(2.0, 2.0));
 }
 
-/// The filter on a surface and a mesh of its inside; the analysis is made once.
+/// The filter on a surface and a mesh of its inside; the analysis is computed once.
 class Membranes
 {
 public:

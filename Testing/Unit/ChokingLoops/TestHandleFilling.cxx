@@ -208,7 +208,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh)
   return data;
 }
 
-/// What the filter says of `surface`; empty: nothing.
+/// The filter's message for `surface`; empty if there is none.
 std::string RecordError(vtkPolyData* surface, double below, double thickness = 0.25)
 {
   vtkNew<vtkHandleFilling> filter;
@@ -300,8 +300,8 @@ TEST(HandleFilling, DoesNotDependOnOrientation)
   EXPECT_NEAR(SignedVolume(one.Mesh), SignedVolume(other.Mesh), 1e-3);
 }
 
-// A round hole is filled by triangles of which many are equally good; which of them CGAL took was
-// decided by addresses.
+// A round hole is filled by triangles of which many are equally good; CGAL's choice among them
+// depended on memory addresses.
 TEST(HandleFilling, DoesNotDependOnAddresses)
 {
   for (const int count : { 36, 53, 100 })

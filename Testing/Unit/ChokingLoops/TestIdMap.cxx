@@ -1,4 +1,4 @@
-// The table of what is known of some ids, against std::map.
+// A table of values by id, compared with std::map.
 
 #include "ChokingLoops/SurfacePaths.h"
 #include "Core/Handles.h"
@@ -18,7 +18,7 @@ using Id = Handle<struct Tried, std::int32_t>;
 TEST(IdMap, StoresTheSameAsStdMap)
 {
   std::mt19937 random(5);
-  // Neighbours, as paths meet them, and any number that fits.
+  // Neighbouring ids, as in paths, and arbitrary ids.
   for (const std::int32_t largest : { 40, 100000, std::numeric_limits<std::int32_t>::max() })
   {
     std::uniform_int_distribution<std::int32_t> any(0, largest);

@@ -84,7 +84,7 @@ double Sum(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
   return length;
 }
 
-/// Consecutive crossings lie on one triangle, none of which is met twice.
+/// Consecutive crossings lie on one triangle, and no triangle is visited twice.
 void ExpectSimpleAndClosed(const SurfaceCurve& curve, const SurfaceAdjacency& surface)
 {
   std::set<SurfaceTriangleId> entered;
@@ -138,7 +138,8 @@ TEST(LoopShortening, RoundTheTubeOfATorus)
   EXPECT_LT(before, 0.002);
 }
 
-// The way round the top has to slide down to the inner equator, the only stable one of its class.
+// The loop along the top must slide down to the inner equator, the only stable geodesic of its
+// class.
 TEST(LoopShortening, SlidesToTheInnerEquatorOfATorus)
 {
   const TorusGrid torus(96, 32);

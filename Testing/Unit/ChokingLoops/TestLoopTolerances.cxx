@@ -1,4 +1,4 @@
-// The loops of a shape do not hang on where the lines between good and bad ones are drawn.
+// The loops of a shape do not depend on the values of the acceptance tolerances.
 
 #include "BeadShapes.h"
 #include "ChokingLoops/LoopDrawing.h"
@@ -16,7 +16,7 @@ namespace
 
 constexpr int UntilGeodesic = 1000;
 
-/// Of a loop's length: acceptance has 5 % for a neck's.
+/// Relative to a loop's length; the tolerance for a neck is 5 %.
 constexpr double Same = 0.03;
 
 double Degrees(double degrees)
@@ -39,7 +39,7 @@ std::vector<LoopTolerances> Ends()
   return ends;
 }
 
-/// Loops are the same, or as good.
+/// Loops are the same, or equally good.
 void ExpectSameLoops(TriangleMesh mesh, double spacing = 1e3)
 {
   ChokingLoopParameters parameters;
@@ -85,7 +85,8 @@ TriangleMesh Blobs(const std::vector<Point3>& centers, int n)
     2.27, n);
 }
 
-// Two rings of blobs whose windows are closed: what parts two of them is no loop of its own class.
+// Two rings of blobs whose windows are closed: the separation of two blobs is not a class of its
+// own.
 TEST(LoopTolerances, OfAWallOfBlobs)
 {
   std::vector<Point3> centers;

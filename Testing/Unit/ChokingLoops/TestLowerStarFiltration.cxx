@@ -82,7 +82,7 @@ TEST(LowerStarFiltration, TwoTetrahedraOfTheThesis)
     {
       const double death = f.TetrahedronValue[filler];
       found[name(f.TriangleValue[t])] = name(death);
-      // The closed membrane 234 alone is not filled at once.
+      // Only the closed membrane 234 is not filled immediately.
       EXPECT_EQ(death - f.TriangleValue[t], name(death) == "1234" ? 3.0 : 1.0);
     }
   }
@@ -340,7 +340,7 @@ TEST_F(MorseFunctions, AgreeWhereTheyAreTheSameFunction)
     EXPECT_NEAR(twice[k], 2.0 * exact[k], 1e-12);
     EXPECT_GE(edge[k], exact[k] - 1e-12);
     EXPECT_LE(edge[k], exact[k] + excess);
-    // A distance changes by no more than one goes, and a trilinear mean is at most a diagonal away.
+    // A distance is 1-Lipschitz, and the nodes of a trilinear mean are at most a diagonal away.
     EXPECT_NEAR(grid[k], exact[k], std::sqrt(3.0) * cell);
     EXPECT_NEAR(marched[k], exact[k], 2.0 * std::sqrt(3.0) * cell); // first order: a cell more
   }
@@ -422,7 +422,7 @@ TEST(MorseFunctionsInside, SurfacesOfLargeTrianglesAreSplit)
   EXPECT_LT(error->GetTuple1(0), 0.1);
 }
 
-// A mesh that is too coarse for the handle says so.
+// A mesh that is too coarse for the handle issues a message.
 TEST_F(MorseFunctions, MeshTooCoarseIsNotTrusted)
 {
   TetrahedralParameters parameters;

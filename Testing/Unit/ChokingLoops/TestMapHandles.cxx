@@ -277,7 +277,7 @@ TEST(MapHandles, AxesAndShiftsOfGroELChangeNoBridge)
   image->SetOrigin(0.0, 0.0, 0.0);
   const std::vector<Bridge> bridges = bridgesOf(image, { 0, 1, 2 }, { 0.0, 0.0, 0.0 });
   EXPECT_GE(bridges.size(), 56u);
-  // Whole nodes further, as the extent says it.
+  // Shifted by whole nodes through the extent.
   vtkNew<vtkImageData> moved;
   moved->ShallowCopy(image);
   moved->SetExtent(7, 106, -3, 96, 11, 110);
@@ -576,7 +576,7 @@ TEST(MapHandles, WarnsAboutUnrelatedHalfMaps)
   const auto one = HalfMap(0.5, 1), other = HalfMap(0.5, 2);
   EXPECT_GT(correlationOf(one, other, said), 0.9);
   EXPECT_EQ(said, "");
-  // The same noise alone, around another mean: a common offset is nothing in common.
+  // The same noise alone, around another mean: a common offset is not a common signal.
   const std::array<vtkSmartPointer<vtkImageData>, 2> noises{ HalfMap(0.5, 3), HalfMap(0.5, 4) };
   for (std::size_t i = 0; i < 2; ++i)
   {
@@ -589,8 +589,8 @@ TEST(MapHandles, WarnsAboutUnrelatedHalfMaps)
   }
   const double correlation = correlationOf(noises[0], noises[1], said);
   EXPECT_NEAR(correlation, 0.0, 0.1);
-  EXPECT_NE(said.find("have nothing in common"), std::string::npos) << said;
-  // Outside of a mask both are 0, inside they have a mean: that is nothing in common either.
+  EXPECT_NE(said.find("do not share a signal"), std::string::npos) << said;
+  // Outside of a mask both are 0, inside they have a mean: that is not a common signal either.
   for (vtkIdType node = 0; node < noises[0]->GetNumberOfPoints(); ++node)
   {
     if (node % 56 < 28)

@@ -1,4 +1,5 @@
-// The cheapest set of links that parts two nodes, held against all ways to part a few nodes.
+// The cheapest set of links that separates two nodes, compared with all separations of a small
+// graph.
 
 #include "ChokingLoops/MinimumCutMembrane.h"
 #include "Core/Index.h"
@@ -22,7 +23,7 @@ std::vector<FlowLink> RandomLinks(std::mt19937& random, std::int32_t nodes, std:
   {
     const std::int32_t a = node(random);
     const std::int32_t b = node(random);
-    if (a != b) // several between two nodes, and some that nothing passes, are welcome
+    if (a != b) // parallel links, and links of capacity 0, are valid
     {
       links.push_back({ { a, b }, capacity(random) });
     }
@@ -30,7 +31,7 @@ std::vector<FlowLink> RandomLinks(std::mt19937& random, std::int32_t nodes, std:
   return links;
 }
 
-/// What is cut between the nodes of a set, a bit each, and the others.
+/// The cost of the links between a set of nodes, given as bits, and the others.
 std::int64_t EstimateCost(const std::vector<FlowLink>& links, unsigned set)
 {
   std::int64_t cost = 0;
@@ -53,7 +54,7 @@ unsigned ToBitSet(const std::vector<char>& reached)
 }
 
 // Of all sets with the sources (nodes 0 and 1) and without the sink (the last), none is cheaper,
-// and of those as cheap, the one found is within each.
+// and the set found is a subset of each other cheapest set.
 TEST(MinimumCut, IsTheSmallestOfTheCheapest)
 {
   std::mt19937 random(4);

@@ -68,7 +68,7 @@ public:
   std::string Error() const { return this->Observer->GetErrorMessage(); }
   double Spacing() { return this->Result()->GetFieldData()->GetArray("GridSpacing")->GetTuple1(0); }
 
-  /// Largest difference between `exact` at the result's points and the distance asked for.
+  /// Largest difference between `exact` at the result's points and the requested distance.
   template <typename Exact>
   double WorstError(const Exact& exact)
   {
@@ -173,7 +173,7 @@ TEST(OffsetSurface, FacesOutward)
   }
 }
 
-// The other way to the same number: by brute force over all triangles' nearest points in a tree.
+// The same number computed independently, by a tree search for the nearest point.
 TEST(OffsetSurface, DistancesToPointsAgreeWithTheFormula)
 {
   std::vector<Point3> points;

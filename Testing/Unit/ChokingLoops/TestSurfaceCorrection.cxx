@@ -1,5 +1,5 @@
-// Damaged surfaces: each ends in loops, told what was repaired, or in a sentence. Some two dozen
-// cases in ctest; ISTHMUS_FUZZ_CASES=2000 in the environment asks for more.
+// Damaged surfaces: each gives loops and a report of the repairs, or an error message. About two
+// dozen cases in ctest; ISTHMUS_FUZZ_CASES=2000 in the environment asks for more.
 
 #include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
@@ -109,7 +109,7 @@ void ExpectCorrected(const TriangleMesh& damaged, double handles, double tunnels
 }
 
 // A torus whose inner side just crosses itself at the axis: as triangles of genus 1, as a solid of
-// genus 0, and so after the repair.
+// genus 0; the repair gives genus 0.
 TEST(RepairReport, ReportsAChangedGenus)
 {
   FilterRun run(ToPolyData(Torus(0.297, 0.3, 60, 40)));
@@ -195,7 +195,7 @@ TEST(RepairReport, MemoryLimitIsReported)
   EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
 }
 
-/// One of the damages that surfaces suffer on their way through programs.
+/// A kind of damage that surfaces acquire in other programs.
 void Damage(TriangleMesh& mesh, Random& random)
 {
   const std::size_t t = Below(random, mesh.Triangles.size());

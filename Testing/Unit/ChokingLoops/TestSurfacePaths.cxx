@@ -140,7 +140,7 @@ TEST(SurfacePaths, EndAtTheRequestedPoint)
   const SurfacePaths paths(surface, 5, HUGE_VAL, 300);
   EXPECT_EQ(paths.Points().back(), 300);
   EXPECT_NEAR(paths.Length(300), lengths[300], 1e-12);
-  // All that the straight line beyond leaves shorter was met, nothing that it makes longer.
+  // All points within the bound of the straight line were visited, and no others.
   for (std::size_t p = 0; p < lengths.size(); ++p)
   {
     const double least = lengths[p] + Distance(mesh.Points[p], mesh.Points[300]);
@@ -151,7 +151,7 @@ TEST(SurfacePaths, EndAtTheRequestedPoint)
   EXPECT_EQ(SurfacePaths(surface, 5, HUGE_VAL, 5).Points().size(), 1U);
 }
 
-// Edges of a ball are chords, and a path along them turns to and fro: at least the chord between
+// Edges of a ball are chords, and a path along them zigzags: at least the chord between
 // its ends. Once a path has some edges, it is at most sqrt 2 times the great circle, as along two
 // sides of a right angle: the legs of the triangles that a square is cut into.
 TEST(SurfacePaths, OnABallLieBetweenChordAndDetour)
@@ -196,7 +196,7 @@ TEST(SurfacePaths, DoNotDependOnUnitOrNumbering)
   }
 }
 
-TEST(SurfacePaths, StayOnTheirPartAndPassNoPointOfNoTriangle)
+TEST(SurfacePaths, StayOnTheirPartAndAvoidUnusedPoints)
 {
   TriangleMesh mesh = Torus(1.0, 0.3, 12, 8);
   const auto part = static_cast<SimplexId>(mesh.Points.size());

@@ -46,7 +46,7 @@ inline std::vector<SharpSide> SharpSides(const TriangleMesh& solid)
   return sides;
 }
 
-/// Points of no extent, as triangles, for the searches of HausdorffDistance.h.
+/// Points as degenerate triangles, for the searches of HausdorffDistance.h.
 inline TriangleMesh AsMesh(std::vector<Point3> points)
 {
   TriangleMesh mesh;
@@ -131,7 +131,7 @@ private:
     return rays.size() != 2 || -Dot(rays[0], rays[1]) < std::cos(std::atan(1.0) * 2.0 / 3.0);
   }
 
-  /// Another side that passes beside `p` within `radius`, neighbours that turn back as well.
+  /// Another edge that passes within `radius` of `p`, adjacent edges that turn back included.
   static bool IsBeside(const SharpSide& own, const SharpSide& other, const Point3& p, double radius)
   {
     const Point3 d = own.Ends[1] - own.Ends[0];
@@ -185,9 +185,9 @@ struct EdgeSamples
  * Points on the sharp edges of `solid`, `step` apart or less. *Resolvable* at the spacing h are
  * those around which, within the diagonal of a cell, sqrt(3) h, all sharp edges are one line or
  * rays from one corner, to 0.2 h: the chord of an arc of radius R over that length is 3 h^2 / 8 R
- * from it, which is 0.05 h where the arc itself leaves its tangent by 3 h^2 / 2 R = 0.2 h. Else
- * there are more edges than one in reach of a cell that has one vertex, or they bend by more than
- * the polygons between such vertices can follow.
+ * from it, which is 0.05 h where the arc itself leaves its tangent by 3 h^2 / 2 R = 0.2 h.
+ * Otherwise there are several edges in reach of a cell that has one vertex, or they bend by more
+ * than the polygons between such vertices can follow.
  */
 inline EdgeSamples SampleEdgedSurface(const TriangleMesh& solid, double h, double step)
 {

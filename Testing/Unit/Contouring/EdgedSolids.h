@@ -27,7 +27,7 @@ inline double Box(const Point3& q)
   return std::max({ std::abs(q[0]), std::abs(q[1]), std::abs(q[2]) }) - Half;
 }
 
-/// The distance, which is round outside of edges.
+/// The Euclidean distance, with rounded level sets outside of edges.
 inline double BoxDistance(const Point3& q)
 {
   Point3 out;
@@ -53,7 +53,7 @@ inline double BoxAndBall(const Point3& q)
   return std::min(BoxDistance(q), Length(q - Center) - Radius);
 }
 
-/// A rotation drawn from all.
+/// A uniformly distributed random rotation.
 class Rotation
 {
 public:

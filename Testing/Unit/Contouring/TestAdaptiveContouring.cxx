@@ -1,5 +1,5 @@
-// Dual contouring on an octree, and without crossings: what it promises, on smooth, sharp and noisy
-// levels and on the shared surfaces of machine parts.
+// Dual contouring on an octree, and without self-intersections: the documented guarantees, on
+// smooth, sharp and noisy levels and on the shared surfaces of machine parts.
 
 #include "Contouring/DualContouring.h"
 #include "DualContours.h"
@@ -174,7 +174,7 @@ TEST(AdaptiveContouring, NoTrianglesCrossWhereThatIsPromised)
 }
 
 /// Edges of machine parts, found by their dihedral angles: within 0.05 h where the grid can resolve
-/// them (EdgeSamples.h), and by far most of the others, too.
+/// them (EdgeSamples.h), and most of the others as well.
 TEST(AdaptiveContouring, SharpEdgesOfMachinePartsAreKept)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");

@@ -277,7 +277,7 @@ TEST(DelaunayIsosurface, BadParametersAndValuesAreReported)
     EXPECT_GT(
       DelaunayIsosurface(set.Field, set.Bounds, set.Guide, coarse).Surface.Triangles.size(), 3u);
   }
-  // A millionth of the diagonal is the least, in whatever unit.
+  // The least value is a millionth of the diagonal, in any unit.
   const double diagonal = set.Bounds.Diagonal();
   for (const double part : { 0.9e-6, 1.1e-6 })
   {

@@ -321,7 +321,7 @@ TEST(DualContouring, SlimSurfacesOnFineGridsNeedLittleMemory)
   vtkNew<vtkDualContouring> filter;
   filter->SetInputData(ring);
   filter->SetSpacing(0.08);
-  const pid_t child = fork(); // whose limit ends with it
+  const pid_t child = fork(); // whose address space limit ends with it
   if (child == 0)
   {
     std::size_t pages = 0;

@@ -136,8 +136,8 @@ double AngleBetween(const std::vector<GridCrossing>& a, const std::vector<GridCr
 
 }
 
-/// Acceptance 2 for volumes. Nothing tells two planes apart within two spacings of a corner, where
-/// pieces are thinner than three nodes: those edges are counted in the first number only.
+/// Acceptance 2 for volumes. Two planes cannot be distinguished within two spacings of a corner,
+/// where pieces are thinner than three nodes: those edges are counted in the first number only.
 TEST(ENOCrossings, EdgesOfSampledSolidsAreKept)
 {
   struct Case

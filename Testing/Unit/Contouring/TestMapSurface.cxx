@@ -1,4 +1,4 @@
-// Levels that suit a map, dust that is hidden, and the vtk class.
+// Automatic levels of a map, hiding of dust, and the vtk class.
 
 #include "Contouring/LevelEstimate.h"
 #include "Contouring/MapSurface.h"
@@ -93,7 +93,7 @@ TEST(EstimateLevel, StaysAboveABackgroundThatFillsTheBox)
   std::normal_distribution<double> noise(5.0, 2.0);
   std::vector<double> values(200000);
   std::generate(values.begin(), values.end(), [&] { return noise(random); });
-  const double level = EstimateLevel(values); // Otsu's is amid it, at 5
+  const double level = EstimateLevel(values); // Otsu's level is inside it, at 5
   EXPECT_GT(level, 5.0 + 2.0 * 2.0);
   EXPECT_LT(std::count_if(values.begin(), values.end(), [=](double v) { return v > level; }), 2100);
   EXPECT_GT(values.back(), level);
@@ -372,7 +372,7 @@ TEST(VTKMapSurface, InvertedContrastIsSuspected)
     image->GetPointData()->SetScalars(values);
     expect(image, "noise " + std::to_string(noise));
   }
-  // Noise alone, and a map within a mask whose outside is far lower, say nothing.
+  // Noise alone, and a masked map whose outside is far lower, cause no warning.
   std::normal_distribution<double> deviation(0.0, 1.0);
   vtkNew<vtkImageData> masked, nothing;
   vtkNew<vtkDoubleArray> within, alone;

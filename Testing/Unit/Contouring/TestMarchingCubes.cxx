@@ -112,7 +112,7 @@ TEST(MarchingCubes, NaNIsOutside)
   EXPECT_THROW(At(grid, Nan), std::invalid_argument);
 }
 
-// Inside is what lies beyond the level, so that a node of the level itself encloses nothing.
+// Inside is strictly above the level, so that a node at the level encloses nothing.
 TEST(MarchingCubes, ANodeAtTheLevelIsOutside)
 {
   const Grid grid = SampleGrid({ 5, 5, 5 }, { 1, 1, 1 },

@@ -185,7 +185,7 @@ TEST(QuadricError, OfPlanesAndOfOneFaceAreTheTangentOnes)
   }
 }
 
-/// Normals of nothing at all: some place in the box, no worse than the tangent planes' one.
+/// Random normals: a point in the box, no worse than that of the tangent planes.
 TEST(QuadricError, OfNoiseIsNoWorse)
 {
   std::mt19937 random(5);

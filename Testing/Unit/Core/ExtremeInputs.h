@@ -1,6 +1,6 @@
 /**
  * @file ExtremeInputs.h
- * @brief Volumes and surfaces of any scale, and how a filter ends that is given them.
+ * @brief Volumes and surfaces of any scale, and how a filter that receives them ends.
  */
 #ifndef isthmus_ExtremeInputs_h
 #define isthmus_ExtremeInputs_h
@@ -73,7 +73,7 @@ inline bool AllFinite(vtkDataArray* array)
   return true;
 }
 
-/// A sentence and nothing, or a result whose points are finite.
+/// An error message and an empty output, or a result whose points are finite.
 template <typename Filter>
 std::string Outcome(TopologyFilterRun<Filter>& run, vtkPointSet* output)
 {

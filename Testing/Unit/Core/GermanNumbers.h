@@ -76,7 +76,7 @@ private:
       const std::string target = folder + "/" + Name;
       const auto compile = [&](const std::string& input)
       {
-        // The exit status is 1 for warnings, too.
+        // The exit status is 1 for warnings as well.
         return std::system(
                  ("localedef --no-archive -c " + input + " '" + target + "' >/dev/null 2>&1")
                    .c_str()) >= 0 &&
@@ -99,7 +99,7 @@ private:
 
 }
 
-/// First line of a test that sets the locale `numbers`.
+/// First line of a test that sets the locale.
 #define ISTHMUS_NEEDS_GERMAN(numbers)                                                              \
   if (!(numbers).AreSet())                                                                         \
   {                                                                                                \

@@ -1,9 +1,9 @@
 /**
  * @file HeldBytes.h
- * @brief Counts the bytes that a program holds of the heap, and the most that it has held (glibc).
+ * @brief Counts the heap memory of a program and its peak (glibc).
  *
  * Replaces malloc and its kin for the whole program (glibc's manual, "Replacing malloc"), so that
- * operator new and calloc of every library in it are counted, too. What is asked for counts,
+ * operator new and calloc of every library in it are counted as well. Requested bytes count,
  * touched or not: the same on every kernel, at any load. Include it in one source of a program.
  */
 #ifndef isthmus_HeldBytes_h
@@ -34,7 +34,7 @@ namespace isthmus::testing
 inline std::atomic<std::int64_t> BytesNow{ 0 };
 inline std::atomic<std::int64_t> BytesAtMost{ 0 };
 
-/// Bytes held now; MostHeldBytes() starts anew from there.
+/// Bytes held now; MostHeldBytes() is reset to this value.
 inline std::int64_t StartOfHeldBytes()
 {
   const std::int64_t now = BytesNow.load();
@@ -50,7 +50,7 @@ inline std::int64_t MostHeldBytes()
 
 #if ISTHMUS_COUNTS_BYTES
 
-/// Notes a new block and hands it on.
+/// Records a new block and returns it.
 inline void* CountBlock(void* block)
 {
   if (block)
@@ -65,7 +65,7 @@ inline void* CountBlock(void* block)
   return block;
 }
 
-/// Notes that a block goes and hands it on.
+/// Records that a block is freed and returns it.
 inline void* UncountBlock(void* block)
 {
   if (block)

@@ -2,10 +2,10 @@
  * @file LongTests.h
  * @brief Which of the long cases of a test run now.
  *
- * All of them with ISTHMUS_LONG_TESTS=1. Else a share: of `hands` shares, the one whose turn it is
- * by the hash of the test's name and ISTHMUS_TURN, any number. Testing/run.sh sets it to the number
- * of merges, so that each merge runs another share. Without ISTHMUS_TURN none runs. The same in
- * Python: Testing/Python/long_tests.py.
+ * All of them with ISTHMUS_LONG_TESTS=1. Otherwise one of `hands` shares, selected by the hash of
+ * the test's name and the number ISTHMUS_TURN. Testing/run.sh sets it to the number of merges, so
+ * that each merge runs another share. Without ISTHMUS_TURN none runs. The same in Python:
+ * Testing/Python/long_tests.py.
  */
 #ifndef isthmus_LongTests_h
 #define isthmus_LongTests_h
@@ -45,7 +45,7 @@ public:
     return this->All || (this->Some && index % this->Hands == this->Turn);
   }
 
-  /// The first of `count` further random seeds, others at each turn; 0 where none are to be run.
+  /// The first of `count` further random seeds, other ones in each run; 0 where none are to be run.
   std::uint64_t FirstSeed(std::uint64_t count) const
   {
     return this->Some ? 1000 + this->Turn * count : 0;

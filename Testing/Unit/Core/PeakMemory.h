@@ -11,13 +11,13 @@
 namespace isthmus::testing
 {
 
-/// Lets the kernel start anew with the peak of the resident memory: proc(5), clear_refs.
+/// Resets the kernel's peak of the resident memory: proc(5), clear_refs.
 inline void ResetPeakMemory()
 {
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-/// Peak in bytes; 0 where the kernel does not tell.
+/// Peak in bytes; 0 where the kernel does not report it.
 inline double PeakMemory()
 {
   std::ifstream status("/proc/self/status");

@@ -13,8 +13,8 @@
 namespace isthmus::testing
 {
 
-/// For tests of results that must not depend on addresses: construct one of another seed before
-/// each run, and keep it until the end of the run.
+/// For tests of results that must not depend on addresses: construct an object with another seed
+/// before each run, and keep it until the run ends.
 class ScatteredMemory
 {
 public:

@@ -1,6 +1,6 @@
 /**
  * @file SharedData.h
- * @brief Where the tests find the real maps and proteins, which are not part of the repository.
+ * @brief The location of the real maps and proteins, which are not part of the repository.
  */
 #ifndef isthmus_SharedData_h
 #define isthmus_SharedData_h
@@ -12,7 +12,7 @@
 namespace isthmus::testing
 {
 
-/// Folder of the shared data: ISTHMUS_DATA_DIR, else the folder that CMake was told.
+/// Folder of the shared data: ISTHMUS_DATA_DIR, else the folder configured with CMake.
 inline std::filesystem::path SharedDataFolder()
 {
   const char* chosen = std::getenv("ISTHMUS_DATA_DIR");

@@ -19,7 +19,7 @@ namespace
 {
 
 constexpr vtkIdType TooMany = vtkIdType{ 1 }
-  << 58; // tuples of three doubles: no address space has them
+  << 58; // tuples of three doubles exceed any address space
 
 TEST(ArrayMemory, ArraysOfEachKindGetTheirSize)
 {

@@ -1,4 +1,4 @@
-// Ids of two kinds are two types, and cost what their integers cost.
+// Ids of two kinds are distinct types, with the size and speed of plain integers.
 
 #include "Core/DisjointSets.h"
 #include "Core/Handles.h"
@@ -135,7 +135,7 @@ TEST(Handles, LookIntoTheirOwnVectors)
   EXPECT_EQ(sum, 5.5);
 }
 
-/// What reads their numbers in a row from memory, as a file or a GPU would, finds them.
+/// Handles are stored contiguously as plain integers, as files and GPUs require.
 TEST(Handles, LieInMemoryAsTheirNumbers)
 {
   const HandleVector<Wall, Door> doors{ Door(3), Door(1), Door::None() };

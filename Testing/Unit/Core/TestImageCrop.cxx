@@ -1,4 +1,4 @@
-// Cropping an image by rows beside VTK's own, value by value.
+// Cropping an image by rows, compared with VTK value by value.
 
 #include "Core/ImageExtent.h"
 

@@ -74,7 +74,7 @@ TEST(ParallelFor, RunsOnSeveralThreadsWhereVTKIsSequential)
 }
 
 #if defined(__linux__)
-/// VTK's pool of threads ends the program where a thread finds no room for its stack.
+/// VTK's thread pool terminates the program if there is no memory for a thread's stack.
 TEST(ParallelFor, IsSequentialWhereNoThreadFits)
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");

@@ -181,7 +181,7 @@ TEST(PolyDataTriangles, RefuseOrKeepDamage)
   EXPECT_NE(CatchMessage(flat, Damage::Refused).find("can't be split"), std::string::npos);
   EXPECT_EQ(ToTriangleMesh(flat).Triangles, ByTriangleFilter(flat));
 
-  // What must be split would be read beyond the points.
+  // Splitting these polygons would read beyond the points.
   const auto wrong = ToPolyData(Square, { { 0, 1, 3, 9 } });
   for (const Damage damage : { Damage::Refused, Damage::Kept })
   {

@@ -1,4 +1,4 @@
-// Ranges with and without their ends; what the refusals say.
+// Ranges with and without their ends; the messages of refused values.
 
 #include "Core/RangeChecks.h"
 
@@ -136,7 +136,7 @@ TEST(RangeChecks, RefusesCoordinatesOfWhichProductsOverflowOrUnderflow)
     "Point 1 of input 0 has the coordinate -1e+300: at most 1e+100 is supported. "
     "Remove the point, or choose another unit of length.";
   EXPECT_EQ(CatchRefusal([&] { RequireUsualCoordinates(atoms, "input 0"); }), far);
-  // Points that no cell uses are of no account where there are cells.
+  // Points that no cell uses are ignored if there are cells.
   vtkNew<vtkCellArray> vertices;
   vertices->InsertNextCell({ 0 });
   atoms->SetVerts(vertices);

@@ -1,4 +1,4 @@
-// Coordinates of any size, brought near 1 by powers of two and back.
+// Coordinates of any magnitude, scaled to about 1 by powers of two and back.
 
 #include "Core/UnitScale.h"
 

@@ -1,6 +1,6 @@
 /**
  * @file FieldImage.h
- * @brief Images that sample a function, and the usual questions to them.
+ * @brief Images that sample a function, and common queries of them.
  */
 #ifndef isthmus_FieldImage_h
 #define isthmus_FieldImage_h

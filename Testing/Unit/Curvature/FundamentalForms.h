@@ -1,6 +1,7 @@
 /**
  * @file FundamentalForms.h
- * @brief The thesis' first route to the curvature of level sets, as reference for the one we ship.
+ * @brief The thesis' first route to the curvature of level sets, as a reference for the
+ * implementation.
  *
  * Gaussian and mean curvature from the two fundamental forms of the level set z = f(x, y) (thesis
  * 5.30 to 5.41, with the square of S_y in 5.40 and S_xy in 5.41 restored). Positive for a sphere

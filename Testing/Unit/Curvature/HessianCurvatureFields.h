@@ -1,7 +1,7 @@
 /**
  * @file HessianCurvatureFields.h
- * @brief Fields whose level sets are known, on lattices of any direction, and what the filter says
- * of them.
+ * @brief Fields whose level sets are known, on lattices of any direction, and what the filter
+ * computes for them.
  */
 #ifndef isthmus_HessianCurvatureFields_h
 #define isthmus_HessianCurvatureFields_h
@@ -33,7 +33,7 @@ inline Lattice Block()
   return lattice;
 }
 
-/// The lattice turned about an axis that is none of its own.
+/// The lattice rotated about an axis that is not one of its own.
 inline Lattice Rotate(Lattice lattice)
 {
   const double c = std::cos(0.6), s = std::sin(0.6), t = std::cos(1.1), u = std::sin(1.1);

@@ -1,6 +1,6 @@
 /**
  * @file HessianExample.h
- * @brief Values on a grid, and what the algorithm without VTK's data model says about them.
+ * @brief Values on a grid, and the result of the algorithm without VTK's data model.
  */
 #ifndef isthmus_HessianExample_h
 #define isthmus_HessianExample_h
@@ -18,7 +18,7 @@ namespace isthmus::testing
 
 using Size = std::array<std::int64_t, 3>;
 
-/// Values on a grid, and what the algorithm says about them.
+/// Values on a grid, and the result of the algorithm.
 template <typename T>
 struct Example
 {

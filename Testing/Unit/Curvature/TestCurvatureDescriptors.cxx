@@ -25,7 +25,7 @@ TEST(CurvatureDescriptors, ArcTangentAgreesWithTheLibrary)
   }
   for (int i = -100000; i <= 100000; ++i)
   {
-    const double y = i / 25000.0; // through all pieces of the formula
+    const double y = i / 25000.0; // covers all pieces of the formula
     worst = std::max(worst, std::abs(ArcTangent(y, 1.0) - std::atan(y)));
   }
   EXPECT_LT(worst, 1e-15);

@@ -164,7 +164,8 @@ TEST(CurvatureScale, CovariancesOfNoise)
     CovarianceOfDerivatives({ 2.0, 0.0 }, { 0.0, 2 }, { 0.0, 2 }, spacing);
   EXPECT_NEAR(raw.Laplacian, 4.0 * 20.0, 1e-12); // 4 neighbours and -4 in the middle
   EXPECT_NEAR(raw.Gradient, 4.0 * 0.5, 1e-12);
-  // Far from the grid's resolution: those of Gaussians, sigma^2 c^3 / (c^2 + s^2)^(3/2) and so on.
+  // For widths far above the grid's spacing, the values of Gaussians: sigma^2 c^3 / (c^2 +
+  // s^2)^(3/2) and so on.
   const double c = 2.0, s = 3.0, q = c * c + s * s;
   const NoiseCovariance smooth = CovarianceOfDerivatives({ 1.0, c }, { s, 4 }, { s, 4 }, spacing);
   const double value = std::pow(c * c / q, 1.5);
@@ -402,7 +403,8 @@ TEST(CurvatureScale, AtomsAreNotSmoothedAway)
   EXPECT_LT(ChooseCurvatureScale(MakeGridPart(image), 4).Scale, 0.8);
 }
 
-// Nodes beside the step of a mask have no gradient, and no infinite share in the estimate.
+// Nodes beside the step of a mask have no gradient, and do not contribute infinite values to the
+// estimate.
 TEST(CurvatureScale, MasksAreSmoothed)
 {
   const auto mask = [](double x, double y, double z) { return Ball(x, y, z) > 0.0 ? 1.0 : 0.0; };

@@ -1,5 +1,5 @@
-// Curvature at the points of isosurfaces: second order here, none with vtkCurvatures on the same
-// surfaces; fourth order at points off the nodes with Accuracy 4.
+// Curvature at the points of isosurfaces: second order, whereas vtkCurvatures does not converge on
+// the same surfaces; fourth order at points off the nodes with Accuracy 4.
 #include "FieldImage.h"
 #include "FundamentalForms.h"
 #include "vtkHessianCurvature.h"

@@ -1,4 +1,4 @@
-// The vtk class asked for pieces, and what it says to bad input.
+// The vtk class with requests for pieces, and its errors for bad input.
 
 #include "FieldImage.h"
 #include "HessianCurvatureFields.h"
@@ -25,7 +25,7 @@
 
 using namespace isthmus::testing;
 
-/// Any part asked for has the values of the whole, with and without smoothing.
+/// Any requested part has the same values as the whole, with and without smoothing.
 TEST(HessianCurvatureFilter, PiecesMatchTheWhole)
 {
   for (const double scale : { 0.0, 1.5 })
@@ -63,7 +63,7 @@ TEST(HessianCurvatureFilter, PiecesMatchTheWhole)
 namespace
 {
 
-/// A source that gives the same half of its image whatever it is asked for.
+/// A source that returns the same half of its image whatever is requested.
 class HalfSource : public vtkImageAlgorithm
 {
 public:
@@ -108,7 +108,7 @@ TEST(HessianCurvatureFilter, ASourceWithATooSmallExtentIsUpdatedTwice)
 namespace
 {
 
-/// Runs the filter on `image` and answers the error that it gave, checking that nothing came out.
+/// Runs the filter on `image` and returns its error, checking that the output is empty.
 std::string RecordError(vtkHessianCurvature* filter, vtkDataObject* image)
 {
   vtkNew<vtkTest::ErrorObserver> observer;

@@ -1,5 +1,5 @@
 // Tables 5.3 to 5.6 of the thesis, through the filter: all 32 errors to the four printed digits,
-// and what becomes of them with differences of fourth order.
+// and the errors with differences of fourth order.
 #include "FieldImage.h"
 #include "vtkHessianCurvature.h"
 

@@ -1,4 +1,4 @@
-// The algorithm without VTK's data model at places that have no curvature, in boxes of the grid,
+// The algorithm without VTK's data model at nodes without curvature, in boxes of the grid,
 // and with wrong arguments.
 
 #include "Curvature/FiniteDifference.h"

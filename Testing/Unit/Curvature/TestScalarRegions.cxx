@@ -24,7 +24,7 @@ using namespace isthmus;
 namespace
 {
 
-/// Two scalars that no triangle side follows.
+/// Two scalars whose level lines do not follow edges of triangles.
 ThresholdedScalar Wave(const Model& mesh, double frequency, std::vector<double> thresholds)
 {
   ThresholdedScalar scalar;

@@ -134,9 +134,9 @@ TEST(SurfaceCurvature, OrientationDecidesTheSign)
   }
 }
 
-// Each closed component is oriented by what it lies in, not by the volume of the whole: a ball
-// beside another, a cavity, a ball in the cavity, whichever way each is wound, and beside an open
-// sheet.
+// Each closed component is oriented by the components that contain it, not by the volume of the
+// whole: a ball beside another, a cavity, a ball in the cavity, whichever way each is wound, and
+// beside an open sheet.
 TEST(SurfaceCurvature, NestedShellsAreOrientedByNesting)
 {
   const Vector places[] = { { 0.0, 0.0, 0.0 }, { 0.1, 0.2, 0.0 }, { 0.1, 0.1, 0.1 },

@@ -133,7 +133,7 @@ TEST(SurfaceCurvature, SecondOrderOnRegularMeshes)
         EXPECT_TRUE(developable || orderK > 1.9) << graph.Name;
         EXPECT_TRUE(flat || orderH > 1.9) << graph.Name;
       }
-      // A defect of a few roundings, over the area of a point.
+      // A defect of a few rounding errors, divided by the area of a point.
       EXPECT_TRUE(!developable || now.Gaussian < 2e-15 * n * n) << graph.Name;
       EXPECT_TRUE(!flat || now.Mean < 1e-12) << graph.Name;
       last = now;

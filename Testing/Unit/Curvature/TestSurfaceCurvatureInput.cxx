@@ -1,5 +1,5 @@
-// What vtkSurfaceCurvature takes in: points that coincide are one, as for all filters on surfaces,
-// and what is bad is told.
+// What vtkSurfaceCurvature takes in: coincident points are merged, as in all filters on surfaces,
+// and bad input is reported.
 
 #include "SurfaceModels.h"
 #include "vtkSurfaceCurvature.h"

@@ -1,4 +1,5 @@
-// vtkSurfaceCurvature, and each defect of vtkCurvatures as a case that it gets right or marks.
+// vtkSurfaceCurvature, and each defect of vtkCurvatures as a case that it computes correctly or
+// marks.
 
 #include "SurfaceModels.h"
 #include "vtkHessianCurvature.h"

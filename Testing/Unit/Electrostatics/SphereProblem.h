@@ -94,7 +94,7 @@ struct SphereProblem
       const double c = StrengthFor(this->Sphere.Kappa, this->Sphere.Solvent);
       p.Ions = { { 1.0, c }, { -1.0, c } };
     }
-    // The series on the border, unless a test wants another condition.
+    // The series on the border, unless a test sets another condition.
     p.BoundaryCondition = BoundaryCondition::Given;
     p.Boundary = [this](const Point3& x) { return this->Sphere.Outside(this->World(x)); };
     p.Padding = 0.0;

@@ -1,4 +1,4 @@
-// The cycle by itself: how much of a residual one cycle leaves, on any number of nodes, stretched
+// A single cycle: how much of a residual one cycle leaves, on any number of nodes, stretched
 // spacings and jumps of the permittivity; the sums over charges by tree against direct ones; the
 // harmonic fit on harmonic functions.
 

@@ -1,5 +1,5 @@
-// Cavities inside a solute that are a few nodes wide, where a fit on both sides has next to nothing
-// outside to go by: a charge in a dielectric shell, against the series of its three regions.
+// Cavities inside a solute that are a few nodes wide, where a fit on both sides has almost no nodes
+// outside: a charge in a dielectric shell, against the series of its three regions.
 
 #include "Electrostatics/ElectrostaticUnits.h"
 #include "Electrostatics/PoissonBoltzmann.h"

@@ -77,7 +77,7 @@ TEST(NonlinearPoissonBoltzmann, SphereInTheSmoothMode)
 
 TEST(NonlinearPoissonBoltzmann, IonsOfThreeRadii)
 {
-  // Chloride at 2, sulphate at 4, sodium at 3: between these the salt is not neutral by itself.
+  // Chloride at 2, sulphate at 4, sodium at 3: between these the salt alone is not neutral.
   const std::vector<IonSpecies> salt{ { -1.0, 0.1 }, { -2.0, 0.05, 4.0 }, { 1.0, 0.2, 3.0 } };
   int steps = 0;
   EXPECT_LE(ChargedSphere(2.0, 0.5, steps, BoundaryCondition::Given, salt), 0.1);

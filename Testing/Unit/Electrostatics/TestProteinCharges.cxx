@@ -160,7 +160,7 @@ TEST(ProteinCharges, EveryFailureOfTheProgramHasAMessage)
     "(Too few atoms): complete");
   ExpectSentence("echo CRITICAL:Giving up.; exit 3", "(Giving up)");
   ExpectSentence("exit 1", "gave no reason");
-  ExpectSentence("kill -9 $$", "could not find them");
+  ExpectSentence("kill -9 $$", "could not assign them");
   ExpectSentence("while :; do :; done", "seconds", 0.3);
   ExpectSentence("exit 0", "recognised none of the residues");
   ExpectSentence(Answering("ATOM 1 N GLY A one 1 2 3 4 5\\n"), "can't be read");

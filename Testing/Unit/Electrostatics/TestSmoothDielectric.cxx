@@ -77,8 +77,8 @@ TEST(SmoothDielectric, ChargesOffTheCenterInElectrolyte)
 
 TEST(SmoothDielectric, FluxIsTheCharge)
 {
-  // The field's flux through the box is the charge within, as far as sums over the surface's edges
-  // know that of charges two spacings under it.
+  // The field's flux through the box is the charge within, as exactly as sums over the surface's
+  // edges give that of charges two spacings under it.
   SphereProblem problem(Kirkwood(4), 10.0, 0.5);
   problem.Parameters.DielectricModel = DielectricModel::SmoothDielectric;
   const auto solution = problem.Solve();
@@ -118,7 +118,7 @@ double FilterEnergy(vtkPolyData* atoms, int model)
   vtkDataArray* potential = filter->GetSurface()->GetPointData()->GetArray("Potential");
   for (vtkIdType i = 0; i < potential->GetNumberOfTuples(); ++i)
   {
-    // C / (80 R) on the ball; the smooth mode knows it to the first order.
+    // C / (80 R) on the ball; the smooth mode reproduces it to the first order.
     EXPECT_NEAR(potential->GetTuple1(i), 3.503, 0.03);
   }
   return filter->GetOutput()->GetFieldData()->GetArray("SolvationEnergy")->GetTuple1(0);

@@ -187,7 +187,7 @@ TEST(DenoiseFromHalfMaps, HalvesOfOtherScaleOrSignAreBroughtTogether)
   }
 }
 
-TEST(DenoiseFromHalfMaps, ShiftedHalvesAreTold)
+TEST(DenoiseFromHalfMaps, ShiftedHalvesAreReported)
 {
   for (const int shift : { -7, -3, 4, 8 })
   {
@@ -200,7 +200,7 @@ TEST(DenoiseFromHalfMaps, ShiftedHalvesAreTold)
   EXPECT_NE(both.Warning.find("shifted by 4, 0, 0 nodes"), std::string::npos) << both.Warning;
 }
 
-TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreTold)
+TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreReported)
 {
   vtkNew<vtkDenoiseFromHalfMaps> filter;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -219,7 +219,7 @@ TEST(DenoiseFromHalfMaps, HalvesWithNothingInCommonAreTold)
   filter->SetInputData(noise(4));
   filter->SetOtherHalfData(noise(5));
   filter->Update();
-  EXPECT_NE(observer->GetWarningMessage().find("nothing in common"), std::string::npos)
+  EXPECT_NE(observer->GetWarningMessage().find("do not share a signal"), std::string::npos)
     << observer->GetWarningMessage();
 }
 

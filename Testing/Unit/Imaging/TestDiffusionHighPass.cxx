@@ -102,7 +102,7 @@ TEST(DiffusionHighPass, TheSplittingIsOfSecondOrder)
     parameters.Steps = many;
     return Distance(coarse[1], Evolved(parameters)[1]);
   };
-  // The super steps inside change with their number, too, but are much finer.
+  // The super steps within a step depend on the number of steps as well, but are much finer.
   EXPECT_GT(difference(4, 64) / difference(16, 64), 8.0);
 }
 
@@ -152,7 +152,7 @@ TEST(DiffusionHighPass, AConstantHasNoEdgesAndAStepHasOne)
   }
 }
 
-TEST(DiffusionHighPass, HasTheFieldsOnRequestAndRefusesInASentence)
+TEST(DiffusionHighPass, HasTheFieldsOnRequestAndRefusesWithAMessage)
 {
   Filter filter(BumpImage());
   filter->GetOutputArraySelection()->EnableAllArrays();

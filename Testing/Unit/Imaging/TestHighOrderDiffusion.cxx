@@ -372,7 +372,7 @@ TEST(HighOrderDiffusion, LinearFieldsStayBeyondTheReachOfTheBoundary)
       const bool stepsFarther = order == 0 && parameters.EdgeStopping != Edge::None;
       steps.Time *= 2;
       steps.Steps = 2;
-      if (!local) // whose window sees further
+      if (!local) // whose window is wider
       {
         EXPECT_LE(LayersChanged(grid, linear, Diffused(grid, steps, linear)),
           2 * (order + 1) + std::int64_t(stepsFarther));
@@ -381,7 +381,7 @@ TEST(HighOrderDiffusion, LinearFieldsStayBeyondTheReachOfTheBoundary)
   }
 }
 
-TEST(HighOrderDiffusion, AFloatIsWorkedOnInFloat)
+TEST(HighOrderDiffusion, FloatVolumesAreComputedInFloat)
 {
   const auto single = Grid<float>(24, 20, 16);
   const auto twice = Grid<double>(24, 20, 16);

@@ -1,4 +1,4 @@
-// vtkHighOrderDiffusion: types, extents, what it keeps, what it says, what it refuses.
+// vtkHighOrderDiffusion: types, extents, kept data, messages, refusals.
 
 #include "DiffusionFilterTest.h"
 #include "DiffusionTestTools.h"
@@ -224,7 +224,7 @@ TEST(HighOrderDiffusionFilter, MaskedValuesAreTheMeanOfTheirNeighbours)
   }
 }
 
-TEST(HighOrderDiffusionFilter, RefusesInASentence)
+TEST(HighOrderDiffusionFilter, RefusesWithAMessage)
 {
   const std::pair<const char*, std::function<void(vtkHighOrderDiffusion*)>> cases[] = {
     { "Time is -1", [](auto* f) { f->SetTime(-1.0); } },

@@ -65,7 +65,7 @@ TEST(PDETransform, EachWaveGoesToTheModeOfItsWavelength)
   const double edges[] = { 4.0, 8.0, 16.0, 32.0 };
   for (int wave = 0; wave < 5; ++wave)
   {
-    // Wavelengths well inside the bands; mirrored waves, as the boundary wants them.
+    // Wavelengths well inside the bands; mirrored waves, as the boundary condition requires.
     const double wavelength[] = { 3.0, 5.4, 10.8, 21.4, 192.0 };
     std::vector<double> values;
     for (int i = 0; i < 96; ++i)
@@ -200,7 +200,7 @@ TEST(PDETransform, LongWavesAreWithinReachAndTheLongestRefused)
   EXPECT_THROW(Modes(grid, parameters, values), std::invalid_argument);
 }
 
-TEST(PDETransform, RefusesInASentence)
+TEST(PDETransform, RefusesWithAMessage)
 {
   Filter filter(BumpImage());
   filter->SetNumberOfModes(0);

@@ -232,7 +232,7 @@ TEST(DiffusionSteps, TheReportIsACurveThatFalls)
   }
 }
 
-TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
+TEST(DiffusionSteps, BadParametersAreRefusedWithAMessage)
 {
   const std::vector<std::pair<const char*, std::function<void(DiffusionParameters&)>>> cases{
     { "Order is 4", [](auto& p) { p.Order = 4; } },

@@ -99,7 +99,8 @@ TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatSumUp)
   const DensityGrid grid = GridAroundBalls({ ball }, 0.5, { 1.75, 1.5, 1.5 });
   const std::vector<float> distance = BallDistances(grid, ball);
   SolventParameters solvent;
-  // Two atoms in the ball, one far outside that sees it by blocks: volume x u at the distance.
+  // Two atoms in the ball, one far outside that interacts with it by blocks: volume x u at the
+  // distance.
   const std::vector<Ball> balls{ { { -1.0, 0.0, 0.0 }, 1.5 }, { { 1.0, 0.0, 0.0 }, 1.5 },
     { { 30.0, 0.0, 0.0 }, 1.5 } };
   std::vector<DispersionAtom> atoms;
@@ -137,7 +138,7 @@ TEST(NonpolarEnergy, DispersionChangesWithTheSurface)
   EXPECT_NEAR(change, energy(to) - energy(from), 1e-10);
   EXPECT_GT(change, 0.01); // less solvent attracts less
   EXPECT_EQ(DispersionChange(atoms, grid, to.data(), to.data(), solvent), 0.0);
-  // An atom that sees the surface by blocks: the change is summed by nodes.
+  // An atom that interacts with the surface by blocks: the change is summed by nodes.
   atoms = { { { 24.0, 0.0, 0.0 }, 1.9, 0.11 } };
   EXPECT_NEAR(
     DispersionChange(atoms, grid, from.data(), to.data(), solvent) / (energy(to) - energy(from)),

@@ -338,6 +338,6 @@ TEST(SurfaceFlow, LysozymeIsQuick)
   const auto& n = grid.Dimensions;
   EXPECT_EQ(n, (std::array<std::int64_t, 3>{ 96, 84, 99 }));
   const double perNode = bytes / static_cast<double>(n[0] * n[1] * n[2]);
-  std::cout << perNode << " bytes a node\n"; // the margin weighs on small grids
+  std::cout << perNode << " bytes per node\n"; // the margin weighs on small grids
   EXPECT_LT(perNode, 60.0);
 }

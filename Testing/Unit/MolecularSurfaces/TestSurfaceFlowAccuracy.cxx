@@ -245,7 +245,7 @@ TEST(SurfaceFlowAccuracy, LysozymeStartsAsTheUnionOfItsBalls)
       EXPECT_NEAR(found.Volume / exact.Volume, 1.0, 0.01);
     }
     EXPECT_LT(std::abs(error[1]), 0.6 * std::abs(error[0])); // first order
-    EXPECT_LT(c.Table / exact.Area - 1.0, -0.02);            // the table's is off, too
+    EXPECT_LT(c.Table / exact.Area - 1.0, -0.02);            // that of the table is wrong as well
   }
 }
 

@@ -52,8 +52,8 @@ inline Bars CollectBars(const VolumeView& volume, bool superlevel = false)
 
 #if ISTHMUS_HAS_GUDHI_CUBICAL
 
-/// Sorts the cells of a complex by their values. GUDHI 3.11 does that when they are first used and
-/// has no such function; 3.7 did it when it made the complex.
+/// Sorts the cells of a complex by their values. GUDHI 3.11 sorts them on first use and has no such
+/// function; GUDHI 3.7 needs this call.
 template <typename Complex>
 auto SortCells(Complex& complex, int) -> decltype(complex.initialize_simplex_associated_to_key())
 {

@@ -70,7 +70,7 @@ inline double ShortWave(double x, double y, double z)
   return Wave(2.0 * x, 2.0 * y, 2.0 * z);
 }
 
-/// Whole numbers, each drawn by itself.
+/// Whole numbers, each drawn independently.
 template <typename T>
 Volume<T> Noise(const Size& n, double low, double high, unsigned seed = 7)
 {

@@ -1,6 +1,7 @@
 /**
  * @file ScalarImages.h
- * @brief Images and readings of tables for the tests of vtkScalarPersistence.
+ * @brief Images for the tests, and functions that read tables, for the tests of
+ * vtkScalarPersistence.
  */
 #ifndef isthmus_ScalarImages_h
 #define isthmus_ScalarImages_h

@@ -1,4 +1,4 @@
-// The complex that filtrations stand on, held against what its tetrahedra say one by one.
+// The cell complex under the filtrations, compared with a direct evaluation of its tetrahedra.
 
 #include "Persistence/DelaunayFiltration.h"
 

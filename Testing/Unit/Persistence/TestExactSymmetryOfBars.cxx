@@ -119,7 +119,7 @@ void ExpectSame(
   }
 }
 
-/// Bars to the grid of Same: equal ones sort alike whatever their last digits.
+/// Bars to the grid of Same: equal ones are sorted alike regardless of their last digits.
 Numbers SortBars(Numbers bars, double scale)
 {
   const auto rounded = [scale](double x) { return std::round(x / (20.0 * Same * scale)); };

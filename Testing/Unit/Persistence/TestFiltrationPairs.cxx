@@ -1,5 +1,5 @@
 // Pairs of the Delaunay filtration of random points: what each triangle's filling bounds, that
-// every simplex is in one pair, and the numbers that Euler's formula asks for.
+// every simplex is in one pair, and the numbers that Euler's formula requires.
 
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/FiltrationPairs.h"

@@ -11,10 +11,10 @@
 
 using namespace isthmus;
 
-TEST(StarMatching, HasAsManyCriticalCellsAsClassesComeOrGo)
+TEST(StarMatching, CriticalCellsMatchClassesThatAreBornOrDie)
 {
   // Every closed star of 2000 drawn at random: the Euler number is that of the critical cells, and
-  // no star can do with fewer (components of the link less one, holes of the link).
+  // no star can have fewer (components of the link less one, holes of the link).
   std::mt19937 random(3);
   for (int round = 0; round < 2000; ++round)
   {

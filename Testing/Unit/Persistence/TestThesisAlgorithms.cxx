@@ -96,7 +96,7 @@ public:
 private:
   static std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
-  /// Cells of so many corners whose last vertex is this one, by their corners.
+  /// Cells with a given number of corners whose last vertex is this one, by their corners.
   std::vector<Cell> FindCompletedCells(int vertex, std::size_t corners) const
   {
     const int nx = this->Dimensions[0], ny = this->Dimensions[1];

@@ -1,5 +1,5 @@
 // Statistics of volumes whose values are known, of every type, and of values at the end of what
-// doubles hold; the place of a value that is no number.
+// doubles hold; the place of a value that is not a number.
 
 #include "Persistence/PersistenceCache.h"
 #include "Persistence/ScalarFeatures.h"

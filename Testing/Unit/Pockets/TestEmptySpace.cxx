@@ -376,7 +376,8 @@ std::vector<Ball> TwoRooms(double neck)
 
 TEST(EmptySpace, VolumeDoesNotDependOnMouths)
 {
-  // Pockets, the rest and the atoms fill a cube, whatever radii part them; by random points, too.
+  // Pockets, the rest and the atoms fill a cube, whatever radii separate them; random points
+  // confirm it.
   const auto balls = CloudInACube();
   const Estimate empty =
     VolumeByPoints(20.0, 300000, [&](const Point3& p) { return !IsCovered(balls, 1.4, p); });

@@ -1,4 +1,5 @@
-// Pockets weighed by a surface: means and ranks that are known; what binding sites say of them.
+// Pockets weighed by a surface: means and ranks that are known; the messages of binding sites about
+// them.
 
 #include "Core/Geometry.h"
 #include "Pockets/MolecularPockets.h"
@@ -122,7 +123,7 @@ std::vector<Row> Pockets(vtkPolyData* surface, bool use = true)
   return rows;
 }
 
-/// What a filter says with an error or a warning.
+/// The error or warning of a filter.
 template <typename Filter>
 std::string MessagesBy(Filter* filter)
 {
@@ -138,7 +139,7 @@ std::string MessagesBy(Filter* filter)
 
 }
 
-TEST(PocketSurface, MeansAreTheSurfacesAndWeighInTheScore)
+TEST(PocketSurface, MeansAreThoseOfTheSurfaceAndEnterTheScore)
 {
   const auto plain = Pockets(nullptr);
   ASSERT_EQ(plain.size(), 2u);

@@ -123,7 +123,7 @@ TEST(PolarizedCurvature, OnAnEllipsoidTheTwoCurvaturesDiffer)
     ASSERT_NEAR(Value(output, "PolarizedCurvature", i), phi * k2, 1e-12);
     gap = std::max(gap, k1 - k2);
   }
-  EXPECT_GT(gap, 0.3); // the test would not tell kappa_1 from kappa_2 on a sphere
+  EXPECT_GT(gap, 0.3); // on a sphere, the test would not distinguish kappa_1 from kappa_2
 }
 
 TEST(PolarizedCurvature, WithCurvaturesOfOurFilters)

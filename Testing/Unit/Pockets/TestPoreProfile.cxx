@@ -568,7 +568,7 @@ std::int64_t ReportsBetween(double low, double high, const Analysis& run)
   return reports;
 }
 
-/// Reports of a loop over so many cells: at every 4096th.
+/// Reports of a loop over that number of cells: one at every 4096th.
 std::int64_t ComputeReports(std::size_t cells)
 {
   return static_cast<std::int64_t>((cells + 4095) / 4096);

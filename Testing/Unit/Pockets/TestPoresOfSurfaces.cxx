@@ -111,7 +111,7 @@ TEST(PoresOfSurfaces, APipeHasItsBoreAlongTheAxis)
   }
   auto* notes =
     vtkStringArray::SafeDownCast(pores->GetOutput()->GetFieldData()->GetAbstractArray("Notes"));
-  ASSERT_TRUE(notes); // up to which width channels were not looked for
+  ASSERT_TRUE(notes); // the width below which channels were not searched for
   EXPECT_NE(notes->GetValue(notes->GetNumberOfValues() - 1).find("apart"), std::string::npos);
 }
 

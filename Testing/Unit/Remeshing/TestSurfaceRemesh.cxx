@@ -57,7 +57,7 @@ TEST(SurfaceRemesh, EvensOutASphere)
   EXPECT_NEAR(MeanEdgeLength(result.Mesh), 0.1, 0.01);
   EXPECT_GT(TriangleAngles(result.Mesh).Smallest, 20.0);
   EXPECT_LT(TriangleAngles(sphere).Smallest, 6.0);
-  // Points lie on the old surface, where the old one says they do.
+  // Points lie on the old surface, in the triangles recorded for them.
   for (std::size_t i = 0; i < result.Mesh.Points.size(); ++i)
   {
     const SurfaceLocation& where = result.Locations[i];
@@ -104,7 +104,8 @@ TEST(SurfaceRemesh, PointDataAreCarriedOver)
     vtkPolyData* result = remesh->GetOutput();
     auto* carried = vtkDoubleArray::SafeDownCast(result->GetPointData()->GetScalars());
     ASSERT_NE(carried, nullptr);
-    // A linear field is carried exactly to points on the old triangles, and nearly beside them.
+    // A linear field is carried exactly to points on the old triangles, and approximately to points
+    // beside them.
     const double tolerance = target == vtkSurfaceRemesh::ByNumberOfTriangles ? 0.02 : 1e-9;
     for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
     {

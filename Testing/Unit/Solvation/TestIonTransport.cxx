@@ -238,7 +238,7 @@ TEST(IonTransport, AClosedMembraneIsRefusedWithItsPlace)
   filter->AddObserver(vtkCommand::ErrorEvent, said);
   filter->SetLumenRadius(0.0);
   filter->Update();
-  EXPECT_NE(said->GetErrorMessage().find("closes at ("), std::string::npos)
+  EXPECT_NE(said->GetErrorMessage().find("blocked at ("), std::string::npos)
     << said->GetErrorMessage();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetSections()->GetNumberOfRows(), 0);

@@ -39,7 +39,7 @@ TransportGrid MakeGrid(const Tube& tube, const IonTransportParameters& p)
 }
 
 /// What holds for any answer; the currents.
-CurrentProfile Sound(PoissonNernstPlanck& solution, const char* name)
+CurrentProfile SolveAndCheck(PoissonNernstPlanck& solution, const char* name)
 {
   EXPECT_TRUE(solution.Solve().Converged) << name;
   EXPECT_LE(solution.GetReport().Imbalance, 1e-4) << name;
@@ -87,16 +87,16 @@ TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
   for (const double voltage : { 40.0, 120.0 })
   {
     solution.SetVoltage(voltage);
-    const double forth = Sound(solution, "forth").Mean();
+    const double forth = SolveAndCheck(solution, "forth").Mean();
     solution.SetVoltage(-voltage);
-    const double back = Sound(solution, "back").Mean();
+    const double back = SolveAndCheck(solution, "back").Mean();
     std::cout << voltage << " mV: " << forth << " pA, " << back << " pA\n";
     EXPECT_GT(forth, least);
     EXPECT_NEAR(back / forth, -1.0, 1e-3) << voltage; // where cut cubes go is not symmetric
     least = forth;
   }
   solution.SetVoltage(0.0);
-  EXPECT_NEAR(Sound(solution, "none").Mean(), 0.0, 1e-6 * least);
+  EXPECT_NEAR(SolveAndCheck(solution, "none").Mean(), 0.0, 1e-6 * least);
 }
 
 TEST(IonTransportInvariants, IonsOfEveryValenceAreConserved)
@@ -134,7 +134,7 @@ TEST(IonTransportInvariants, IonsOfEveryValenceAreConserved)
     p.Voltage = c.Voltage;
     const TransportGrid grid = MakeGrid(MakeTube(p, 2.5, c.Charge), p);
     PoissonNernstPlanck solution(grid, p);
-    const CurrentProfile currents = Sound(solution, c.Name);
+    const CurrentProfile currents = SolveAndCheck(solution, c.Name);
     std::cout << c.Name << ":";
     for (std::size_t k = 0; k < p.Species.size(); ++k)
     {
@@ -171,7 +171,7 @@ TEST(IonTransportInvariants, MembranesLieAnywhere)
     }
     const TransportGrid grid = MakeGrid(MakeTube(p, 3.0, -0.05), p);
     PoissonNernstPlanck solution(grid, p);
-    const double current = Sound(solution, "anywhere").Mean();
+    const double current = SolveAndCheck(solution, "anywhere").Mean();
     std::cout << "trial " << trial << ": " << current << " pA\n";
     straight = trial == 0 ? current : straight;
     EXPECT_NEAR(current / straight, 1.0, 0.08) << trial; // the rings stand turned around the axis
@@ -212,7 +212,7 @@ TEST(IonTransportInvariants, TurningMoleculeAndMembraneChangesTheCurrentByLessTh
             2.0 * Pi * part(random));
       const TransportGrid grid = MakeGrid(turned, p);
       PoissonNernstPlanck solution(grid, p);
-      const double current = Sound(solution, "turned").Mean();
+      const double current = SolveAndCheck(solution, "turned").Mean();
       least = std::min(least, current);
       most = std::max(most, current);
     }

@@ -243,7 +243,8 @@ TEST(MovingChannel, AChargedPoreMovesAsPredicted)
 TEST(MovingChannel, WithoutForcesItIsTheSteadySurface)
 {
   // Atoms, but neither charges, nor a jump of the dielectric constant, nor voltage: tension alone
-  // on an obstacle that a probe has made; what it changes is the flow's, whatever the ions do.
+  // on an obstacle that a probe has made; what it changes is due to the flow, independent of the
+  // ions.
   IonTransportParameters p = TubeParameters(3.0);
   p.Voltage = 50.0;
   p.SoluteDielectric = p.SolventDielectric;
@@ -265,7 +266,7 @@ TEST(MovingChannel, WithoutForcesItIsTheSteadySurface)
             << held.GetUpdates().back().Current() << ", at rest " << current << "\n";
   EXPECT_NEAR(held.GetUpdates().front().Current() / current, 1.0, 0.01);
   EXPECT_NEAR(held.GetUpdates().back().Current() / current, 1.0, 0.02);
-  // Without ions' and field's part it is the same, to the last bit of what they add: nothing.
+  // Without the contributions of ions and field, which are zero, the result is bitwise the same.
   IonTransportParameters dilute = p;
   for (TransportSpecies& s : dilute.Species)
   {

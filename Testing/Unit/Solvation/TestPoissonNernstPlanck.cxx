@@ -1,4 +1,4 @@
-// Poisson-Nernst-Planck where there are answers on paper: constant field, double layer, liquid
+// Poisson-Nernst-Planck where there are analytical solutions: constant field, double layer, liquid
 // junction; what comes out of the equations whatever is in them; and what is refused.
 
 #include "TransportLine.h"

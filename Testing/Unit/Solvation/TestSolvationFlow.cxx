@@ -198,7 +198,7 @@ TEST(SolvationFlow, ChargesInOneBallHaveKirkwoodsEnergy)
   EXPECT_GE(flow.EstimateErrors().Polar, std::abs(last.PolarEnergy - exact));
 }
 
-TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)
+TEST(SolvationFlow, UpdatePoliciesConvergeToTheSameResult)
 {
   // Water as in TIP3P (W. L. Jorgensen et al., J. Chem. Phys. 79 (1983) 926), with Bondi's radii.
   constexpr double bond = 0.9572;

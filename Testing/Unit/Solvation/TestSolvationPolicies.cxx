@@ -64,13 +64,13 @@ double MeasureSpread(const std::vector<double>& totals)
 
 }
 
-TEST(SolvationPolicies, EndAlikeOnLysozyme)
+TEST(SolvationPolicies, ConvergeToTheSameResultOnLysozyme)
 {
   ISTHMUS_NEEDS_SHARED_DATA(Lysozyme);
   EXPECT_LT(MeasureSpread(EnergiesAtRest(1.4, { 10, 20, 50, 100 })), 5e-3);
 }
 
-TEST(SolvationPolicies, EndAlikeOnLysozymesAtoms)
+TEST(SolvationPolicies, ConvergeToTheSameResultOnLysozymesAtoms)
 {
   // Without a probe the field draws the surface into the creases between the atoms, where it has
   // room to move: here policies could differ.

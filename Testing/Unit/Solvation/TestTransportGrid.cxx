@@ -237,7 +237,7 @@ TEST(ChannelPassage, ReportsWhereAChannelCloses)
   }
   catch (const std::runtime_error& error)
   {
-    EXPECT_NE(std::string(error.what()).find("closes at ("), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("blocked at ("), std::string::npos) << error.what();
   }
 }
 

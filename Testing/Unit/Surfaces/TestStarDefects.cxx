@@ -203,7 +203,7 @@ TEST(StarDefects, DoNotDependOnTheNumberOfThreads)
   EXPECT_EQ(sentences[0], sentences[2]);
 }
 
-TEST(MergedPoints, AreTheFirstOfEachPlaceAsComparingAllWithAllSays)
+TEST(MergedPoints, AreTheFirstOfEachPlaceAsByComparingAllPairs)
 {
   std::mt19937 random(16);
   std::uniform_int_distribution<int> coordinate(-1, 1);

@@ -106,7 +106,7 @@ namespace
 {
 
 /// An octahedron with a triangle without area at the side 0-4: point 6 lies on it, and the triangle
-/// behind does not know of it.
+/// behind does not contain it.
 TriangleMesh OctahedronWithFlat()
 {
   TriangleMesh mesh;
@@ -160,9 +160,9 @@ TEST(SurfaceCleaning, AFlatTriangleIsFlippedInPlace)
   EXPECT_DOUBLE_EQ(ComputeVolume(taken.Mesh), 4.0 / 3.0);
 }
 
-TEST(SurfaceCleaning, FlatTrianglesUponEachOtherGoLayerByLayer)
+TEST(SurfaceCleaning, StackedFlatTrianglesAreRemovedLayerByLayer)
 {
-  // The side 0-4 with three points on it, each between its neighbours of the layer before.
+  // Three points on the edge 0-4, each on an edge of a flat triangle of the previous layer.
   TriangleMesh mesh = OctahedronWithFlat();
   mesh.Points.push_back({ 0.75, 0, 0.25 });
   mesh.Points.push_back({ 0.25, 0, 0.75 });

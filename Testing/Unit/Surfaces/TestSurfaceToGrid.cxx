@@ -1,4 +1,4 @@
-// The vtk class: surfaces and levels on grids, threads, and what it says to bad input.
+// The vtk class: surfaces and levels on grids, threads, and its messages for invalid input.
 
 #include "GridChecks.h"
 #include "SurfaceModels.h"

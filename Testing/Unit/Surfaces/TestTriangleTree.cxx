@@ -99,7 +99,7 @@ TEST(TriangleTree, AnyGuessGivesIdenticalResults)
   }
 }
 
-/// What floats tell of cylinders must never hide a nearer triangle: at any size, far from the
+/// Rounding of cylinders to float must never hide a nearer triangle: at any size, far from the
 /// origin and seen from far away.
 TEST(TriangleTree, IsExactAtAnySizeAndPlace)
 {

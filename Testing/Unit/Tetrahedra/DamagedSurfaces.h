@@ -154,8 +154,8 @@ inline Triangle& AnyTriangle(TriangleMesh& mesh, Chance& chance)
   return mesh.Triangles[chance.Below(mesh.Triangles.size())];
 }
 
-/// A triangle cut in two at a point of its first side, as far from its first corner as said; with
-/// `both` the neighbour, too.
+/// A triangle cut in two at a point of its first side, at a given distance from its first corner;
+/// with `both` the neighbour as well.
 inline void CutSide(TriangleMesh& mesh, Chance& chance, double at, bool both)
 {
   const Triangle t = AnyTriangle(mesh, chance);

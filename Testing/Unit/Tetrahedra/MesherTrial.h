@@ -1,6 +1,6 @@
 /**
  * @file MesherTrial.h
- * @brief What a mesher is given, what it says, and the volumes it fills.
+ * @brief The input of a mesher, its messages, and the volumes it fills.
  */
 #ifndef isthmus_MesherTrial_h
 #define isthmus_MesherTrial_h

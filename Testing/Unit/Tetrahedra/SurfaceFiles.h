@@ -82,7 +82,7 @@ inline vtkSmartPointer<vtkPolyData> ReadOFF(const std::filesystem::path& path)
 }
 
 /// The one .vtu of the shared data (casting_ttk.vtu), whose raw blocks VTK's own reader refuses:
-/// float points and 64 bit triangles at the offsets that its header tells.
+/// float points and 64 bit triangles at the offsets given in its header.
 inline vtkSmartPointer<vtkPolyData> ReadTTKSurface(const std::filesystem::path& path)
 {
   std::ifstream file(path, std::ios::binary);

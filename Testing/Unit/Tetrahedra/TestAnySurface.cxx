@@ -125,9 +125,9 @@ void Fill(const TriangleMesh& mesh, double volume, std::uint64_t seed, Ends& end
 
 }
 
-/// Acceptance 3 on 20 cases and ten others at each turn; on as many as ISTHMUS_FUZZ_CASES says. The
-/// volume is that of the undamaged sphere to 1 %, or the report says that the surface moved. The
-/// angles of what stuffing makes are acceptance 1.
+/// Acceptance 3 on 20 cases and ten other ones in each run; on as many as ISTHMUS_FUZZ_CASES gives.
+/// The volume is that of the undamaged sphere to 1 %, or the report says that the surface moved.
+/// The angles of what stuffing makes are acceptance 1.
 TEST(AutomaticMesher, DamagedSurfacesAreFilled)
 {
   const char* const wanted = std::getenv("ISTHMUS_FUZZ_CASES");

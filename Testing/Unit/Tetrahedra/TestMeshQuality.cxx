@@ -304,7 +304,7 @@ vtkSmartPointer<vtkUnstructuredGrid> CubeWithMiddleAt(double x, bool reversed)
 
 }
 
-// Volumes are signed: a mesh that overlaps itself has the volume of its outside and says so.
+// Volumes are signed: a mesh that overlaps itself has the volume of its outside, which is reported.
 TEST(MeshQuality, InvertedTetrahedraAreCountedAndNamed)
 {
   for (const bool reversed : { false, true })

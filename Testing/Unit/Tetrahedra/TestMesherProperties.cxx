@@ -1,5 +1,5 @@
-// Each property of vtkTetrahedralMesher, set at the filter, does what it says to the mesh. (What
-// the criteria bound is measured in TestTetrahedralProperties.)
+// Each property of vtkTetrahedralMesher, set at the filter, has its documented effect on the mesh.
+// (What the criteria bound is measured in TestTetrahedralProperties.)
 
 #include "Tetrahedra/MeshQuality.h"
 #include "vtkTetrahedralMesher.h"

@@ -1,6 +1,7 @@
 // Every mesher on damaged meshes and noise: each case ends in a mesh or in a sentence, never in a
 // crash or a hang; and those that only need what a mesher is there for end in a mesh. 50 cases, and
-// 50 others at each turn (LongTests.h); ISTHMUS_FUZZ_CASES=1000 in the environment asks for more.
+// 50 other ones in each run (LongTests.h); ISTHMUS_FUZZ_CASES=1000 in the environment asks for
+// more.
 
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
@@ -178,7 +179,7 @@ namespace
 {
 
 /// A sphere with five points elsewhere (surface 284 of RandomDamage.py, seed 20261125): CGAL's
-/// removal of self-intersections left it torn, and went out of its arrays in the next round.
+/// removal of self-intersections left it torn, and read beyond its arrays in the next round.
 TriangleMesh SphereThatTears()
 {
   vtkNew<vtkSphereSource> source;
@@ -299,5 +300,5 @@ TEST(MeshingFuzz, IsosurfacesOfNoise)
     std::printf("%-16s %5d x %s\n", "Isosurface", count, end.c_str());
   }
   EXPECT_GE(
-    surfaces, static_cast<int>(seeds.size()) / 8); // the others say what they could not keep
+    surfaces, static_cast<int>(seeds.size()) / 8); // the others report what they could not keep
 }

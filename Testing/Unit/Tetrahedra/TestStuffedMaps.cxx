@@ -159,7 +159,7 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnAllSharedMaps)
     ++seen.Maps;
     Stuff(reader->GetOutput(), level, static_cast<int>(index % 3), seen);
   }
-  std::printf("%zu maps (%zu others are no volume of finite, different numbers), %zu tetrahedra: "
+  std::printf("%zu maps (%zu others are not volumes of finite, different numbers), %zu tetrahedra: "
               "angles %.2f to %.2f\n",
     seen.Maps, left, seen.Tetrahedra, seen.Smallest, seen.Largest);
   EXPECT_GE(seen.Maps, 8u);

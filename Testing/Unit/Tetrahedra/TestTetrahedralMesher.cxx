@@ -116,7 +116,7 @@ TEST(TetrahedralMesher, TheSameInputGivesTheSameMesh)
   }
 }
 
-TEST(TetrahedralMesher, KeptSurfaceComesOutAsItWentIn)
+TEST(TetrahedralMesher, KeptSurfaceIsUnchanged)
 {
   const TriangleMesh surface = NestedCubes();
   const TetrahedralMesh mesh =
@@ -142,7 +142,7 @@ TEST(TetrahedralMesher, TetGenKeepsItsBounds)
   parameters.TetGen.MaximumVolume = 0.5;
   parameters.TetGen.RadiusEdgeRatio = 1.4;
   const TetrahedralMesh mesh = MeshTetrahedra(NestedCubes(), parameters);
-  ASSERT_GT(mesh.Tetrahedra.size(), 2u * 793u); // no fewer hold the volume of 793
+  ASSERT_GT(mesh.Tetrahedra.size(), 2u * 793u); // fewer cannot fill the volume of 793
   double largest = 0.0, worst = 0.0;
   std::size_t above = 0;
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
@@ -157,10 +157,10 @@ TEST(TetrahedralMesher, TetGenKeepsItsBounds)
   std::printf("%zu tetrahedra, %zu with a ratio above 1.4, the largest %.3f\n",
     mesh.Tetrahedra.size(), above, worst);
   EXPECT_LE(largest, 0.5 * (1.0 + 1e-9));
-  // TetGen 1.5 gives up a tetrahedron here and there where shells are near each other.
+  // TetGen 1.5 leaves single tetrahedra above the bound where shells are near each other.
   EXPECT_LE(above, mesh.Tetrahedra.size() / 500);
   EXPECT_LE(worst, 2.0);
-  // Bounds that nothing would have kept by itself.
+  // Without bounds, tetrahedra are larger.
   parameters.TetGen.MaximumVolume = parameters.TetGen.RadiusEdgeRatio = 0.0;
   const TetrahedralMesh free = MeshTetrahedra(NestedCubes(), parameters);
   double without = 0.0;

@@ -150,7 +150,7 @@ TEST(TetrahedralProperties, CGALKeepsItsFiveCriteria)
   EXPECT_LE(fine.Circumradius, 0.2 * 1.05); // exudation gives up some of it
   EXPECT_GT(fine.Cells, base.Cells);
 
-  // Slivers apart, refinement ends at the ratio asked for.
+  // Slivers apart, refinement ends at the requested ratio.
   for (const double ratio : { 2.0, 3.0 })
   {
     parameters = CGAL();

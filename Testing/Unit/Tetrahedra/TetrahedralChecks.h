@@ -1,6 +1,6 @@
 /**
  * @file TetrahedralChecks.h
- * @brief What tests ask of tetrahedral meshes: volumes, faces, angles.
+ * @brief Properties of tetrahedral meshes that tests check: volumes, faces, angles.
  */
 #ifndef isthmus_TetrahedralChecks_h
 #define isthmus_TetrahedralChecks_h

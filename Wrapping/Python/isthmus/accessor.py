@@ -1,7 +1,7 @@
 """The accessor of PyVista's datasets: mesh.isthmus.choking_loops().
 
 PyVista loads this module by the entry point `pyvista.accessors` of the wheel when `.isthmus` is first used,
-so that `import isthmus` is not needed; `import isthmus` beside a loaded PyVista is not either.
+so that `import isthmus` is not needed.
 """
 import functools
 

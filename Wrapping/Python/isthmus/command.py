@@ -22,7 +22,7 @@ MOLECULES = "a molecule (.pdb .cif .pqr .gro .mol2 ..., also .gz)"
 # ---------------------------------------------------------------------------- progress and messages
 
 class Bar:
-    """A line on the terminal that shows how far the work is; nothing where there is no terminal."""
+    """A line on the terminal that shows the progress; nothing without a terminal."""
 
     def __init__(self, quiet):
         self.shown = not quiet and sys.stderr.isatty()
@@ -120,7 +120,7 @@ VERMILION, BLUE, ORANGE, GREY = (0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.902
 def _rendering():
     """VTK's rendering classes with OpenGL; ValueError without its libraries."""
     try:
-        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, before any object of rendering is made
+        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, before any rendering object is created
         from vtkmodules import vtkRenderingCore
     except ImportError as error:
         raise ValueError(f"{NO_PICTURE} ({error})") from None
@@ -168,7 +168,7 @@ def draw(actors, path, size=1200):
     from vtkmodules.vtkCommonCore import vtkLogger
     from vtkmodules.vtkIOImage import vtkPNGWriter
     core = _rendering()
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # without a display, VTK warns and draws all the same
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # without a display, VTK warns but still draws
     renderer, window, image, writer = (core.vtkRenderer(), core.vtkRenderWindow(), core.vtkWindowToImageFilter(),
                                        vtkPNGWriter())
     if window.IsA("vtkXOpenGLRenderWindow") and not os.environ.get("DISPLAY"):
@@ -217,7 +217,7 @@ def _picture_of_scalars(surface, name, limit, path):
 
 
 # ---------------------------------------------------------------------------- the commands
-# Each returns a Result: what is printed, the rows of the table, what -o writes, and a function that draws.
+# Each returns a Result: the printed text, the rows of the table, the output of -o, and a function that draws.
 
 Result = collections.namedtuple("Result", "summary rows shape picture")
 
@@ -317,8 +317,7 @@ COMMANDS = {
               "row for each ring with its kind, its radius (angstrom: of the ball that gets stuck there) and its "
               "persistence (angstrom: how much wider the space behind it is)."),
     "pockets": (pockets, MOLECULES, "pockets of a protein, the likeliest binding site first",
-                "Finds the pockets of a molecule, ranked. Water and ligands of the file take no part where the file says "
-                "what they are. Table: a row for each site of the size of a ligand with its probability, its volume (cubic "
+                "Finds the pockets of a molecule, ranked. Water and ligands are excluded if the file identifies them. Table: a row for each site of the size of a ligand with its probability, its volume (cubic "
                 "angstrom) and its residues."),
     "pores": (pores, MOLECULES, "channels that run through a protein",
               "Finds the channels that run through a molecule. Table: a row for each with its length and the radius of "
@@ -390,7 +389,7 @@ def main(arguments=None):
             made = COMMANDS[parsed.command][0](parsed, isthmus)
             bar.clear()
             report(parsed, made)
-            # Last, since a driver of OpenGL may end the program.
+            # Last, since a driver of OpenGL may crash the program.
             if parsed.picture:
                 made.picture(parsed.picture)
         return DONE

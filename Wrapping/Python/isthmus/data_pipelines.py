@@ -1,7 +1,7 @@
-"""Whole pipelines with good defaults, on data: what the buttons of the toolbar do, without ParaView.
+"""Whole pipelines with good defaults, on data: the pipelines of the toolbar's buttons, without ParaView.
 
 Each function takes data or the path of a file. Their filters and settings are those of steps.PIPELINES,
-which the buttons use as well; what cannot be done raises ValueError.
+which the buttons use as well; impossible requests raise ValueError.
 """
 import collections
 import os
@@ -17,7 +17,7 @@ def _read(source):
     return source
 
 
-# Endings of files, those of a gzipped or bzipped one included, and who reads them.
+# File extensions, including those of gzip- or bzip2-compressed files, and their readers.
 READERS = {
     "mrc_map_reader": (".mrc", ".map", ".ccp4", ".mrcs", ".rec", ".st", ".ali"),
     "macromolecule_reader": (".pdb", ".ent", ".cif", ".mmcif", ".pqr", ".xyz", ".pdbqt", ".gro", ".mol2", ".sdf", ".mol"),
@@ -38,9 +38,7 @@ def read(path):
         Isthmus' own readers also gzipped or bzipped.
 
     Returns
-    -------
-    data
-        A volume, points with one vertex an atom, a surface or a mesh. Lengths are in angstrom where the format
+    ------- data A volume, points with one vertex per atom, a surface or a mesh. Lengths are in angstrom where the format
         says so. Of molecules, the atoms.
 
     Raises
@@ -203,7 +201,7 @@ def _denoised(volume, denoise):
     if denoise is False or denoise is None and volume.GetNumberOfPoints() > steps.MOST_NODES:
         return volume
     with warnings.catch_warnings():
-        if not denoise:  # what it says of a map without noise is no concern of the loops
+        if not denoise:  # its warning about a map without noise does not concern the loops
             warnings.simplefilter("ignore", functions.IsthmusWarning)
         made = _step("map_to_loops", "denoised", volume)
     scalars = volume.GetPointData().GetScalars() or volume.GetPointData().GetArray(0)
@@ -221,9 +219,9 @@ def map_to_loops(volume, level=None, denoise=None):
     volume, level
         As in map_to_surface().
     denoise : bool, optional
-        Whether the map is denoised first, as by denoise_map(). By default it is if its noise asks for it:
+        Whether the map is denoised first, as by denoise_map(). By default it is denoised if its noise requires that:
         at least half a percent of the map's range, and an estimated gain of at least 3 dB. The field arrays
-        EstimatedGain and NoiseLevel of the surface say so.
+        EstimatedGain and NoiseLevel of the surface show this.
 
     Returns
     -------

@@ -15,7 +15,7 @@ from importlib.machinery import ModuleSpec
 try:
     from paraview import servermanager, simple
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import loop_views, messages, selections
 from . import pocket_views as pockets_and_pores
@@ -60,14 +60,14 @@ for label, values in SERIES:
         chosen &= numpy.asarray(rows[column]) == value
     result.RowData.append(numpy.where(chosen, death, numpy.nan), label)
 for label, threshold in LINES:
-    if threshold is None:  # the weakest of those that are listed
+    if threshold is None:  # the least persistent of those that are listed
         threshold = (death - birth)[numpy.argmin(abs(death - birth))] if len(birth) else 0.0
     result.RowData.append(birth + threshold, label)
 """
 
 
 class _ScriptColours:
-    """Replaces the module below where it is not installed. ParaView 5.11 to 6.0 import it for the panel of every filter
+    """Provides a substitute for the module below if it is not installed. ParaView 5.11 to 6.0 import it for the panel of every filter
     with a script, such as the chart's, and do not clear the error if that fails. With Python 3.12 or later the next
     import then fails, too, and ParaView crashes (Debian 13, with or without Isthmus)."""
 
@@ -87,7 +87,7 @@ class _ScriptColours:
 
 
 if simple and not any(getattr(finder, "MODULE", None) == _ScriptColours.MODULE for finder in sys.meta_path):
-    sys.meta_path.append(_ScriptColours)  # the last to be asked
+    sys.meta_path.append(_ScriptColours)  # the last one
 
 
 def show(source):
@@ -136,7 +136,7 @@ def _series_of(source):
 
 def thresholds(source):
     """The lines of persistence above which features are reported: (label, death - birth). None instead of a number: that
-    of the weakest feature in the diagram."""
+    of the least persistent feature in the diagram."""
     if source.SMProxy.GetXMLName() == "ScalarPersistence":
         if source.PersistenceUnit == "Values":
             least = float(source.MinimumPersistence)
@@ -242,7 +242,7 @@ def _make_room(chart, rows, superlevel):
 
 
 def _set_range(chart, axis, ranges):
-    """A little more than the ranges, so that no symbol at the border is cut."""
+    """Slightly larger than the ranges, so that no symbol at the border is cut."""
     low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
     if high > low:
         margin = 0.04 * (high - low)
@@ -282,7 +282,7 @@ def link(source, plot):
 @messages.reports_faults("The selection of a loop")
 def selection_changed(number):
     """Called by the window with the global id of the source whose selection has changed, by the user or by this module;
-    0: nothing is selected any more."""
+    0: nothing is selected."""
     there = {proxy.SMProxy.GetGlobalID() for proxy in simple.GetSources().values()}
     for key, (source, plot) in list(_linked.items()):
         if not there.issuperset(key):

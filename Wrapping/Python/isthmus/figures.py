@@ -30,13 +30,13 @@ except ImportError:
 try:
     from paraview import servermanager, simple
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import messages
 
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
 WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
-BAR_SHARE = 0.25  # of the width, at most, is the scale bar
+BAR_SHARE = 0.25  # largest length of the scale bar, as a fraction of the width
 NANOMETRES = 100.0  # angstrom, the shortest bar that is given in nanometres
 # Ambient occlusion: the distance at which surfaces shade each other, in diagonals of what is shown, and how much farther
 # (in that distance) a surface must be to be shaded at all, so that it does not shade itself.
@@ -59,8 +59,8 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
     font_points: size of all text in print.
     background: red, green, blue from 0 to 1. Text is black on a light one, white on a dark one.
     scale_bar: of a round length, in angstrom below 100 angstrom, else in nanometres. With parallel projection it holds
-    everywhere; with perspective in the plane of the focal point, which its text then says. No chart has one.
-    shadows: ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
+    everywhere; with perspective only in the plane of the focal point, as its text then states. Charts have none. shadows:
+     ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
     silhouettes: black lines where the depth jumps. Opaque surfaces only; none where a server renders.
     The view itself is not changed."""
     view = view or simple.GetActiveView()
@@ -75,12 +75,12 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
     path = path or os.path.join(tempfile.mkdtemp(prefix="isthmus-figure-"), "figure.png")
     vector = os.path.splitext(path)[0] + ".svg"
     pixels = max(1, round(font_points * dpi / POINTS_PER_INCH))  # height of text in the picture
-    scale = across / width  # from there to the view, which is what the vectors are made of
+    scale = across / width  # transferred to the view, from which the vectors are exported
     change = _Changes()
     try:
         if is_render_view:
             for _, display in _bars(view):
-                change.set(display, Visibility=0)  # the figure has its own
+                change.set(display, Visibility=0)  # the figure has its own one
             lines = _Silhouettes(view, size, LINE_POINTS * dpi / POINTS_PER_INCH) if silhouettes else None
             _prepare(view, change, background, scale_bar)
             if shadows:
@@ -140,7 +140,7 @@ class _Changes:
             setattr(proxy, name, value)
 
     def add(self, view, kind, source, **values):
-        """Draws a source that is in no pipeline."""
+        """Draws a source that is not part of a pipeline."""
         proxy = servermanager.ProxyManager().SMProxyManager.NewProxy("representations", kind)
         display = servermanager._getPyProxy(proxy)
         display.Input = source
@@ -161,7 +161,7 @@ class _Changes:
 # ---------------------------------------------------------------------------- the look of a view
 
 def background(name):
-    """The background of all views that have no own one: "white", "light", "dark", or "standard" as ParaView starts.
+    """The background of all views without one of their own: "white", "light", "dark", or "standard" as ParaView starts.
     Texts, legends and axes have a colour to be read on it: these are ParaView's palettes of colours."""
     if name not in (*PALETTES, "standard"):
         raise ValueError(f"There is no background {name}: choose {', '.join(PALETTES)} or standard.")
@@ -179,7 +179,7 @@ def background(name):
 
 
 def soft_shadows(view=None, on=None):
-    """Ambient occlusion, which darkens crevices of opaque surfaces, in a render view; on=None: the other way round.
+    """Ambient occlusion, which darkens crevices of opaque surfaces, in a render view; on=None: toggle.
     Returns whether it is on."""
     view = _render_view(view)
     on = not int(view.UseAmbientOcclusion) if on is None else bool(on)
@@ -192,8 +192,7 @@ def soft_shadows(view=None, on=None):
 
 
 def scale_bar(view=None, on=None):
-    """A scale bar of a round length at the lower left of a render view, which follows the camera; on=None: the other way
-    round. Its length holds at the focal point; with perspective, its text says so. Returns whether it is shown."""
+    """A scale bar of a round length at the lower left of a render view, which follows the camera; on=None: toggle. Its length holds at the focal point; with perspective, its text says so. Returns whether it is shown."""
     view = _render_view(view)
     known = _bars(view)
     on = not any(display.Visibility for _, display in known) if on is None else bool(on)
@@ -217,7 +216,7 @@ def change_look(what):
 
 
 def refresh(view):
-    """Fits scale bar and soft shadows to what a view shows now."""
+    """Adapts scale bar and soft shadows to the current contents of a view."""
     if int(view.UseAmbientOcclusion):
         _occlude(view, _Changes())
     for ruler, display in _bars(view):
@@ -288,7 +287,7 @@ def _follow_camera(view):
                 _place_bar(view, ruler, display)
             if bars and event != "InteractionEvent":
                 view.SMProxy.StillRender()
-        except Exception:  # moving the camera must never fail
+        except Exception:  # moving the camera must not fail
             messages.fault("Placing the scale bar")
 
     for event in ("InteractionEvent", "EndInteractionEvent", "MouseWheelForwardEvent", "MouseWheelBackwardEvent"):
@@ -438,7 +437,7 @@ class _Silhouettes:
             for each in view.Representations:
                 change.set(each, SelectionPointLabelVisibility=0)
             change.set(view, OrientationAxesVisibility=0, CenterAxesVisibility=0)
-            change.set(view, ViewSize=size)  # ignored where the window decides on it
+            change.set(view, ViewSize=size)  # ignored if the window determines it
             simple.Render(view)
             depths = view.SMProxy.CaptureDepthBuffer()
             across, up = view.SMProxy.GetRenderWindow().GetSize()
@@ -454,7 +453,7 @@ class _Silhouettes:
             depth = low + depth * (high - low)
         else:
             depth = low * high / (high - depth * (high - low))
-        # What is far behind counts as little behind: a line belongs to the surface in front.
+        # A depth far behind counts as slightly behind: a line belongs to the surface in front.
         mask = numpy.zeros(depth.shape, dtype=bool)
         jump = JUMP * _diagonal(bounds)
         mask[:, 1:] |= depth[:, 1:] - depth[:, :-1] > jump
@@ -473,8 +472,8 @@ class _Silhouettes:
 
 
 def _corners(view):
-    """Renderers of a part of the view, as that of the orientation axes, which clears the depth there even where they are
-    hidden."""
+    """Renderers of a part of the view, such as that of the orientation axes, which clears the depth there even if they
+    are hidden."""
     renderers = view.SMProxy.GetRenderWindow().GetRenderers()
     each = [renderers.GetItemAsObject(i) for i in range(renderers.GetNumberOfItems())]
     return [renderer for renderer in each if renderer.GetDraw() and renderer.GetViewport() != (0.0, 0.0, 1.0, 1.0)]
@@ -524,8 +523,8 @@ def _set_chart_fonts(view, change, size):
 
 
 def _save(path, view, size, lines=None):
-    """A picture of exactly that size. Where the view cannot have it, ParaView makes one of a multiple of a smaller one,
-    which is then cut."""
+    """A picture of exactly that size. If the view cannot have that size, ParaView renders a multiple of a smaller size, which
+    is then cropped."""
     change = _Changes()
     change.set(view, ViewSize=size)
     times = max(1, *(-(-size[axis] // max(1, view.ViewSize[axis])) for axis in range(2)))
@@ -552,7 +551,7 @@ def _save(path, view, size, lines=None):
 
 
 def _vectors(path, view, change, size, lines=None):
-    """Text, legends and lines as ParaView exports them, over a picture without."""
+    """Text, legends and lines as exported by ParaView, over a picture without them."""
     simple.ExportView(path, view=view)
     for each in (*_legends(view), *_texts(view)):
         change.set(each, Visibility=0)

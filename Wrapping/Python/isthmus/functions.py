@@ -1,4 +1,4 @@
-"""The filters, readers and writers as functions of data: made from filters.json, which the panels describe.
+"""The filters, readers and writers as functions of data: created from filters.json, which is generated from the panels.
 
 A function takes VTK's data objects, PyVista's (which are VTK's) or arrays of numpy, runs the filter once,
 and returns its outputs: PyVista's objects where that is installed, otherwise VTK's. What a filter reports
@@ -22,7 +22,7 @@ ASSOCIATIONS = {"point": 0, "points": 0, "cell": 1, "cells": 1}
 
 
 class IsthmusWarning(UserWarning):
-    """What a filter dropped, repaired or assumed."""
+    """A warning: something that a filter dropped, repaired or assumed."""
 
 
 @functools.lru_cache(maxsize=None)
@@ -92,7 +92,7 @@ class _Watch:
         try:
             for callback in _callbacks:
                 callback(algorithm.GetProgress(), algorithm.GetProgressText() or "")
-        except BaseException as error:  # of Ctrl-C as well: VTK would print it and go on
+        except BaseException as error:  # Ctrl-C as well: VTK would print it and continue
             self.raised = error
             algorithm.SetAbortExecute(1)
 
@@ -169,7 +169,7 @@ def _image_of(array):
 
 
 def _from_numpy(value, types, where):
-    """The data object of arrays, as the docstring of each function says; None where they are not of that form."""
+    """The data object of arrays, in the forms that the docstring of each function describes; None for others."""
     import numpy
     from vtkmodules.util import numpy_support
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -213,7 +213,7 @@ def forms_of(types):
 
 
 def take_input(value, given, function):
-    """The data object for an input; TypeError or ValueError where there can be none."""
+    """The data object for an input; TypeError or ValueError if it cannot be converted."""
     where = f"{function}(): {given['name']}"
     data = value
     if not (hasattr(value, "IsA") and hasattr(value, "GetClassName")):
@@ -365,7 +365,7 @@ def set_property(algorithm, value, found, inputs, function):
 # ---------------------------------------------------------------------------- what comes out
 
 def give(data, as_array=False):
-    """An output, free of the filter that made it: PyVista's object where that is installed."""
+    """An output, disconnected from the filter that created it: PyVista's object where that is installed."""
     if data is None:
         return None
     if as_array and data.IsA("vtkImageData"):
@@ -390,7 +390,7 @@ def result_type(described):
 def _result_type(name, outputs):
     made = collections.namedtuple(name, outputs)
     made.__module__ = "isthmus.functions"
-    globals()[name] = made  # where pickle looks for it
+    globals()[name] = made  # where pickle searches for it
     return made
 
 
@@ -455,7 +455,7 @@ def call(described, arguments, given):
             from_array = from_array or (_is_array(entry) and data.IsA("vtkImageData"))
             algorithm.AddInputDataObject(found["port"], data)
             inputs.setdefault(found["port"], data)
-    # A value switches the automatic one off, unless that is requested.
+    # A given value switches the automatic one off, unless that is requested as well.
     ordered = sorted(described["properties"], key=lambda found: found["name"].startswith("automatic_"))
     for found in ordered:
         if found["kind"] == "path":

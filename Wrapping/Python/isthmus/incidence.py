@@ -1,4 +1,4 @@
-"""What meets what in a volume mesh: stars of vertices, fans of edges, all incidences, as numpy arrays.
+"""Incidences in a volume mesh: stars of vertices, fans of edges, all pairs of kinds, as numpy arrays.
 
 >>> from isthmus import incidence, samples
 >>> complex_ = incidence.CombinatorialMap(isthmus.isosurface_stuffing(samples.volume(), level=0.5))
@@ -33,7 +33,7 @@ class CombinatorialMap:
             raise ValueError(messages[0] if messages else "The mesh has no combinatorial map.")
 
     def count(self, kind):
-        """How many elements of a kind the mesh has."""
+        """Number of elements of a kind in the mesh."""
         return self._map.GetNumber(_number(kind))
 
     def incident(self, kind, number, other):
@@ -103,7 +103,7 @@ class CombinatorialMap:
     def _require(kind, other):
         _number(kind), _number(other)
         if kind == other and kind not in ("vertex", "cell", "half face"):
-            raise ValueError(f"neighbours of one kind are those of vertices, cells and half faces, not of a {kind}")
+            raise ValueError(f"only vertices, cells and half faces have neighbours of their own kind, not a {kind}")
 
 
 class _Listener:

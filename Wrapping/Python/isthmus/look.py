@@ -1,12 +1,11 @@
 """The first display of results of Isthmus' filters: meaningful colours, ranges without outliers,
-words for categories, tubes for loops. pipelines.py builds what is looked at; the window calls
-first_look() for each result that is new or changed.
+words for categories, tubes for loops. pipelines.py builds the pipelines; the window calls first_look() for each result that is new or changed.
 """
 
 try:
     from paraview import servermanager, simple
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import diagram_views, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
@@ -19,7 +18,7 @@ def _sequential():
     return "Viridis (matplotlib)" if presets and not presets.HasPreset("Viridis") else "Viridis"
 
 
-# Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
+# Colours. A signed quantity spans a range symmetric about 0, so that its neutral colour means 0.
 DIVERGING = "Cool to Warm"
 SEQUENTIAL = _sequential()
 CURVATURES = ("MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature")
@@ -30,7 +29,7 @@ SITES = ("BindingSites", "BindingSitesInPockets")
 IONS = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
-DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion")  # what they make is a map: seen as a surface
+DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion")  # their output is a map, displayed as a surface
 # Contour a map: a menu shows the automatic level as a given one, so that the slider begins there.
 LEVELLED = ("MapSurface", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels
@@ -56,7 +55,7 @@ CATEGORIES = {
     "SiteClass": (
         ("0", "none", GREY), ("1", "for - proteins", SKY), ("2", "for - ligands", BLUE),
         ("3", "for + proteins", ORANGE), ("4", "for + ligands", VERMILION)),
-    "Exposed": (("0", "boundary of the mesh", GREY), ("1", "laid open by the cut", ORANGE)),
+    "Exposed": (("0", "boundary of the mesh", GREY), ("1", "exposed by the cut", ORANGE)),
     "BindingSite": (
         ("0", "no site", GREY), ("1", "best site", VERMILION), ("2", "second", BLUE),
         ("3", "third", GREEN), ("4", "fourth", ORANGE), ("5", "fifth", PURPLE)),
@@ -86,7 +85,7 @@ def range_by_area(port, association, array):
 
 
 def colour_range(port, association, array):
-    """Range for a colour bar; None where the array has none of its own."""
+    """Range for a colour bar; None if no range is defined for the array."""
     if array in FIXED:
         return FIXED[array]
     if array not in SIGNED and array not in UNSIGNED:
@@ -119,8 +118,8 @@ def _bar(table, view, array):
     bar.RangeLabelFormat = number_format(bar, "-#.2g")  # 0.17, not 1.7e-01
 
 
-# Colour maps that first_look() has set, by global id: the range it gave them. A map whose range is
-# another now was changed by the user.
+# Colour maps that first_look() has set, by global id: the range it gave them. A map whose range has
+# changed since was changed by the user.
 _ranges = {}
 _titled = set()  # (colour map, view) whose legend has its title
 
@@ -178,7 +177,7 @@ def _look_at_loops(display, view, port):
         own = loops.SMProxy.GetNumberOfOutputPorts() > 4
         surface = simple.OutputPort(loops, 4) if own else loops.Input
         envelope = simple.Show(surface, view)
-        envelope.Opacity, envelope.Pickable = 0.35, 0  # no obstacle to clicks on loops
+        envelope.Opacity, envelope.Pickable = 0.35, 0  # must not catch clicks on loops
     elif port < 4:
         display.Visibility = 0
 
@@ -206,7 +205,7 @@ def _look_at_mesh(display, view):
 
 
 def _look_at_denoised(display, view):
-    """The surface of a denoised map instead of its box, as a Map Surface of its own that has its level."""
+    """The surface of a denoised map instead of its box, by a separate Map Surface with its own level."""
     if display.Representation != "Outline" or not _is_map(display.Input):
         return
     selected = simple.GetActiveSource()
@@ -223,7 +222,7 @@ def _look_at_denoised(display, view):
 
 
 def _colour_if_it_differs(display, view, array):
-    """Plain where a cell array has one value: a bar from it to itself shows nothing."""
+    """A plain colour if a cell array has a single value: a colour bar would be empty."""
     cells = _range_of_cells(display.Input, array)
     if cells is None or cells[0] == cells[1]:
         simple.ColorBy(display, None)
@@ -277,14 +276,14 @@ def _look_at_handles(display, port):
 
 
 def _hide_molecule(atoms, view):
-    """The balls and sticks beside the atoms that a surface has taken the place of."""
+    """The balls and sticks of atoms that a surface has replaced in the view."""
     reader = servermanager._getPyProxy(atoms.SMProxy)
     if reader.SMProxy.GetXMLName() in MOLECULES:
         simple.Hide(simple.OutputPort(reader, 1), view)
         simple.HideUnusedScalarBars(view)
 
 
-# What a spreadsheet of residues hides at first, so that name, number and structure are in sight.
+# What a spreadsheet of residues hides at first, so that name, number and structure are visible.
 HIDDEN_OF_RESIDUES = ("ChainIndex", "InsertionCode", "Point ID", "Points")
 # What a spreadsheet of sites hides at first: ParaView sorts columns by name, and these would come
 # before rank, class, residues, score and volume.
@@ -309,7 +308,7 @@ _seen = set()
 
 def _look_at_table(display, view, name):
     if hasattr(display, "XArrayName") and "Isthmus" in _menu_of(display.Input):
-        pockets_and_pores.own_views.add(view.SMProxy.GetGlobalID())  # a chart goes with what it shows
+        pockets_and_pores.own_views.add(view.SMProxy.GetGlobalID())  # a chart is closed with its source
     if name in SITES:
         view.HiddenColumnLabels = HIDDEN
     elif name == "MoleculeCartoon" and hasattr(view, "HiddenColumnLabels"):
@@ -351,7 +350,7 @@ def _look_at_shape(display, view, source, name):
 
 
 def _look(display):
-    """Returns the view, where this was the first look at a representation, or it has a text that has changed."""
+    """Returns the view if this was the first display of a representation, or if one of its texts has changed."""
     source = getattr(display, "Input", None)
     if source is None:
         return None
@@ -384,8 +383,8 @@ def first_look(*ids):
             view = _look(servermanager._getPyProxy(proxy))
             if view is not None:
                 views[view.GetGlobalID()] = view
-        except Exception:  # a look is never worth a failure
-            messages.fault("The first look at a result")
+        except Exception:  # a failed display must not cause an error
+            messages.fault("The initial display of a result")
     for view in views.values():  # ParaView has drawn them before
         if hasattr(view, "HiddenLineRemoval"):  # a render view
             simple.HideUnusedScalarBars(view)
@@ -397,8 +396,8 @@ _previews = {}  # by the global id of a filter whose slider is held: the contour
 
 @messages.reports_faults("The preview of a level")
 def preview_level(number, level):
-    """Called by the window while the slider of the level of that filter is held: the contour of the level in each
-    view that shows the filter or what depends on it, and these hidden."""
+    """Called by the window while the slider of the level of that filter is held: shows the contour of the level in
+    each view that shows the filter or something derived from it, and hides these."""
     source = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     if number not in _previews:
         _previews[number] = _begin_preview(source)
@@ -469,13 +468,13 @@ def live_change(number):
         diagram_views.follow_threshold(proxy)
 
 
-_by_hand = set()  # global ids of filters that a menu has made
+_by_hand = set()  # global ids of filters that a menu has created
 
 
 @messages.reports_faults("Proposing values")
 def first_values(number):
-    """Called by the window with the global id of a filter that a menu has made and that waits for its first Apply:
-    steps.FIRST, as the buttons set them, and values proposed from the data."""
+    """Called by the window with the global id of a filter that a menu has created and that waits for its first Apply:
+    sets steps.FIRST, as the buttons do, and values proposed from the data."""
     proxy = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     if proxy is None:
         return
@@ -487,7 +486,7 @@ def first_values(number):
     if getattr(proxy, "Input", None) is None or not _is_map(proxy.Input):
         return
     if name == "ScalarPersistence":
-        proxy.Superlevel = 1  # what is dense is what there is
+        proxy.Superlevel = 1  # the dense region is the object
     elif name in LEVELLED and proxy.AutomaticLevel:
         level = _proposed_level(proxy.Input)
         if level is not None:
@@ -504,7 +503,7 @@ def _proposed_level(port):
     surface = servermanager.filters.MapSurface(Input=port)
     algorithm = surface.GetClientSideObject()  # of the built-in server
     if algorithm is not None:
-        algorithm.AddObserver("WarningEvent", lambda *_: None)  # the filter itself will say it
+        algorithm.AddObserver("WarningEvent", lambda *_: None)  # the filter itself will report it
     surface.UpdatePipeline()
     found = surface.FieldData["Level"]
     return found.GetRange()[0] if found and not surface.FieldData["InvertedContrast"] else None
@@ -512,7 +511,7 @@ def _proposed_level(port):
 
 def show(*proxies, view=None, tables=False):
     """Shows the last proxies of a pipeline as the window would, and returns the last display. tables: open
-    the tables and charts of pockets and pores beside the view, too."""
+    the tables and charts of pockets and pores beside the view as well."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
         display = pockets_and_pores.show(proxies[-1], view, tables)
@@ -520,7 +519,7 @@ def show(*proxies, view=None, tables=False):
         return display
     if proxies[-1].SMProxy.GetXMLName() == "PointDatasetInterpolator":  # pipelines.map_with_model
         display = molecules.show_with_map(proxies[0], proxies[-1], view)
-        _seen.update(each.GetGlobalID() for each in view.Representations)  # they have their look
+        _seen.update(each.GetGlobalID() for each in view.Representations)  # they are already displayed
         return display
     if proxies[-1].SMProxy.GetXMLName() == "FeatureTracks":  # pipelines.trajectory_to_loops
         _look(simple.Show(proxies[0], view))
@@ -555,7 +554,7 @@ def _show_sites(sites, display, view, beside):
         return display
     other = pockets_and_pores.new_view("RenderView", view, "right", 0.5)
     potential = simple.Show(sites, other, "GeometryRepresentation")
-    _seen.add(potential.GetGlobalID())  # has its look here
+    _seen.add(potential.GetGlobalID())  # is displayed here
     simple.ColorBy(potential, ("POINTS", "Potential"))
     _colour(potential, other)
     potential.SetScalarBarVisibility(other, True)
@@ -569,7 +568,7 @@ def _show_sites(sites, display, view, beside):
 
 
 def _name_sites(sites, display, view):
-    """The legend has the sites that there are, and a word for those beyond the colours. Returns the table of sites."""
+    """The legend lists the existing sites, and has one entry for those without a colour of their own. Returns the table of sites."""
     found = servermanager.Fetch(sites, idx=1)
     rows = CATEGORIES["BindingSite"]
     table = display.LookupTable
@@ -582,7 +581,7 @@ def _name_sites(sites, display, view):
 
 
 def _face(sites, found, view):
-    """Looks at the best site from outside of the molecule; at the whole, if there is no site."""
+    """Points the camera at the best site from outside of the molecule; at the whole molecule if there is no site."""
     simple.ResetCamera(view)
     low_high = sites.GetDataInformation().GetBounds()
     middle = [0.5 * (low_high[2 * axis] + low_high[2 * axis + 1]) for axis in range(3)]
@@ -602,5 +601,5 @@ def _face(sites, found, view):
 
 
 def _replaced(proxy, last):
-    """Whether `last` shows what `proxy` does, with more to it."""
+    """Whether `last` shows the same as `proxy`, with additions."""
     return last.SMProxy.GetXMLName() in ("CurvatureOnSurface",) + SITES

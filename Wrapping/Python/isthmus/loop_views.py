@@ -10,7 +10,7 @@ functions in scripts report all loops. look.py calls count() for each result tha
 try:
     from paraview import servermanager, simple
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 LOOPS = ("ChokingLoops",)
 STALE = "the loops follow when the slider is released"

@@ -1,8 +1,8 @@
-"""Messages of the window in plain sentences. The text of an unexpected exception is written to a file, which the user can
+"""Messages of the window in plain language. The text of an unexpected exception is written to a file, which the user can
 send with a report.
 
-Where a message goes: an error where there is no result; a warning where the result is not what was asked for, or not to be
-trusted as it is, so that the user has to decide something (both open the window's messages); a note for all else that
+Where a message goes: an error where there is no result; a warning where the result is not what was requested, or not to be trusted
+as it is, so that the user has to decide something (both open the window's messages); a note for all else that
 explains a correct result. Filters put notes into the field data Notes, which the Information panel keeps, the functions
 of the buttons call show_note(); the window shows both in its status bar."""
 
@@ -57,7 +57,7 @@ def reports_faults(what):
 
 
 def fault(what):
-    """Called in an except clause: `what` failed for a reason that nobody has foreseen."""
+    """Called in an except clause: `what` failed for an unforeseen reason."""
     with tempfile.NamedTemporaryFile("w", prefix="isthmus-fault-", suffix=".txt", delete=False) as report:
         report.write(traceback.format_exc())
     show_error(f"{what} failed. This is a fault in Isthmus: please report it with the file {report.name} and, if "

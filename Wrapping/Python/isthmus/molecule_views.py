@@ -16,7 +16,7 @@ try:
     from paraview import servermanager, simple
     from vtkmodules.numpy_interface import algorithms
 except ImportError:
-    servermanager = simple = algorithms = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = algorithms = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import messages, selections
 
@@ -31,7 +31,7 @@ STRUCTURE = (("0", "coil", (0.78, 0.78, 0.78)), ("1", "helix", (0.835, 0.369, 0.
 # The classes and colours of the AlphaFold Protein Structure Database: very low, low, confident, very high.
 CONFIDENCE = ((0.0, 50.0, (1.0, 0.490, 0.271)), (50.0, 70.0, (1.0, 0.859, 0.075)),
               (70.0, 90.0, (0.396, 0.796, 0.953)), (90.0, 100.0, (0.0, 0.325, 0.839)))
-# As the window draws ligands; of further elements, colours like Jmol's.
+# As the window draws ligands; further elements have colours similar to Jmol's.
 ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)), ("8", "O", (0.835, 0.2, 0.1)),
             ("16", "S", (0.902, 0.75, 0.1)), ("1", "H", (0.9, 0.9, 0.9)), ("15", "P", (0.902, 0.5, 0.0)),
             ("9", "F", (0.56, 0.88, 0.31)), ("17", "Cl", (0.12, 0.82, 0.12)), ("35", "Br", (0.65, 0.16, 0.16)),
@@ -305,7 +305,7 @@ def follow(cartoon):
                         _last[number, each] = selected(cartoon, each)
                     simple.RenderAllViews()  # the window draws the one that was clicked
                     break
-        except Exception:  # a click is never worth a failure
+        except Exception:  # a failed click must not cause an error
             messages.fault("Selecting a residue in all outputs")
         finally:
             _busy.discard(number)

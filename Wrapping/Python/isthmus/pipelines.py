@@ -1,4 +1,4 @@
-"""Whole pipelines with good defaults, and the first look at what Isthmus' filters make.
+"""Whole pipelines with good defaults, and the default display of results of Isthmus' filters.
 
     from isthmus import pipelines                 # or: from isthmus_plugin, with the plugin loaded
     surface, loops = pipelines.map_to_loops(OpenDataFile("emd_5043.map"))
@@ -32,7 +32,7 @@ DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 # Filters that pass on the atoms of a molecule, as the buttons put them in.
 PARTS = ("AtomSelection", "ForceFieldCharges")
 DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion", "PDETransform")
-# What buttons ask of the functions: of many loops the significant ones.
+# Options that buttons pass to the functions: of many loops only the significant ones.
 BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"significant": True}}
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
@@ -66,9 +66,9 @@ def _require_surface(source):
 
 
 def _require_one(source, what):
-    """Most filters process groups block by block, but not as the second input of a filter."""
+    """Most filters process groups block by block, but not on the second input of a filter."""
     if look.data_of(source).GetCompositeDataSetType() != -1:
-        raise ValueError(f"This works on one {what}, and a group is selected: take it out by Extract Block.")
+        raise ValueError(f"This works on one {what}, and a group is selected: extract it by Extract Block.")
 
 
 def _has_atoms(source):
@@ -156,8 +156,8 @@ def map_to_loops(source, level=None, denoise=None, significant=False):
     """(surface, loops): the map's surface, of no more than its ten largest components, and its
     choking loops.
 
-    denoise: whether the map is denoised first (Denoise Map); None: if its noise asks for it, that is if
-    the noise is at least half a percent of the map's range, and the estimated gain at least 3 dB.
+    denoise: whether the map is denoised first (Denoise Map); None: if its noise requires it, i.e. if the noise
+    is at least half a percent of the map's range, and the estimated gain at least 3 dB.
     significant: the 20 most persistent loops that are trusted, as the button shows; else all of them."""
     _require_volume(source)
     source = _denoised(source, denoise)
@@ -187,10 +187,10 @@ def _denoised(source, denoise):
 def _hide_warnings(source):
     """Hides a filter's warning about a map without noise, which does not concern the loops."""
     try:
-        # A class that Python meets as an object first, it could not make objects of later.
+        # Python cannot instantiate a class that it has first seen as an object of C++.
         importlib.import_module("isthmus.vtkIsthmusFiltersImaging")
     except ImportError:
-        pass  # a window without the package
+        pass  # ParaView without the package
     algorithm = source.GetClientSideObject()  # None where a server has it, whose warnings stay there
     if algorithm is not None:
         algorithm.AddObserver("WarningEvent", lambda *_: None)
@@ -226,7 +226,7 @@ def trajectory_to_loops(source, frames=steps.MOST_FRAMES):
     steps, and their tracks from frame to frame, with the radius of each over time (track_views).
 
     A molecule's loops are those of the surface of its chains, a map's those at the level of its first frame. frames: the
-    most that are looked at; of more, every second, third, ... one is."""
+    maximum number of analysed frames; of more frames, every second, third, ... is used."""
     times = track_views.times_of(source)
     if len(times) < 2:
         raise ValueError(steps.NOTHING["frames"])
@@ -268,9 +268,9 @@ def protein_to_surface(source):
 def protein_to_sites(source, potential=None):
     """(potential, sites) or (potential, ligands, sites): the surface with potential, polarized curvature
     and likely binding sites, which are the pockets; or patches of the surface, where the molecule has no
-    pocket. Ligands and ions, if there are any, take no part in it.
+    pocket. Ligands and ions, if there are any, are not included.
 
-    potential: a source of it (kT/e) on a grid, an opened .dx file, say. Without one it is computed
+    potential: a source of it (kT/e) on a grid, for instance an opened .dx file. Without one it is computed
     from the charges of the chains in 0.15 mol/l of salt; File > Save Data keeps it as a .dx file. A PQR
     file has charges; those of a PDB or mmCIF file are a force field's (Force Field Charges, by the
     program pdb2pqr).
@@ -291,7 +291,7 @@ def protein_to_sites(source, potential=None):
     polarized.UpdatePipeline()
     sites = _make("protein_to_potential", "sites", polarized, Atoms=chains,
                   RankedArray=["POINTS", "PolarizedCurvature"])
-    sites.UsePockets = int(_has_pockets(chains))  # asked before, since the filter would warn as well
+    sites.UsePockets = int(_has_pockets(chains))  # checked first, since the filter would warn as well
     sites.UpdatePipeline()
     if not sites.UsePockets:
         messages.show_note(steps.NO_POCKETS)
@@ -527,7 +527,7 @@ def _moves(source):
 @messages.reports_faults("The proposed threshold")
 def use_proposed_threshold(number):
     """The button beside Minimum Persistence of the proxy with that global id: the threshold that its last
-    result proposes, of both sides the lower one that separates anything. Loops change at once."""
+    result proposes, of both sides the lower one that separates anything. The loops change immediately."""
     loops = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     proposed = loops.FieldData["ProposedThreshold"]
     if proposed is None:
@@ -580,9 +580,9 @@ def run(function):
     except Exception as error:
         for proxy in set(simple.GetSources().values()) - before:
             simple.Delete(proxy)
-        simple.SetActiveSource(selected)  # what was deleted may have been it
-        if messages.is_cancelled():  # in a filter, whose empty result is then no error
-            messages.show_note("Cancelled: what the button had made was removed.")
+        simple.SetActiveSource(selected)  # it may have been deleted itself
+        if messages.is_cancelled():  # in a filter, whose empty result is then not an error
+            messages.show_note("Cancelled: the objects that the button had created were removed.")
             return
         if not isinstance(error, ValueError):
             raise

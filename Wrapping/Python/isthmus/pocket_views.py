@@ -12,7 +12,7 @@ pipelines.py call this module.
 try:
     from paraview import servermanager, simple
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import messages, selections, steps
 
@@ -379,7 +379,7 @@ _placed_again = set()
 
 
 def _place_names_again(residues, view):
-    """Chooses the names again whenever the mouse has turned or zoomed the view."""
+    """Chooses the names again whenever the mouse has rotated or zoomed the view."""
     pair = residues.SMProxy.GetGlobalID(), view.SMProxy.GetGlobalID()
     interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
     if interactor is None or pair in _placed_again:
@@ -391,7 +391,7 @@ def _place_names_again(residues, view):
             if _is_shown(residues, view):
                 place_names(residues, view)
                 view.SMProxy.StillRender()
-        except Exception:  # moving the camera must never fail either
+        except Exception:  # moving the camera must not fail either
             messages.fault("Placing the names of residues")
 
     interactor.AddObserver("EndInteractionEvent", moved)

@@ -7,7 +7,7 @@ try:
     from paraview import servermanager
     from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 except ImportError:
-    servermanager = vtkSMSelectionHelper = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = vtkSMSelectionHelper = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 
 def of_ids(kind, numbers):

@@ -15,7 +15,7 @@ import importlib
 try:
     from paraview import servermanager, simple
 except ImportError:
-    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import messages
 from . import pocket_views as pockets_and_pores
@@ -55,10 +55,10 @@ def _root(source):
 def report_frames(tracks, count):
     """Reports each frame to the window while `tracks` processes them."""
     try:
-        # A class that Python meets as an object first, it could not make objects of later.
+        # Python cannot instantiate a class that it has first seen as an object of C++.
         importlib.import_module("isthmus.vtkIsthmusFiltersPockets")
     except ImportError:
-        pass  # a window without the package
+        pass  # ParaView without the package
     algorithm = tracks.GetClientSideObject()  # None with a server elsewhere
     if algorithm is None:
         return

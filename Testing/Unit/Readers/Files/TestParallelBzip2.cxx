@@ -24,7 +24,7 @@ namespace
 using isthmus::testing::Bzip2;
 using isthmus::testing::TemporaryFile;
 
-/// What libbz2 says of a file, member after member.
+/// The result of libbz2 for a file, member after member.
 struct Truth
 {
   std::string Content;
@@ -62,7 +62,7 @@ Truth ByLibbz2(std::string packed)
   return truth;
 }
 
-/// What our source says of it, read in pieces of random sizes.
+/// The result of our source for it, read in pieces of random sizes.
 struct ReadResult
 {
   std::string Content;

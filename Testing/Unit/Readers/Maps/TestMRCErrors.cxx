@@ -1,4 +1,5 @@
-// Files that can't be read: a sentence, an error code, an empty output, and no large allocation.
+// Files that can't be read: an error message, an error code, an empty output, and no large
+// allocation.
 
 #include "Files/ReaderError.h"
 #include "MRCTestFile.h"
@@ -169,7 +170,7 @@ TEST(MRCErrors, HeadersWithHugeCountsAllocateNothing)
       ExpectFailure(packed, "bytes expected", vtkErrorCode::PrematureEndOfFileError);
     }
   }
-  // Zeros compress so well that only counting tells that 40 MB are not 13.5 GB.
+  // Zeros compress so well that only counting shows that 40 MB are not 13.5 GB.
   const std::string zeros = large.Bytes() + std::string(40000000, '\0');
   ExpectFailure(
     Bzip2(zeros), "after decompression, found 40001024", vtkErrorCode::PrematureEndOfFileError);

@@ -261,7 +261,7 @@ TEST(MRCHeader, CanReadFileLooksAtTheContent)
   EXPECT_EQ(asFile(Gzip(map)), 1);
   EXPECT_EQ(asFile(Bzip2(map)), 1);
   EXPECT_EQ(asFile(SmallMap([](MRCTestFile& m) { m.SetText(208, "    "); })), 1);
-  EXPECT_EQ(asFile(""), 1); // by its name: reading says that it is empty
+  EXPECT_EQ(asFile(""), 1); // by its name: reading reports that it is empty
   EXPECT_EQ(asFile("short"), 0);
   EXPECT_EQ(asFile(std::string(4096, ' ')), 0);
   EXPECT_EQ(asFile(std::string(4096, '\0')), 0);

@@ -66,7 +66,7 @@ MRCTestFile MakeMap(int mode, bool bigEndian, const Order& order, std::array<int
   file.SetInts(17, order);
   for (std::size_t f = 0; f < 3; ++f)
   {
-    // The cell is given along x, y, z: spacing 1 whatever the order.
+    // The cell is given along x, y, z: spacing 1 in any order.
     file.SetInt(7 + static_cast<std::size_t>(order[f]), counts[f]);
     file.SetFloat(10 + static_cast<std::size_t>(order[f]), static_cast<float>(counts[f]));
   }

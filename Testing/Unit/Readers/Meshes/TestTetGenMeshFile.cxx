@@ -39,7 +39,7 @@ TEST(TetGenMeshFile, TenNodesComeInVTKsOrder)
   const auto reader = OpenFile<vtkTetGenMeshReader>(path.string());
   ASSERT_EQ(reader->GetOutput()->GetNumberOfCells(), 1);
   ASSERT_EQ(reader->GetOutput()->GetCellType(0), VTK_QUADRATIC_TETRA);
-  // Each further node lies in the middle of the edge that VTK says.
+  // Each further node lies in the middle of the edge given by VTK's order.
   vtkPoints* points = reader->GetOutput()->GetCell(0)->GetPoints();
   const int edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
   for (int e = 0; e < 6; ++e)
@@ -143,7 +143,7 @@ TEST(TetGenMeshFile, DamagedFilesReportTheLine)
   EXPECT_SAYS(whyFace("1 1\n0 0 1 2 -1 5\n"), "has 2 numbers after its corners instead of 1");
   EXPECT_SAYS(whyFace("2 0\n0 0 1 2\n"), "x.face, line 1: the number of triangles is given as 2");
 
-  // MSMS has .face files, too.
+  // MSMS has .face files as well.
   const TemporaryFile faces("#faces\n1 1 1.00 1.50\n1 2 3 1 1\n", "y.face");
   std::ofstream(std::filesystem::path(faces.Path()).replace_extension(".vert")) << "#vertices\n";
   try

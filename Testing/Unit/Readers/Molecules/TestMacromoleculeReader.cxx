@@ -198,8 +198,8 @@ TEST(MacromoleculeReader, ErrorsOfTheVTKClass)
     { ::testing::TempDir(), "this is a folder", vtkErrorCode::CannotOpenFileError },
     { empty.Path(), "empty", vtkErrorCode::PrematureEndOfFileError },
     { letter.Path(), "mmCIF", vtkErrorCode::FileFormatError },
-    { cut.Path(), "break off", vtkErrorCode::PrematureEndOfFileError },
-    { noChecksum.Path(), "break off", vtkErrorCode::PrematureEndOfFileError } };
+    { cut.Path(), "end prematurely", vtkErrorCode::PrematureEndOfFileError },
+    { noChecksum.Path(), "end prematurely", vtkErrorCode::PrematureEndOfFileError } };
   for (const auto& c : cases)
   {
     Reading reading;

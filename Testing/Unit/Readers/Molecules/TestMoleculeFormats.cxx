@@ -1,4 +1,4 @@
-// Small molecules written in the test in each format, with what must come of them by hand.
+// Small molecules written in the test in each format, with expected results written by hand.
 
 #include "Atoms/AtomRadii.h"
 #include "Atoms/ChemicalElement.h"
@@ -134,7 +134,7 @@ TEST(MacromoleculeReader, PDBKnownAndUnknownValues)
 }
 
 // Found by FuzzMacromoleculeReader: gemmi adds up all ten digits of a DBREF2 record, beyond what an
-// int holds (undefined, which the sanitizers tell).
+// int holds (undefined, as the sanitizers report).
 TEST(MacromoleculeReader, DatabaseReferencesAreNotParsedAsNumbers)
 {
   const std::string references =
@@ -211,7 +211,7 @@ TEST(MacromoleculeReader, BadFilesAreReported)
       "columns 47 to 54" },
     { MoleculeFormat::PDB, "ATOM      1  CA  SER A  10      inf      0.000   0.000  1.00 10.00\n",
       "columns 31 to 38" },
-    // One column to the left, and no blanks to go by.
+    // One column to the left, and no blanks that separate the fields.
     { MoleculeFormat::PDB,
       "ATOM      1  CA  SER A  10   2004.9053004.355-899.274  1.00 10.00           C\n",
       "columns 39 to 46" },
@@ -239,7 +239,7 @@ TEST(MacromoleculeReader, BadFilesAreReported)
     EXPECT_NE(CatchMessage(c.Text, c.Format).find(c.Words), std::string::npos)
       << c.Text << "\nsaid: " << CatchMessage(c.Text, c.Format);
   }
-  // gemmi takes small letters as well, and would make 0 of what is no number.
+  // gemmi takes small letters as well, and would read 0 from anything that is not a number.
   EXPECT_NE(CatchMessage("atom      1  ca  ser a  10       0.000   0.000     nan  1.00 10.00\n",
               MoleculeFormat::PDB)
               .find("columns 47 to 54"),

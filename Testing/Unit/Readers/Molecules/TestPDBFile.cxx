@@ -1,4 +1,4 @@
-// PDB files in pieces, the columns that simulation programs write, and records that are no use.
+// PDB files in pieces, the columns that simulation programs write, and records that are unusable.
 
 #include "Molecules/GemmiStructure.h"
 #include "Molecules/MacromoleculeReader.h"

@@ -43,8 +43,8 @@ std::string Chain(
   return text;
 }
 
-/// The number of models, and atoms of the first and the last one, which must be what
-/// CountModels says of the file, plain and compressed.
+/// The number of models, and atoms of the first and the last one, which must agree with CountModels
+/// for the file, plain and compressed.
 struct Reading
 {
   explicit Reading(const std::string& text)

@@ -1,4 +1,5 @@
-// What readers of each format say they decided or dropped: notes, and one warning, in counts.
+// What readers of each format report that they decided or dropped: notes, and one warning, with
+// counts.
 
 #include "MoleculeTexts.h"
 #include "PDBText.h"
@@ -138,7 +139,7 @@ TEST(ReadingReport, MOL2)
 
 TEST(ReadingReport, TypesOfForceFieldsInMOL2AreNoElements)
 {
-  // GAFF's, in ADP: os is no osmium, nb no niobium, ca no calcium, ho no holmium.
+  // GAFF's types in ADP: os is not osmium, nb not niobium, ca not calcium, ho not holmium.
   const auto file = [](const char* types)
   {
     std::string text = "@<TRIPOS>MOLECULE\nx\n5 0\nSMALL\nUSER_CHARGES\n@<TRIPOS>ATOM\n";
@@ -236,7 +237,7 @@ TEST(ReadingReport, MMCIF)
   ExpectCounts(names,
     { "Atoms without a usable element in the file: 4; decided 4 by residue and atom name.",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1." });
-  // X is no element where the file knows others, and an unknown one where it does not.
+  // X is not an element in a file with known elements, and an unknown element in other files.
   for (const bool hasIds : { true, false })
   {
     const auto id = [hasIds](const char* number) { return std::string(hasIds ? number : ""); };
@@ -255,7 +256,7 @@ TEST(ReadingReport, MMCIF)
                 MoleculeFormat::MMCIF)),
       "C C ");
   }
-  // Elements that cannot be are replaced; others win over the names.
+  // Impossible elements are replaced; others take precedence over the names.
   const Macromolecule absurd = Read(head + "_atom_site.type_symbol\n" + place +
       "OG SER A 1 OG 0 0 0\nCB SER A 1 C 5 0 0\nCA LIG B . CA 10 0 0\nD1 DOD C . D 15 0 0\n",
     MoleculeFormat::MMCIF);

@@ -98,7 +98,7 @@ TEST(StructureRecords, HelicesAndStrandsOfMMCIF)
               "_struct_sheet_range.beg_auth_asym_id\n_struct_sheet_range.beg_auth_seq_id\n"
               "_struct_sheet_range.end_auth_seq_id\nQ 14 15\n"),
     "113220");
-  // As ModelCIF of predictions has them, and a row that is no use.
+  // As ModelCIF of predictions has them, and a row that is unusable.
   EXPECT_EQ(structure(helices +
               "HELX_RH_AL_P Q 11 11 ?\nSTRN Q 12 12 ?\nHELX_RH_3T_P Q 13 13 ?\n"
               "HELX_RH_PI_P Q 14 14 ?\nHELX_LH_PP_P Q 15 15 ?\nSTRN Q ? 16 ?\n"),

@@ -1,4 +1,4 @@
-// OpenDX files that end in a sentence, or are stopped, or hold what is no number.
+// OpenDX files that cause an error message, aborted reading, and values that are not numbers.
 
 #include "OpenDXTestFiles.h"
 #include "vtkOpenDXReader.h"

@@ -196,7 +196,7 @@ TEST(OpenDXReader, SkewedGridsAreResampledWithANote)
   EXPECT_NE(reading.Observer->GetWarningMessage().find("skewed"), std::string::npos);
   vtkDataArray* inside = reading.Image->GetPointData()->GetArray("InsideMap");
   ASSERT_NE(inside, nullptr);
-  // Nodes 0 and 1 of the file's first row along x are nodes of the grid, too.
+  // Nodes 0 and 1 of the file's first row along x are nodes of the grid as well.
   int found = 0;
   for (vtkIdType node = 0; node < reading.Image->GetNumberOfPoints(); ++node)
   {
