@@ -37,9 +37,12 @@ std::string FormatWithError(double value, double error, const std::string& unit)
   const int exponent =
     error > 0.0 && std::isfinite(error) ? static_cast<int>(std::floor(std::log10(error))) : -most;
   const bool one = error * std::pow(10.0, -exponent) < 1.95;
-  const int decimals = std::clamp(one ? 1 - exponent : -exponent, 0, most);
+  const int place = one ? 1 - exponent : -exponent;
+  const int decimals = std::clamp(place, 0, most);
+  const double unitOfPlace = std::pow(10.0, -place);
   return FixedNumber(value, decimals) + " " + unit + ", to within about " +
-    FormatNumber(error, one ? 2 : 1);
+    FixedNumber(error > 0.0 ? std::round(error / unitOfPlace) * unitOfPlace : 0.0,
+      error > 0.0 ? decimals : 0);
 }
 
 std::string RightAligned(std::string text, std::size_t width)
