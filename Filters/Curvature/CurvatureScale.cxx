@@ -419,7 +419,7 @@ double GradientVariance(
   return variance;
 }
 
-/// The estimate of one run: scales, and what was measured at them. Lengths are in the unit u.
+/// The estimate of one run: scales and measurements at them. Lengths are in the unit u.
 struct Search
 {
   std::array<double, 3> Spacing;
