@@ -31,8 +31,8 @@ class Step:
         return collect
 
     def take_warnings(self, proxy, text=None):
-        """The warnings of `proxy`, or those with that text. They are then not printed: for a step
-        whose line contains the same information."""
+        """The warnings of `proxy`, or those with that text. These are not printed later: use it for
+        a step whose line contains the same information."""
         taken = [message for message in self._messages
                  if message[:2] == (proxy, "Warning") and text in (None, message[2])]
         self._messages = [message for message in self._messages if message not in taken]

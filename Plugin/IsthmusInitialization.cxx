@@ -1,6 +1,6 @@
 /**
  * @file IsthmusInitialization.cxx
- * @brief What happens when the plugin is loaded: its Python modules can be imported, and new
+ * @brief Initialization of the plugin: its Python modules can be imported, and new
  * filters get values that are proposed from the data.
  *
  * A value that is automatic unless given (Core/FilterProperties.h) is two properties of a panel, a
@@ -75,7 +75,7 @@ void ForEachAutomatic(vtkSMProxy* proxy, Take&& take)
 }
 
 /// Whether `hint` is the first hint of the proxy for this helper, which handles all of them at
-/// once: what it proposes would count as given for the next one.
+/// once: its proposals would count as given values for the next one.
 bool IsFirst(vtkSMProxy* proxy, vtkPVXMLElement* hint)
 {
   vtkPVXMLElement* const hints = proxy->GetHints();

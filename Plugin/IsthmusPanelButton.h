@@ -7,8 +7,8 @@
  *     <PropertyWidgetDecorator type="isthmus_button" name="UseProposedThreshold"
  *       call="use_proposed_threshold" icon=":/Isthmus/Diagram.svg" title="..." tip="..."/>
  *
- * A click runs pipelines.<call>(global id of the proxy). With `field="NAME"` the button is
- * there only while the result has field data of that name, and shows its title.
+ * A click runs pipelines.<call>(global id of the proxy). With `field="NAME"` the button is visible
+ * only while the result has field data of that name, and shows its title.
  */
 #ifndef IsthmusPanelButton_h
 #define IsthmusPanelButton_h

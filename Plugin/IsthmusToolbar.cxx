@@ -73,8 +73,8 @@ void Run(const QString& call, const QString& title)
   }
 }
 
-/// ParaView adds the toolbar to a row that is full, so that half of it hides behind an arrow; the
-/// last row has room, also for its name.
+/// ParaView adds the toolbar to a row that is full, so that half of it would be hidden behind an
+/// arrow; the last row has room, also for its name.
 void MoveToLastRow(QMainWindow* window)
 {
   auto* bar = window->findChild<QToolBar*>("Isthmus");

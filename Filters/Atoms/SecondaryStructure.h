@@ -10,9 +10,9 @@
  * below -0.5 there is a bond. H is 1 angstrom from N, opposite to C=O of the residue before.
  * Each N-H keeps its two strongest bonds. Two consecutive turns of 4, 3 or 5 residues are an alpha,
  * 3-10 or pi helix; two or more consecutive bridges, also across a bulge, are strands. Alpha
- * helices win over strands and 3-10 helices, pi helices over alpha ones, as from DSSP 2.1 on (W. G.
- * Touw et al., Nucleic Acids Res. 43 (2015) D364). DSSP's single bridges, turns and bends count as
- * coil.
+ * helices take precedence over strands and 3-10 helices, pi helices over alpha ones, as from DSSP
+ * 2.1 on (W. G. Touw et al., Nucleic Acids Res. 43 (2015) D364). DSSP's single bridges, turns and
+ * bends count as coil.
  */
 #ifndef isthmus_SecondaryStructure_h
 #define isthmus_SecondaryStructure_h

@@ -407,7 +407,7 @@ void vtkMoleculeCartoon::Draw(vtkPointSet* input, vtkInformationVector* outputs)
   this->UpdateProgress(0.1);
   std::vector<std::string> notes;
 
-  // What belongs to chains, and what else is drawn.
+  // The parts that belong to chains, and the other parts that are drawn.
   isthmus::PolymerOptions options;
   isthmus::PolymerChoice chains = isthmus::ChoosePolymer(atoms, options);
   options.Ligands = this->IncludeLigands;

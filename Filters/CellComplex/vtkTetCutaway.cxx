@@ -102,7 +102,7 @@ typename Map::Cell CellOfFace(const Map& map, vtkIdType face)
     map.Faces().GetDart(typename Map::Face(static_cast<typename Map::IdType>(face))));
 }
 
-/// What is left of `input`, and its surface.
+/// The remaining cells of `input`, and their surface.
 class Remainder
 {
 public:

@@ -225,7 +225,7 @@ struct ChokingAnalysis
   FeatureContext Context;
   SpaceRegions Regions;
   LocatedFeatures Found;
-  /// Of the requested features, without and with chords.
+  /// The minimum cuts of the requested features, without and with chords.
   std::map<std::pair<std::size_t, bool>, std::optional<Membrane>> MinimumCuts;
   std::mutex Mutex; ///< for membranes that are computed on demand
   ChokingLoopTimes Times;

@@ -48,7 +48,7 @@ Point3 BallCenter(const Point3& p, const Point3& q, const Point3& r)
   return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
 }
 
-/// Of a triangle whose points ascend: rounding depends on their order.
+/// The squared ball of a triangle whose points ascend: rounding depends on their order.
 double SquaredBall(const CellFiltration& f, const std::array<SimplexId, 3>& p)
 {
   return SquaredBall(f.Points[At(p[0])], f.Points[At(p[1])], f.Points[At(p[2])]);

@@ -35,8 +35,8 @@ StripEdge MakeStripEdge(const SurfaceAdjacency& s, const SurfaceCurvePoint& c)
       s.Length(SurfaceAdjacency::Next(c.HalfEdge)) } };
 }
 
-/// A sequence of crossings in which some can be replaced by others. What moves then is a number of
-/// four bytes for each crossing behind them.
+/// A sequence of crossings in which some can be replaced by others. A replacement moves a number of
+/// four bytes for each later crossing.
 class StripEdges
 {
 public:
@@ -903,8 +903,8 @@ EdgeStrip Corner::FanBeside(bool isLeft) const
   return {};
 }
 
-/// What the curve crosses at the bend: a pin on the side where the angle is smaller; empty if the
-/// curve leaves through the triangle by which it enters.
+/// The edges that the curve crosses at the bend: a pin on the side where the angle is smaller;
+/// empty if the curve leaves through the triangle by which it enters.
 EdgeStrip Corner::Beside() const
 {
   if (this->Here.Generation > 0)

@@ -373,7 +373,8 @@ using Limit = std::function<double(const Point3&, const Point3&)>;
 
 /// Largest distance from a point of the triangle to its nearest corner: the circumradius where all
 /// angles are acute, else where a bisector of a leg meets the longest side. No triangle has more
-/// than the equilateral one on its longest side, however rounding spoils the formula for needles.
+/// than the equilateral one on its longest side, even where rounding falsifies the formula for
+/// needles.
 double CornerDistance(const Point3& p, const Point3& q, const Point3& r)
 {
   std::array<double, 3> s{ Distance(p, q), Distance(q, r), Distance(r, p) };

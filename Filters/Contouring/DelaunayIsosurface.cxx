@@ -217,7 +217,7 @@ std::vector<std::string> CaptureComponents(
   return lost;
 }
 
-/// What differs between the surface and its guide.
+/// The differences between the surface and its guide.
 std::string Differences(
   const SurfaceView& surface, const SurfaceView& guide, const std::vector<std::string>& lost)
 {

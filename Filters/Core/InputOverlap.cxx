@@ -156,7 +156,7 @@ public:
   bool IsEmpty() const { return this->All.Points == 0; }
   const Bounds3& Box() const { return this->All.Box; }
 
-  /// Of the points; `box` is enlarged first.
+  /// Share of the points within `box`, which is enlarged first.
   double ShareWithin(Bounds3 box) const
   {
     const double more = GrownBy * box.Diagonal();

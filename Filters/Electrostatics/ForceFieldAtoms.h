@@ -50,7 +50,7 @@ public:
   /// @throws what ChargeProtein does.
   vtkPointSet* Get(vtkPointSet* atoms, const ChargeArrays& arrays, ChargeTable table,
     const ProgressCallback& progress);
-  /// Of the last call of Get().
+  /// The warning of the last call of Get().
   std::string Warning() { return this->Cache.Last() ? this->Cache.Last()->Warning : std::string(); }
 
 private:

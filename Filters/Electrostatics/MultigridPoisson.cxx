@@ -300,7 +300,7 @@ struct Stencil
   }
 };
 
-/// Of a line with one permittivity.
+/// The stencil of a line with one permittivity.
 struct UniformStencil
 {
   float X, Y, Z, Diagonal;

@@ -239,7 +239,7 @@ double EstimateEnergyError(
   const LevelFunction& level, const GridPotential& solution, const ProgressCallback& progress)
 {
   constexpr double tolerance = 1e-4;
-  // Of the root mean square of the differences.
+  // The share of the root mean square of the differences.
   constexpr double share = 0.7;
   // Error of the border values and of the interpolation at the charges, which all grids share.
   constexpr double floor = 3e-4;

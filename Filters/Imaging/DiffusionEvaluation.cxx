@@ -34,7 +34,7 @@ public:
     return PaddedLength(rowLength) + 2 * RowMargin;
   }
 
-  /// The rows held from now on: those from `first`, of a grid with `rows` rows and `planes` planes.
+  /// The rows kept from now on: those from `first`, of a grid with `rows` rows and `planes` planes.
   void Place(std::int64_t first, std::int64_t rows, std::int64_t planes)
   {
     this->FirstRow = std::max<std::int64_t>(first, 0);

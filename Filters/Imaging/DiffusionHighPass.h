@@ -10,7 +10,8 @@
  *     w = u - v,   u = v = input at time 0,
  *
  * with d_1, d_2 Gaussian edge-stopping coefficients (4.34). d_2 >> d_1: v loses detail first, and w
- * is what v lost and u still has. Coupling pulls the two together, so w vanishes for long times.
+ * is the detail that v has lost and u still has. Coupling pulls the two together, so w vanishes for
+ * long times.
  */
 #ifndef isthmus_DiffusionHighPass_h
 #define isthmus_DiffusionHighPass_h

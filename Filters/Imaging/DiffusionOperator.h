@@ -93,7 +93,7 @@ struct DiffusionPass
 {
   std::vector<RowUpdate<T>> Updates; ///< one for each stage, in their order
   const T* Current = nullptr;        ///< of the first stage
-  const T* Previous = nullptr;       ///< of the first stage; of one alone it may be Out
+  const T* Previous = nullptr;   ///< of the first stage; if there is only one stage, it may be Out
   const T* First = nullptr;      ///< If null, stages are explicit steps (current and rate only).
   const T* FirstRate = nullptr;  ///< If null, FirstRateFactor must be 0.
   T* Out = nullptr;              ///< of the last stage; never the same volume as Current

@@ -228,7 +228,7 @@ std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
   return mean >= standsOut ? quiet : std::vector<std::size_t>();
 }
 
-/// Of the volume; of one with a constant background, in the blocks without it.
+/// The variance in the volume; if it has a constant background, in the blocks without it.
 double SampleVariance(const VolumeSample& sample)
 {
   if (!sample.HasFill)

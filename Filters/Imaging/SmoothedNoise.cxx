@@ -109,8 +109,8 @@ struct Whitened
 /// 2. Floors: the lower quartile over the blocks of the mean of each bin, corrected for the spread
 ///    of chi squared. Bins in which the lowest tenth of the blocks has clearly less are not the
 ///    same everywhere and do not count.
-/// 3. Fit: floors that agree are explained. The largest number of them wins, among equals the least
-///    variance.
+/// 3. Fit: floors that agree are explained. The largest number of them is chosen, among equals the
+/// least variance.
 /// 4. Doubt: the fit is refused if the explained bins are few or have gaps, if their waves are not
 ///    normally distributed (a texture), or if the noise had nearly all of the variance of the
 ///    volume: then a map that is full of detail looks the same.

@@ -14,7 +14,7 @@ namespace isthmus
 namespace
 {
 
-/// Of the eight nodes around `index` (continuous, from the first node).
+/// Interpolates between the eight nodes around `index` (continuous, from the first node).
 double ValueBetween(
   const std::array<int, 3>& dimensions, const std::vector<float>& values, const Point3& index)
 {

@@ -77,7 +77,7 @@ public:
     Fine = 1,   ///< Enlargement 1.3, EvolutionTime 2.5: the thesis' fine surface
     Coarse = 2, ///< Enlargement 2.0, EvolutionTime 2.5: the thesis' coarse surface
     Hull = 3,   ///< Enlargement 1.3, Steady, no probe: the minimal molecular surface
-    Channel = 4 ///< Enlargement 1.3, Steady, ProbeRadius 1.4: what water enters stays open
+    Channel = 4 ///< Enlargement 1.3, Steady, ProbeRadius 1.4: space that water can enter stays open
   };
 
   enum Methods

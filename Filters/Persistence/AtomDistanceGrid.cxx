@@ -170,7 +170,7 @@ std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
   {
     if (pair.Dimension > 0)
     {
-      // What reaches Theta there ends at Theta itself, not at its float.
+      // A bar that reaches Theta there ends at Theta itself, not at its float.
       const double death = volume.Value(pair.Death.Node());
       bars.push_back({ pair.Dimension, volume.Value(pair.Birth.Node()),
         death < static_cast<float>(parameters.Theta) ? death : parameters.Theta });

@@ -55,7 +55,7 @@ public:
     return this->Find(far, node, node, std::numeric_limits<double>::infinity());
   }
 
-  /// Between two nodes that were there before `latest`, if there is a path shorter than `limit`.
+  /// Between two nodes that existed before `latest`, if there is a path shorter than `limit`.
   Nodes Between(std::int64_t from, std::int64_t to, std::int64_t latest, double limit)
   {
     return this->Find(from, to, latest, limit);
@@ -346,7 +346,7 @@ private:
         const auto [seen, isNew] = at.try_emplace(next, way.size());
         if (!isNew)
         {
-          // A loop has closed; what leads to it is taken up again later.
+          // A loop has closed; the path that leads to it is resumed later.
           loops.emplace_back(way.begin() + static_cast<std::ptrdiff_t>(seen->second), way.end());
           for (std::size_t i = 0; i < seen->second; ++i)
           {

@@ -26,7 +26,7 @@ struct Histogram
   }
 };
 
-/// What the stars add to the Euler number, summed up to each level.
+/// The contribution of the stars to the Euler number, summed up to each level.
 std::vector<std::int64_t> EulerNumbers(
   const VolumeView& volume, const LowerStars& stars, const CubicalParameters& parameters)
 {

@@ -15,7 +15,7 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// The few columns of a boundary matrix that took a reduction, one after the other.
+// The few columns of a boundary matrix that needed a reduction, one after the other.
 
 /**
  * Columns by the rank of their triangle, added in ascending order. A column has the remaining edges

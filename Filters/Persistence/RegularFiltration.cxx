@@ -176,8 +176,8 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
   }
 }
 
-/// Of all ids of a kind. Blocks are so small that progress moves where each body needs exact
-/// arithmetic, as that of flat simplices does.
+/// Computes the values of all ids of a kind. Blocks are so small that progress moves where each
+/// body needs exact arithmetic, as that of flat simplices does.
 template <typename Id>
 void ForEachId(
   std::size_t n, const std::function<void(Id)>& body, const ProgressCallback& progress = {})

@@ -30,7 +30,7 @@ struct Extremes
   }
 };
 
-/// Of values less the minimum, in units of the width.
+/// Moments of the values less the minimum, in units of the width.
 struct Moments
 {
   double Sum = 0.0;

@@ -445,7 +445,7 @@ void WriteCellsAround(const std::vector<CellNear>& cells, Scratch& scratch, std:
   std::size_t count = all.Count;
   for (std::size_t k = CellReaches.size(); k-- > 0;)
   {
-    // Of the rest within the larger reach.
+    // Keeps the other atoms within the larger reach.
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i)
     {

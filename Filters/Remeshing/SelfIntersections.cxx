@@ -148,7 +148,7 @@ public:
   {
     Triangle a = this->Mesh.Triangles[At(first)];
     Triangle b = this->Mesh.Triangles[At(second)];
-    // What is shared comes first.
+    // Shared corners come first.
     std::size_t shared = 0;
     for (std::size_t i = 0; i < 3; ++i)
     {

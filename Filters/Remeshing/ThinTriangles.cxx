@@ -12,7 +12,7 @@ namespace isthmus
 namespace
 {
 
-/// Height over longest edge: what is below that is thin.
+/// Height over longest edge; a triangle below this is thin.
 constexpr double Thin = 1e-6;
 
 /// For CGAL, a little beyond: longest over shortest edge of a needle, cosine of a cap's angle (of

@@ -178,7 +178,7 @@ void MovingChannel::Solve(const ProgressCallback& progress)
   this->Grid = std::move(grid);
 }
 
-/// Of tension, pressure and dispersion, kcal/mol, but for a constant.
+/// The energy of tension, pressure and dispersion, kcal/mol, up to a constant.
 double MovingChannel::SteadyEnergy() const
 {
   const double h = this->Domain.Spacing;

@@ -3,7 +3,7 @@
  * @brief Solves for the values at the nodes of a grid whose edges are conductors, some of them with
  * fixed values, by conjugate gradients.
  *
- * At each node that is not held
+ * At each node whose value is not given
  *
  *   sum_q g_pq (u_p - u_q) + d_p u_p = s_p,   g >= 0, d >= 0.
  *
@@ -51,7 +51,7 @@ public:
   /// To be called after the conductances were set, and before Solve().
   void Factor();
 
-  /// The sum of |s - A u| over the nodes that are not held; `source` may be empty for 0.
+  /// The sum of |s - A u| over the nodes without a given value; `source` may be empty for 0.
   double Residual(const std::vector<double>& u, const std::vector<double>& source);
 
   /// Sum of the magnitudes of the terms g u, which cancel in the residual; their rounding limits
@@ -96,8 +96,9 @@ private:
   const std::vector<unsigned char>& Held;
   std::array<std::vector<double>, 3> Edges;
   std::vector<double> Diagonals;
-  std::vector<double> Sum;     ///< of a node's conductances and its diagonal; 0 where it is held
-  std::vector<double> Inverse; ///< of the factor's pivots; 0 where it is held
+  std::vector<double>
+    Sum; ///< of a node's conductances and its diagonal; 0 where the value is given
+  std::vector<double> Inverse; ///< of the factor's pivots; 0 where the value is given
   std::vector<double> R, Z, P, Q;
   std::vector<double> Zeros; ///< a row beyond a slab
 };

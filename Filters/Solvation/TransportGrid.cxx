@@ -283,8 +283,8 @@ std::array<double, 2> Builder::SlopesAcross(
   return slopes;
 }
 
-/// Of the edge from a node to the next, or the mean of lines along it, spread over the face
-/// between.
+/// The permittivity of the edge from a node to the next, or the mean of lines along it, spread over
+/// the face between.
 double Builder::EdgePermittivity(std::int64_t node, std::size_t axis) const
 {
   constexpr int lines = 4; // along each side

@@ -351,7 +351,7 @@ private:
     return {};
   }
 
-  /// Of pairs of triangles: the middle of what the boxes of two share, where that is smallest.
+  /// The center of the smallest overlap between the boxes of two paired triangles.
   Point3 FindTouch(const std::vector<std::int64_t>& pairs) const
   {
     Point3 place = this->Mesh.Point(this->Corners[At(pairs[0])][0]);

@@ -41,7 +41,7 @@ using isthmus::GridCrossing;
 using isthmus::GridShape;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Of the arrays of the output and of the distance while it is computed.
+/// Memory of the arrays of the output and of the distance while it is computed.
 constexpr double BytesPerNode = 45.0;
 
 /// Nodes a grid may have: more could not be numbered by the extents of a vtkImageData.

@@ -93,8 +93,8 @@ VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh MeshTetrahedra(const SurfaceV
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT std::string UnmetBounds(
   const TetrahedralMesh& mesh, const TetrahedralParameters& parameters);
 
-/// Of the library chosen. @throws std::invalid_argument with the name, the value and the range of
-/// an invalid parameter.
+/// Checks the parameters of the chosen library. @throws std::invalid_argument with the name, the
+/// value and the range of an invalid parameter.
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void Check(const TetrahedralParameters& parameters);
 
 /// The input of the two libraries: a checked surface, its regions, and the box if there is one.

@@ -79,7 +79,7 @@ bool TextWords::IsDecimalComma()
   const char* const begin = this->Buffer.data();
   const char* const end = this->End;
   const char* first = this->Next; // of the previous word
-  const char* last = first + 1;   // behind the next word
+  const char* last = first + 1;   // after the next word
   if (first == begin || last == end || !IsDigit(first[-1]) || !IsDigit(*last))
   {
     return false;

@@ -69,7 +69,8 @@ VoxelLattice SelectLattice(const VoxelLattice& lattice, const std::array<std::in
 namespace
 {
 
-/// Of an index; positions in angstrom carry rounding errors of this order in cells of any size.
+/// Tolerance of an index; positions in angstrom have rounding errors of this order in cells of any
+/// size.
 constexpr double tolerance = 1e-6;
 
 using Point = std::array<double, 3>;

@@ -289,7 +289,8 @@ private:
     return this->Out + this->Layout.Type.Bytes * static_cast<std::size_t>(voxel);
   }
 
-  /// Rows that follow one another in the file (and, going direct, in the output): 1 or all.
+  /// Number of rows that are contiguous in the file (and in the output, if read directly): 1 or
+  /// all.
   std::int64_t RowsAtOnce(const Brick& brick) const
   {
     const bool wholeRows =

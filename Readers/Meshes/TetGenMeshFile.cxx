@@ -30,7 +30,7 @@ std::string Partner(const std::string& path, const char* extension)
   return std::filesystem::path(path).replace_extension(extension).string();
 }
 
-/// Rows of one file: their number of columns beyond those that all have, and what is in them.
+/// Rows of one file: number of additional columns, and their contents.
 struct Columns
 {
   std::int64_t Attributes = 0;

@@ -40,7 +40,7 @@ constexpr Axes Ideal{ "pdbx_model_Cartn_x_ideal", "pdbx_model_Cartn_y_ideal",
 constexpr Axes Example{ "model_Cartn_x", "model_Cartn_y", "model_Cartn_z" };
 constexpr Axes Plain{ "x", "y", "z" };
 
-/// `?`, `.`, and what programs write for a number that they do not have.
+/// `?`, `.`, and other markers of programs for a missing number.
 bool IsNoNumber(const std::string& value)
 {
   if (cif::is_null(value))
@@ -737,7 +737,7 @@ void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
         const std::string text = cif::as_string(value);
         if (isAuthor && IsWholeNumber(text, true))
         {
-          // Of two insertion codes the one with a column of its own counts.
+          // Of two insertion codes, the one with a column of its own is used.
           const bool twice = insertion >= 0 && !cif::is_null(table.At(row, insertion));
           value = twice ? text.substr(0, text.size() - 1) : text;
           return;

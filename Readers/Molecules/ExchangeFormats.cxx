@@ -182,7 +182,7 @@ Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport&
   return atom;
 }
 
-/// Columns as in PDB, but no segments: charges are there.
+/// Columns as in PDB, but with charges in place of segments.
 bool IsSamePDBQTAtom(std::string_view a, std::string_view b)
 {
   return Columns(a, 12, 15) == Columns(b, 12, 15);

@@ -425,7 +425,7 @@ struct Separators
   }
 };
 
-/// Those behind the line ends of `text` but for its last `overlap` bytes; `text` is at `offset` of
+/// Those after the line ends of `text` but for its last `overlap` bytes; `text` is at `offset` of
 /// the file, after a line end of its own if `hasLineEnd`.
 Separators FindSeparators(
   std::string_view text, std::uint64_t offset, bool hasLineEnd, std::size_t overlap)

@@ -1,6 +1,6 @@
 /**
  * @file MoleculeOptions.h
- * @brief Which atoms of a file to read, and what to add to them.
+ * @brief Which atoms of a file to read, and which data to add to them.
  */
 #ifndef isthmus_MoleculeOptions_h
 #define isthmus_MoleculeOptions_h
@@ -27,7 +27,7 @@ enum class MoleculeFormat
   SDF
 };
 
-/// Which atoms to read, and what to add to them.
+/// Which atoms to read, and which data to add to them.
 struct MoleculeOptions
 {
   MoleculeFormat Format = MoleculeFormat::ByName;

@@ -499,7 +499,7 @@ private:
     return static_cast<std::size_t>(after - this->Model.begin()) - 1;
   }
 
-  /// Of atoms with this serial number: their places; -1 where there are several.
+  /// The index of the atom with this serial number; -1 if there are several.
   using Places = std::unordered_map<int, std::int64_t>;
 
   /// Those of a part, whose atoms follow each other, or of all.
@@ -749,7 +749,7 @@ private:
     return {};
   }
 
-  /// Of the residue that begins with a run.
+  /// The atoms of the residue that begins with a run.
   std::vector<std::size_t> FindAtoms(std::size_t run) const
   {
     const auto first = this->AtomOfLine.find(this->Runs[run].First);

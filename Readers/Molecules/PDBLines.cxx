@@ -128,7 +128,7 @@ bool SameAtoms(const AtomLines& file, const PDBPart& a, const PDBPart& b)
     std::equal(at(a.First), at(a.Last), at(b.First), file.Text.IsSame);
 }
 
-/// The smallest number of parts after which the same atoms come again; all of them if never.
+/// The smallest number of parts after which the atoms repeat; all of them if never.
 std::size_t Period(const AtomLines& file, const std::vector<PDBPart>& parts)
 {
   for (std::size_t period = 1; period < parts.size(); ++period)

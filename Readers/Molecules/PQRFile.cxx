@@ -130,7 +130,7 @@ bool IsDummy(const Atom& atom)
     IsDummyName(atom.Name);
 }
 
-/// What is wrong with the numbers of an atom; empty: nothing.
+/// The error in the numbers of an atom; empty if there is none.
 std::string FindFault(const Atom& atom)
 {
   for (const double value :

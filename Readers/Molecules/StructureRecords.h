@@ -28,7 +28,7 @@ struct StructureRange
   unsigned char Structure = 0; ///< as Atom::Structure
 };
 
-/// Of the lines before the first atom. Records that cannot be read are ignored.
+/// The structure given by the lines before the first atom. Records that cannot be read are ignored.
 std::vector<StructureRange> ReadPDBStructure(std::string_view text);
 
 /// Rows that lack a chain or a number are ignored. Helices of ModelCIF have a type, those of the

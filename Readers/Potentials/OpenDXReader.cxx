@@ -38,7 +38,7 @@ void CheckAxes(const VoxelLattice& grid, const TextWords& text)
   }
 }
 
-/// The words behind `type`.
+/// The words after `type`.
 void ReadArrayType(TextWords& text, std::string& word, OpenDXArray& array)
 {
   word = text.Word();
@@ -56,7 +56,7 @@ void ReadArrayType(TextWords& text, std::string& word, OpenDXArray& array)
   }
 }
 
-/// Three numbers behind `key`, or from `word` on where a file lacks the keys; false: `word` is
+/// Three numbers after `key`, or from `word` on where a file lacks the keys; false: `word` is
 /// neither. Reads one word further.
 bool ReadRow(TextWords& text, std::string& word, const char* key, std::array<double, 3>& row)
 {
@@ -76,8 +76,8 @@ bool ReadRow(TextWords& text, std::string& word, const char* key, std::array<dou
 
 /**
  * The grid of an object of class `gridpositions`, whose class has just been read: counts, origin (0
- * where there is none), three rows of delta; where none has a key (PyMOL reads such), all are
- * there. Reads one word further, into `word`.
+ * where there is none), three rows of delta; files without any keys, which PyMOL reads, have all of
+ * these numbers. Reads one word further, into `word`.
  * @throws ReaderError, with the line, unless all are finite and the deltas span a volume.
  */
 VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)

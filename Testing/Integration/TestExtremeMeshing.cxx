@@ -1,4 +1,4 @@
-// The extremes of TestExtremes in the filters that mesh, and what TetGen's command may be.
+// The extremes of TestExtremes in the filters that mesh, and invalid commands of TetGen.
 
 #include "Core/ChildProcess.h"
 #include "ExtremeInputs.h"

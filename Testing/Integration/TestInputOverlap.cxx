@@ -132,7 +132,7 @@ TEST(InputOverlap, InputsWithAndWithoutPositions)
   molecule->AppendAtom(6, 50.0, 5.0, 5.0);
   molecule->AppendAtom(6, 5.0, 5.0, 11.0);
   EXPECT_NEAR(MeasureOverlap(molecule, Lattice({ 0.0, 0.0, 0.0 }, 100.0, 3))->Share, 1.0, 1e-12);
-  // Of a turned image the nodes count, not the box along the axes.
+  // For a rotated image the nodes count, not the box along the axes.
   vtkNew<vtkImageData> turned;
   turned->SetDimensions(11, 11, 11);
   turned->SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);

@@ -1,4 +1,4 @@
-// What readers encounter on a disk besides valid files: folders, pipes, files cut short, highly
+// Files other than valid ones that readers encounter: folders, pipes, files cut short, highly
 // compressed, replaced while being read, and bytes that are not text. Each gives an error message.
 
 #include "vtkCombinatorialMeshReader.h"

@@ -375,7 +375,7 @@ def summary(rows, title):
     print(f"\n{title}: {len(rows)} rows. Lead over the best tuned rival: at least 0 in "
           f"{(lead >= 0).mean():.0%}, least {lead.min():+.2f}, mean {lead.mean():+.2f} dB.")
     if not numpy.isnan(behind).all():
-        print(f"Behind the family's oracle: mean {numpy.nanmean(behind):+.2f}, most {numpy.nanmax(behind):+.2f} dB.")
+        print(f"Below the best of the family: mean {numpy.nanmean(behind):+.2f}, most {numpy.nanmax(behind):+.2f} dB.")
     if white:
         print(f"White noise: estimated gain right within 0.3 dB or two standard errors in {numpy.mean(close):.0%}; "
               f"lost by estimating the noise: {numpy.mean(lost):+.2f} dB on average.")

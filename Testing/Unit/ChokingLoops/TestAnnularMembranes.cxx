@@ -21,7 +21,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// What the filter reports for one feature.
+/// The report of the filter for one feature.
 struct ReportedFeature
 {
   int Kind = 0;
@@ -173,8 +173,8 @@ TEST(AnnularMembranes, RoundAFreeWireThroughANeck)
   EXPECT_EQ(shown.FieldValue("NumberOfAdditionalLoops"), 1.0) << "two loops, but one feature";
 }
 
-// The wire leaves the dumbbell at both ends: what is inside is a ring round it, of one handle and
-// one tunnel, and the annulus at the neck is a feature besides.
+// The wire leaves the dumbbell at both ends: the inside is a ring around it, with one handle and
+// one tunnel, and the annulus at the neck is a further feature.
 TEST(AnnularMembranes, RoundAWireThatGoesThrough)
 {
   const auto inside = [](double x, double y, double z)

@@ -28,7 +28,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// What the loops report for each feature.
+/// The report of the loops for each feature.
 struct ReportedFeature
 {
   int Kind = 0;

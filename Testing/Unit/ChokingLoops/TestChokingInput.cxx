@@ -358,8 +358,9 @@ class Invariance : public ::testing::TestWithParam<InvariantCase>
 {
 };
 
-// Of all features that are certain at the given sampling. Uncertain features, as in the thin walls
-// of casting with automatic spacing, are marked as not trusted and may differ: hence its spacing.
+// Applies to all features that are certain at the given sampling. Uncertain features, as in the
+// thin walls of casting with automatic spacing, are marked as not trusted and may differ: hence its
+// spacing.
 TEST_P(Invariance, DoesNotDependOnOrderOrRotation)
 {
   const InvariantCase& c = GetParam();

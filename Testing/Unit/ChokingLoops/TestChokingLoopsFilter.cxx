@@ -70,7 +70,7 @@ public:
     return vtkTable::SafeDownCast(this->Loops->GetOutputDataObject(3))->GetNumberOfRows() == 0;
   }
 
-  /// Of the field data.
+  /// A value of the field data.
   vtkIdType Count(const char* name)
   {
     vtkDataArray* array = this->Loops->GetOutput()->GetFieldData()->GetArray(name);

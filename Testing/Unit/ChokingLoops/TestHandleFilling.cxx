@@ -79,7 +79,7 @@ void ExpectVolume(const TriangleMesh& before, const FilledSurface& after, double
   EXPECT_NEAR(SignedVolume(after.Mesh) - std::abs(SignedVolume(before)), predicted, share * size);
 }
 
-/// All points of the surface given but those at a filling are there still, bit for bit.
+/// All points of the given surface except those at a filling are kept bitwise.
 void ExpectRestUntouched(const TriangleMesh& before, const FilledSurface& after, double share)
 {
   const std::set<Point3> now(after.Mesh.Points.begin(), after.Mesh.Points.end());
@@ -262,7 +262,7 @@ TEST(HandleFilling, FilterReportsWhatItFilled)
   EXPECT_EQ(genus->GetTuple1(1), 0.0);
   EXPECT_EQ(surface->GetFieldData()->GetArray("LeftOpen")->GetTuple1(0), 0.0);
   EXPECT_NE(surface->GetFieldData()->GetArray("Year"), nullptr);
-  // What is marked is the plate: two discs and a little of the wall, flat to above and below.
+  // The marked part is the plate: two discs and a little of the wall, flat to above and below.
   const TriangleMesh mesh = ToTriangleMesh(surface);
   auto* filling = surface->GetCellData()->GetArray("Filling");
   double area = 0.0;

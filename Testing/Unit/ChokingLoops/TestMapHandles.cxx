@@ -120,7 +120,7 @@ TEST(MapHandles, NecklaceHasABridgeForEachPairOfBeads)
   vtkPolyData* windows = Points(filter, 1);
   ASSERT_EQ(windows->GetNumberOfPoints(), 1);
   EXPECT_LT(std::hypot(windows->GetPoint(0)[0], windows->GetPoint(0)[1]), 2.0);
-  // Stable intervals: between events, longest first, with what is there.
+  // Stable intervals: between events, longest first, with the features that exist in each.
   vtkTable* intervals = Table(filter, 3);
   ASSERT_GE(intervals->GetNumberOfRows(), 2);
   bool ring = false;

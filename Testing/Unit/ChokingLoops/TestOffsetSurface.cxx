@@ -140,7 +140,7 @@ TEST(OffsetSurface, BothSidesAreInsideAndOutside)
   EXPECT_EQ(pieces(both.Result()), 2);
   EXPECT_EQ(both.Result()->GetNumberOfCells(),
     inside.Result()->GetNumberOfCells() + outside.Result()->GetNumberOfCells());
-  // Nothing is left inside when the tube is choked, and that is no error.
+  // Nothing is left inside when the tube is choked, which is not an error.
   Offset choked(torus, 0.45, vtkOffsetSurface::Inside);
   EXPECT_EQ(choked.Result()->GetNumberOfCells(), 0);
   EXPECT_EQ(choked.Error(), "");

@@ -34,7 +34,7 @@ void OnThreads(int threads, const std::function<void()>& work)
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, work);
 }
 
-/// Of a fresh analysis, which has no membranes yet but those of handles and tunnels.
+/// From a new analysis, which has only the membranes of handles and tunnels yet.
 DrawnFeatures DrawnOn(int threads, const TriangleMesh& mesh)
 {
   ChokingLoops loops{ TriangleMesh(mesh) };

@@ -108,7 +108,7 @@ struct Deviation
   double Maximum = 0.0;
 };
 
-/// Of the middles and edge middles of (at most 3000 of) the triangles.
+/// The deviation of the centers and edge midpoints of (at most 3000 of) the triangles.
 Deviation DeviationFrom(const ClosedLevelSet& set, double level, const TriangleMesh& mesh, double h)
 {
   std::vector<double> distances;

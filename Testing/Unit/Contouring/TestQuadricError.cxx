@@ -1,5 +1,5 @@
 // Planes of curved faces: they meet on the faces' edge, whatever its curvature; planes and single
-// faces are left alone; and what dual contouring keeps of edges when its data are exact.
+// faces are left alone; and the edges that dual contouring keeps when its data are exact.
 
 #include "Contouring/QuadricError.h"
 

@@ -1,4 +1,4 @@
-// Programs that end, fail, crash or take too long; what they write; their folder.
+// Programs that end, fail, crash or take too long; their output; their folder.
 
 #include "Core/ChildProcess.h"
 #include "Core/Progress.h"

@@ -1,4 +1,4 @@
-// Boxes of nodes by hand: growing, clipping, counting, and what covers a box in the world.
+// Boxes of nodes by hand: growing, clipping, counting, and covering a box in world coordinates.
 
 #include "Core/ImageExtent.h"
 

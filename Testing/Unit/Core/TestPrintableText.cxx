@@ -1,4 +1,4 @@
-// Which bytes are text: ASCII, UTF-8 to the ends of its ranges, and what looks like it.
+// Which bytes are text: ASCII, UTF-8 to the ends of its ranges, and bytes that resemble it.
 
 #include "Core/PrintableText.h"
 

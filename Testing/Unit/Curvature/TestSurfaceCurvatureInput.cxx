@@ -1,4 +1,4 @@
-// What vtkSurfaceCurvature takes in: coincident points are merged, as in all filters on surfaces,
+// The input of vtkSurfaceCurvature: coincident points are merged, as in all filters on surfaces,
 // and bad input is reported.
 
 #include "SurfaceModels.h"

@@ -327,7 +327,8 @@ TEST(vtkSurfaceCurvature, KeepsTheInputsArraysAndSwitchesItsOwn)
   EXPECT_EQ(surface->GetPointData()->GetNumberOfArrays(), 1) << "the input was changed";
 }
 
-// Of a sphere 2, of a torus 0, of two spheres 4: by the mesh and by the image, to their own errors.
+// Euler number of a sphere 2, of a torus 0, of two spheres 4: by the mesh and by the image, to
+// their own errors.
 TEST(vtkSurfaceCurvature, ReportsValuesOutOfRange)
 {
   const std::pair<const char*, std::function<void(vtkSurfaceCurvature*)>> cases[] = {

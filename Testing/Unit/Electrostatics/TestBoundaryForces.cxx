@@ -169,7 +169,7 @@ TEST(BoundaryForces, IonsUnderALayerExertPressure)
 TEST(BoundaryForces, IonsAtTheSurfaceExertPressure)
 {
   ExpectIonsForce(0.0, false, 0.06);
-  // 12 % if the energy's sum took cells that the surface cuts as wholes.
+  // 12 % if the energy's sum counted cells cut by the surface as whole cells.
   ExpectIonsForce(0.0, true, 0.03);
 }
 

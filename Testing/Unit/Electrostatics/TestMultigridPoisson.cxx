@@ -101,7 +101,7 @@ double Norm(const std::vector<double>& r)
   return std::sqrt(sum);
 }
 
-/// What a cycle leaves of the residual, on average over the last four of ten.
+/// The share of the residual after a cycle, on average over the last four of ten.
 double Reduction(const Problem& problem)
 {
   MultigridPoisson multigrid(problem.n, problem.Weights, problem.Permittivity);
@@ -122,7 +122,7 @@ TEST(MultigridPoisson, ACycleLeavesASmallPartOnAnyNumberOfNodes)
 {
   EXPECT_LT(Reduction(Problem({ 33, 33, 33 }, { 1, 1, 1 }, 80.0)), 0.25);
   EXPECT_LT(Reduction(Problem({ 33, 33, 33 }, { 1, 1, 1 }, 2.0)), 0.5);
-  // Coarse grids that reach beyond the border are worth less.
+  // Coarse grids that extend beyond the border reduce the residual less.
   for (const Dimensions& n :
     { Dimensions{ 32, 47, 38 }, Dimensions{ 64, 12, 25 }, Dimensions{ 5, 4, 6 } })
   {

@@ -66,7 +66,7 @@ struct Errors
   std::int64_t Nodes = 0;
 };
 
-/// Of the nodes in the cavity, with the center `shift` nodes off a node along each axis.
+/// The errors at the nodes in the cavity, with the center `shift` nodes off a node along each axis.
 Errors InCavity(double inner, double h, const Point3& shift)
 {
   const double half = 9.0;

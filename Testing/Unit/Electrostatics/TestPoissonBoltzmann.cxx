@@ -98,7 +98,7 @@ TEST(PoissonBoltzmann, SelfConsistentBorderMatchesTheSeries)
   EXPECT_LT(without.Outside, with.Outside + 0.015);
   SphereProblem sum(Kirkwood(2), 12, 0.5);
   sum.Parameters.BoundaryCondition = BoundaryCondition::MultipleDebyeHueckel;
-  // What is known of the sum: it does not feel the cavity.
+  // A known weakness of the sum: it ignores the cavity.
   EXPECT_GT(RecordErrors(sum, *sum.Solve()).Outside, 0.1);
 }
 

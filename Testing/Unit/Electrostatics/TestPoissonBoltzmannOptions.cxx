@@ -1,4 +1,4 @@
-// What vtkPoissonBoltzmann adds when asked: maps, forces through the surface, ions with radii.
+// Optional results of vtkPoissonBoltzmann: maps, forces through the surface, ions with radii.
 
 #include "vtkPoissonBoltzmann.h"
 

@@ -1,5 +1,5 @@
-// Charges for atoms that have none: by pdb2pqr where it is there, and by programs of its name that
-// do what it could: give an answer, fail, hang, talk nonsense, or not be there.
+// Charges for atoms that have none: by pdb2pqr where it is installed, and by substitutes for it
+// that answer, fail, hang, write invalid output, or are missing.
 
 #include "Electrostatics/ProteinCharges.h"
 #include "GermanNumbers.h"
@@ -128,7 +128,7 @@ TEST(ProteinCharges, OutputIsMatchedResidueByResidue)
   EXPECT_EQ(protein.Atoms[1].Charge, 0.75);
   EXPECT_EQ(protein.Atoms[2].SourceAtom, 6u);
   EXPECT_EQ(protein.Atoms[2].Radius, 1.9);
-  // Water goes without a word, the ligand doesn't, nor does a heavy atom out of nowhere.
+  // Water is dropped without a warning; a ligand, and a new heavy atom, cause one.
   EXPECT_NE(protein.Warning.find("LIG 7:"), std::string::npos) << protein.Warning;
   EXPECT_EQ(protein.Warning.find("HOH"), std::string::npos) << protein.Warning;
   EXPECT_NE(protein.Warning.find(" 1 atoms other than hydrogens"), std::string::npos);
@@ -231,7 +231,7 @@ TEST(ProteinCharges, FilterSolvesForAtomsWithoutCharges)
 {
   if (std::system("command -v pdb2pqr >/dev/null") != 0)
   {
-    // What CI installs must not be missed there without a word.
+    // In CI, where it is installed, its absence is a failure.
     ASSERT_FALSE(isthmus::testing::SharedDataRequired()) << "pdb2pqr is not installed.";
     GTEST_SKIP() << "pdb2pqr is not installed.";
   }

@@ -3,8 +3,8 @@
  * @brief Two dielectric spheres with charges on their axis in a solvent, by multipoles.
  *
  * Sphere j has its center on the z axis. Inside, phi = G + sum a_n (r/R)^n P_n; outside, the sum
- * over both spheres of b_n (R/r)^(n+1) P_n about each center. What one sphere's multipoles are
- * about the other's center follows from the translation of solid harmonics along the axis,
+ * over both spheres of b_n (R/r)^(n+1) P_n about each center. The multipoles of one sphere about
+ * the other's center follow from the translation of solid harmonics along the axis,
  *
  *     P_n(cos t) / r^(n+1)  about a center at distance D  =  sum_m (+-) binom(n + m, n) r^m P_m /
  * D^(n+m+1)
@@ -114,7 +114,8 @@ public:
   double Solute, Solvent;
 
 private:
-  /// What (R'/r')^(k+1) P_k about the other center has of (r/R)^l P_l about this one, at r = R.
+  /// The coefficient of (r/R)^l P_l about this center in (R'/r')^(k+1) P_k about the other one, at
+  /// r = R.
   double Translation(
     int s, int k, int l, const Sphere& here, const Sphere& there, double distance) const
   {

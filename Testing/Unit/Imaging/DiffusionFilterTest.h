@@ -70,7 +70,7 @@ public:
 
   vtkDataArray* Result() { return this->Update()->GetPointData()->GetScalars(); }
 
-  /// What the update complains about; empty if it does not. Then the output must be empty.
+  /// The error message of the update; empty if there is none. Then the output must be empty.
   std::string Complaint()
   {
     this->Observer->Clear();

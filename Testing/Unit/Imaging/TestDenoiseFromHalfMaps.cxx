@@ -163,7 +163,7 @@ HalvesRun RunHalves(double factor, double offset, int shift)
 
 }
 
-// A linear difference of the halves is found, said and removed.
+// A linear difference of the halves is found, reported and removed.
 TEST(DenoiseFromHalfMaps, HalvesOfOtherScaleOrSignAreBroughtTogether)
 {
   const HalvesRun alike = RunHalves(1.0, 0.0, 0);

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkImageData> Ball(double noise, double mask = 100.0)
   return image;
 }
 
-/// What the filter warns about; the image must not be changed.
+/// The warning of the filter; the image must not be changed.
 std::string WarningWithoutChange(vtkImageData* image)
 {
   Denoising filter(image);

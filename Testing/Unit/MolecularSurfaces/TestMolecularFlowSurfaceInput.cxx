@@ -1,4 +1,5 @@
-// What vtkMolecularFlowSurface makes of its input: radii, names, time steps, bad atoms and numbers.
+// How vtkMolecularFlowSurface interprets its input: radii, names, time steps, bad atoms and
+// numbers.
 
 #include "Atoms/MoleculeAtoms.h"
 #include "FlowCases.h"
@@ -205,7 +206,7 @@ TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
   EXPECT_EQ(radii(bare, false), plain);
   EXPECT_EQ(ReadAtoms(bare, SelectWholeMolecule("Radius")).Notes.size(), 2u);
   EXPECT_EQ(ReadAtoms(bare, SelectWholeMolecule("None")).Balls[1].Radius, 1.85); // by element
-  // Hydrogens, radii of a force field, and what is no chain stay as they are.
+  // Hydrogens, radii of a force field, and atoms outside of chains are unchanged.
   EXPECT_EQ(radii(GlycineInWater(true))[1], 1.70);
   const auto charged = GlycineInWater(false);
   charged->GetPointData()->GetArray("Radius")->SetComponent(1, 0, 1.908);

@@ -1,4 +1,4 @@
-// vtkNonpolarSolvation: its outputs, and what it refuses.
+// vtkNonpolarSolvation: its outputs, and refused input.
 
 #include "vtkNonpolarSolvation.h"
 

@@ -102,7 +102,7 @@ TEST(SurfaceFlow, DoesNotDependOnPlaceTurnAndOrder)
   const std::vector<Ball> balls = RandomBalls(80, 14.0);
   SurfaceFlowParameters parameters;
   const SurfaceFlowResult plain = SurfaceFlow(balls, parameters);
-  // The grid goes along with the atoms, so a part of a spacing is given by the padding.
+  // The grid moves with the atoms, so shifts by a fraction of a spacing are made by the padding.
   parameters.Padding = 1.7 + 0.37 * parameters.Spacing;
   const SurfaceFlowResult shifted =
     SurfaceFlow(Translate(balls, Straight, { 0.19, -5.3, 100.1 }), parameters);
@@ -183,7 +183,7 @@ TEST(SurfaceFlow, ASingleBallIsStationary)
 
 TEST(SurfaceFlow, AFreeSphereShrinksAsItShould)
 {
-  // A small atom in a large ball: r^2 = r0^2 - 4 T until it is there.
+  // A small atom in a large ball: r^2 = r0^2 - 4 T until the surface reaches it.
   SurfaceFlowParameters parameters;
   parameters.Spacing = 0.25;
   parameters.Enlargement = 4.0;

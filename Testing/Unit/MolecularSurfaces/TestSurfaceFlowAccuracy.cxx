@@ -211,7 +211,8 @@ TEST(SurfaceFlowAccuracy, EarlyTimesMatchTheCurveAroundARow)
       std::cout << "row, T " << time << ", h " << spacings[i] << ": area " << area[i] << ", volume "
                 << found.Volume / exact.Volume - 1.0 << "\n";
     }
-    // Creases of the start are cut by triangles, which is of first order; what flows is of second.
+    // Creases of the start are cut by triangles, which is of first order; the flow is of second
+    // order.
     const double order = 0.5 * std::log2(std::abs(area[0] / area[2]));
     EXPECT_GT(order, time == 0.0 ? 0.9 : 1.8) << time;
     EXPECT_LT(std::abs(area[1]), time == 0.0 ? 0.02 : 5e-3) << time;
@@ -259,7 +260,7 @@ TEST(SurfaceFlowAccuracy, EarlyLysozymeIsNearerToItsLimitThanTheTable)
     areas.push_back(MeasureFlowSurface(SurfaceAt(balls, 1.0, 0.5, spacing)).Whole.Area);
     std::cout << "T 0.5, h " << spacing << ": " << areas.back() << "\n";
   }
-  // Of second order: a halving takes three quarters of the error away.
+  // Second order: halving the spacing reduces the error by three quarters.
   const double limit = areas[2] + (areas[2] - areas[0]) / 3.0;
   std::cout << "limit " << limit << ", table 6259\n";
   EXPECT_NEAR(areas[1] + (areas[1] - areas[0]) * 0.49 / 0.51, limit, 0.005 * limit);

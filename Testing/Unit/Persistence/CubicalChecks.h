@@ -1,6 +1,6 @@
 /**
  * @file CubicalChecks.h
- * @brief What the tests of volumes demand: the pairs of GUDHI.
+ * @brief The tests of volumes: pairs must be those of GUDHI.
  */
 #ifndef isthmus_CubicalChecks_h
 #define isthmus_CubicalChecks_h
@@ -31,7 +31,7 @@ inline void ExpectEqualToGudhi(const VolumeView& volume, const std::string& what
 #endif
 }
 
-/// Of sublevels and superlevels.
+/// Compares both sublevels and superlevels.
 inline void ExpectEqualToGudhi(const VolumeView& volume, const std::string& what)
 {
   ExpectEqualToGudhi(volume, what, false);

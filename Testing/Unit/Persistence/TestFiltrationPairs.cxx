@@ -1,4 +1,4 @@
-// Pairs of the Delaunay filtration of random points: what each triangle's filling bounds, that
+// Pairs of the Delaunay filtration of random points: the boundary of each triangle's filling, that
 // every simplex is in one pair, and the numbers that Euler's formula requires.
 
 #include "Persistence/DelaunayFiltration.h"

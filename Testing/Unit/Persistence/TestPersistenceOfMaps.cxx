@@ -71,8 +71,8 @@ Volume<float> Moved(const Volume<float>& map, const Size& place)
   return moved;
 }
 
-/// Bytes that the pairs of a volume take at most on four threads (on one it is less), over what
-/// was held before, per node.
+/// Bytes that the pairs of a volume take at most on four threads (on one it is less), above the
+/// memory in use before, per node.
 double BytesPerNode(const VolumeView& volume, bool superlevel)
 {
   CubicalParameters parameters;
@@ -86,7 +86,7 @@ double BytesPerNode(const VolumeView& volume, bool superlevel)
       bytes = MostHeldBytes() - before;
     });
   const double each = static_cast<double>(bytes) / static_cast<double>(volume.NodeCount());
-  // The number of each node's kind of star is held to the end.
+  // The number of each node's kind of star is kept to the end.
   EXPECT_GT(each, 4.0);
   return each;
 }

@@ -135,7 +135,7 @@ private:
     return { cells.begin(), cells.end() };
   }
 
-  /// The cells of one dimension less, all of which are there.
+  /// The cells of one dimension less, all of which exist.
   std::set<int> Boundary(const Cell& cell) const
   {
     std::set<int> boundary;

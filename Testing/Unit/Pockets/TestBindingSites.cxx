@@ -1,4 +1,4 @@
-// Patches on a sphere with known areas, ranks, merging, depth below the hull, and what is refused.
+// Patches on a sphere with known areas, ranks, merging, depth below the hull, and refused input.
 
 #include "Core/PolyDataTriangles.h"
 #include "Pockets/BindingSites.h"

@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr double AtomRadius = 1.7;
-constexpr double Same = 1e-5; // of the size: what jitter may change
+constexpr double Same = 1e-5; // of the size: the change that jitter may cause
 
 /// Rings of atoms around the axis, every second one turned by half a step with `staggered`.
 std::vector<Ball> TubeOfRings(

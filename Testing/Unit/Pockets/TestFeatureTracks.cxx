@@ -1,4 +1,4 @@
-// Features that move, cross, pause, merge and split, followed by hand; what an id groups in VTK's
+// Features that move, cross, pause, merge and split, followed by hand; grouping by an id in VTK's
 // data.
 
 #include "Pockets/Assignment.h"
@@ -131,7 +131,8 @@ TEST(FeatureTracks, APocketThatGrowsForATimeStepKeepsItsTrack)
 
 TEST(FeatureTracks, TracksDoNotShiftWhenOneEndsAndAnotherBegins)
 {
-  // Bottlenecks 3 apart, each with residues of its own: the first one goes, a new last one comes.
+  // Bottlenecks 3 apart, each with residues of its own: the first one disappears, a new one appears
+  // at the end.
   const auto at = [](int i)
   {
     return TrackedFeature{ { 3.0 * i, 0.0, 0.0 }, 1.5,
@@ -169,7 +170,7 @@ TEST(Assignment, IsTheBestOfAllPermutations)
       }
       return all;
     };
-    std::vector<int> places(columns + rows); // those behind the columns: alone
+    std::vector<int> places(columns + rows); // those after the columns: alone
     std::iota(places.begin(), places.end(), 0);
     double best = HUGE_VAL;
     do

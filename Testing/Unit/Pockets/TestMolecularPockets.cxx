@@ -1,4 +1,4 @@
-// Real proteins turned, moved, shuffled; areas by a second method; who is left out; bad input.
+// Real proteins turned, moved, shuffled; areas by a second method; excluded atoms; bad input.
 
 #include "Core/Geometry.h"
 #include "vtkMolecularPockets.h"

@@ -33,7 +33,7 @@ using namespace isthmus;
 namespace
 {
 
-/// Of the table: center and probability of each rank.
+/// A row of the table: center and probability of each rank.
 struct Row
 {
   Point3 Center;

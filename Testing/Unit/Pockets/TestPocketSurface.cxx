@@ -209,7 +209,7 @@ TEST(PocketSurface, BindingSitesReportTheirKind)
   sites->SetThreshold(2.0);
   EXPECT_EQ(MessagesBy(sites.Get()), "");
   EXPECT_EQ(notes(sites), "Sites are patches of the surface.");
-  // A flat molecule has no pocket: that is said, with what to do.
+  // A flat molecule has no pocket: this is reported, with advice.
   std::vector<Ball> flat;
   for (int i = 0; i < 25; ++i)
   {

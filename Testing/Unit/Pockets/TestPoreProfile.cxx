@@ -1,5 +1,5 @@
-// Pores of known width: hyperboloids and tubes of atoms; turned and moved; what is no pore; bad
-// input.
+// Pores of known width: hyperboloids and tubes of atoms; rotated and moved; cases without a pore;
+// bad input.
 
 #include "Core/Geometry.h"
 #include "vtkPoreProfile.h"

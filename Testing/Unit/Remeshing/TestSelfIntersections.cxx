@@ -104,7 +104,7 @@ TEST(SelfIntersections, AgreeWithBruteForceOnPerturbedSurfaces)
   {
     found += ExpectSame(Shaken(Torus(1.0, 0.3, 60, 24), 0.01 * seed, seed));
     found += ExpectSame(Shaken(FlatBox(10), 0.02 * seed, seed, 1 + seed % 3));
-    // Within the planes of the box, and by next to nothing.
+    // In the planes of the box, and by very small amounts.
     TriangleMesh flat = FlatBox(8);
     const TriangleMesh moved = Shaken(flat, seed % 2 ? 0.05 : 1e-15, seed, 4);
     for (std::size_t i = 0; i < flat.Points.size(); ++i)

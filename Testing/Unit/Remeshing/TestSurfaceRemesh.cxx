@@ -555,7 +555,7 @@ vtkSmartPointer<vtkPolyData> Remesh(const TriangleMesh& mesh, int target, int me
 
 }
 
-// Before and behind the others, so that the points between them get new numbers.
+// Before and after the others, so that the points between them get new numbers.
 TEST(SurfaceRemesh, PointsThatNoTriangleUsesAreDropped)
 {
   const TriangleMesh sphere = ToTriangleMesh(Sphere());

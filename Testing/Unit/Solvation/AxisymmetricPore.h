@@ -1,5 +1,5 @@
 // The Poisson-Nernst-Planck equations for a round pore in radius and height, by a direct solver:
-// what three dimensions are held against. Only the flux's formula is the library's.
+// the reference for three dimensions. Only the flux's formula is the library's.
 #ifndef AxisymmetricPore_h
 #define AxisymmetricPore_h
 

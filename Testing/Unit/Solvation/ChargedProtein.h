@@ -1,6 +1,6 @@
 /**
  * @file ChargedProtein.h
- * @brief A PQR file of the shared data as what a solvation surface goes around.
+ * @brief A PQR file of the shared data as the input of a solvation surface.
  */
 #ifndef isthmus_ChargedProtein_h
 #define isthmus_ChargedProtein_h

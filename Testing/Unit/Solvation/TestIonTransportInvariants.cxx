@@ -38,7 +38,7 @@ TransportGrid MakeGrid(const Tube& tube, const IonTransportParameters& p)
   return grid;
 }
 
-/// What holds for any answer; the currents.
+/// Solves, checks what holds for every solution, and returns the currents.
 CurrentProfile SolveAndCheck(PoissonNernstPlanck& solution, const char* name)
 {
   EXPECT_TRUE(solution.Solve().Converged) << name;
@@ -144,7 +144,7 @@ TEST(IonTransportInvariants, IonsOfEveryValenceAreConserved)
               << ", " << solution.GetReport().Iterations << " iterations\n";
     for (std::size_t k = 0; k < p.Species.size(); ++k)
     {
-      // Each species goes down its own slope of z V + ln c between the baths.
+      // Each species flows down its own gradient of z V + ln c between the baths.
       const TransportSpecies& s = p.Species[k];
       const double volt = s.Valence * 1e-3 * c.Voltage * units::ElementaryCharge /
         (units::BoltzmannConstant * p.Temperature);
@@ -255,7 +255,8 @@ TEST(IonTransportInvariants, OverflowIsReported)
 
 TEST(IonTransportInvariants, MoreIonsThanFloatsCountAreRefused)
 {
-  // What a charge in the water holds round it grows with it: 837 mol/l for each e here.
+  // The concentration of ions around a charge in the water is proportional to it: 837 mol/l for
+  // each e here.
   for (const double charge : { 1.0, 1e20, 1e38 })
   {
     IonTransportParameters p = TubeParameters(2.5);
@@ -284,8 +285,8 @@ TEST(IonTransportInvariants, MoreIonsThanFloatsCountAreRefused)
 
 TEST(IonTransportInvariants, LostCurrentIsReported)
 {
-  // A barrier before a well, for trivalent ions in hardly any salt: what passes is less than what
-  // rounding leaves of what turns over in the well. The potential converges all the same.
+  // A barrier before a well, for trivalent ions in very little salt: the current is smaller than
+  // the rounding error of the exchange in the well. The potential converges nevertheless.
   IonTransportParameters p = TubeParameters(2.5);
   p.Species = { { "Al", 3.0, 1e-6, 1e-6, 0.5, 1.0 }, { "Cl", -1.0, 3e-6, 3e-6, 2.0, 1.0 } };
   Tube tube = MakeTube(p, 2.5, 1.0);

@@ -64,7 +64,7 @@ std::vector<ChargedAtom> ChargedWall(const MembraneSlab& m, double radius, doubl
   return charges;
 }
 
-/// What pushes at the wall of an infinitely long pore, kT/angstrom^3: Poisson-Boltzmann's equation
+/// The pressure on the wall of an infinitely long pore, kT/angstrom^3: Poisson-Boltzmann's equation
 /// in the radius alone (Runge and Kutta, from the axis), the charge of its ions known.
 double RadialPush(const IonTransportParameters& p, double radius, double perAngstrom)
 {
@@ -106,7 +106,7 @@ double RadialPush(const IonTransportParameters& p, double radius, double perAngs
     2.0 * ions * (std::cosh(phi) - 1.0);
 }
 
-/// Of the circle of water that the middle of the membrane has.
+/// The radius of the circle of water in the middle of the membrane.
 double RadiusInTheMiddle(const TransportGrid& grid)
 {
   double area = 0.0;
@@ -242,9 +242,8 @@ TEST(MovingChannel, AChargedPoreMovesAsPredicted)
 
 TEST(MovingChannel, WithoutForcesItIsTheSteadySurface)
 {
-  // Atoms, but neither charges, nor a jump of the dielectric constant, nor voltage: tension alone
-  // on an obstacle that a probe has made; what it changes is due to the flow, independent of the
-  // ions.
+  // Atoms, but neither charges, nor a jump of the dielectric constant, nor voltage: tension alone,
+  // on an obstacle given by a probe; what it changes is due to the flow, independent of the ions.
   IonTransportParameters p = TubeParameters(3.0);
   p.Voltage = 50.0;
   p.SoluteDielectric = p.SolventDielectric;

@@ -1,5 +1,5 @@
 // Poisson-Nernst-Planck where there are analytical solutions: constant field, double layer, liquid
-// junction; what comes out of the equations whatever is in them; and what is refused.
+// junction; properties of every solution; and refused input.
 
 #include "TransportLine.h"
 

@@ -17,7 +17,8 @@ namespace
 using Dimensions = std::array<std::int64_t, 3>;
 constexpr Dimensions Size{ 7, 6, 5 };
 
-/// Random conductances and diagonals times `unit`; the faces along the first axis are held.
+/// Random conductances and diagonals times `unit`; the values on the faces along the first axis are
+/// given.
 class RandomNetwork
 {
 public:
@@ -48,7 +49,8 @@ public:
   }
   std::int64_t Nodes() const { return static_cast<std::int64_t>(this->Held.size()); }
 
-  /// A u at each node, term by term, and the sum of the magnitudes g |u| at those not held.
+  /// A u at each node, term by term, and the sum of the magnitudes g |u| at nodes without a given
+  /// value.
   std::vector<double> Times(const std::vector<double>& u, double& magnitudes)
   {
     const Dimensions step{ 1, Size[0], Size[0] * Size[1] };

@@ -1,5 +1,5 @@
-// Lysozyme (1HEW): what policy of updating surface and field is taken hardly changes the energy at
-// rest, and on the way there the energy falls.
+// Lysozyme (1HEW): the policy of updating surface and field hardly changes the final energy, and
+// the energy decreases monotonically.
 
 #include "ChargedProtein.h"
 #include "Solvation/SolvationFlow.h"
@@ -18,7 +18,7 @@ namespace
 
 constexpr const char* Lysozyme = "molecules/1hew/1hew.pqr";
 
-/// The energy at rest by each policy; what each update has, printed.
+/// The final energy by each policy; prints each update.
 std::vector<double> EnergiesAtRest(double probe, const std::vector<int>& periods)
 {
   const SolvationAtoms atoms = ProteinAtoms(Lysozyme);

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceTable.h
- * @brief What the surfaces of the shared data are known to be.
+ * @brief Known properties of the surfaces of the shared data.
  *
  * Numbers of a script of its own (numpy, own parsers), not of the library under test.
  */

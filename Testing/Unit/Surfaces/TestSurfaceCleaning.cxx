@@ -179,12 +179,12 @@ TEST(SurfaceCleaning, StackedFlatTrianglesAreRemovedLayerByLayer)
 TEST(SurfaceCleaning, AFlatTriangleAtABorderIsDropped)
 {
   TriangleMesh mesh = OctahedronWithFlat();
-  mesh.Triangles.erase(mesh.Triangles.begin() + 2); // that behind the flat one: a hole
+  mesh.Triangles.erase(mesh.Triangles.begin() + 2); // the triangle behind the flat one: a hole
   const CleanedSurface taken = CleanSurface(mesh);
   const SurfaceDefects defects = FindDefects(taken.Mesh);
   EXPECT_TRUE(defects.DegenerateTriangles.empty());
   EXPECT_EQ(taken.Mesh.Triangles.size(), mesh.Triangles.size() - 1);
-  EXPECT_FALSE(defects.BoundaryTriangles.empty()); // what is open is told, not closed
+  EXPECT_FALSE(defects.BoundaryTriangles.empty()); // openings are reported, not closed
 }
 
 TEST(SurfaceCleaning, RepeatedCornersAreRemovedAndInvalidIdsStay)

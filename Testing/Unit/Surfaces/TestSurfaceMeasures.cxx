@@ -239,7 +239,7 @@ TEST(SurfaceMeasures, RealSurfaces)
   }
 }
 
-// Table 5.2: a strict test for crossings loses the six nodes that lie exactly on the sphere.
+// Table 5.2: a strict test for crossings misses the six nodes that lie exactly on the sphere.
 TEST(CartesianMeasures, Table52)
 {
   const struct

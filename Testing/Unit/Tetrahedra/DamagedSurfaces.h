@@ -1,6 +1,6 @@
 /**
  * @file DamagedSurfaces.h
- * @brief Closed surfaces of many kinds, and what goes wrong with surfaces.
+ * @brief Closed surfaces of many kinds, and typical damage to them.
  */
 #ifndef isthmus_DamagedSurfaces_h
 #define isthmus_DamagedSurfaces_h

@@ -42,7 +42,7 @@ TEST(AutomaticMesher, ChoosesTheMethodThatMovesTheSurfaceLeast)
   EXPECT_NEAR(repaired.VolumeAfter, SignedVolume(clean), 1e-2);
   EXPECT_NE(repaired.Report.find("filled 1 hole"), std::string::npos) << repaired.Report;
 
-  // Without TetGen's program a clean surface goes to CGAL.
+  // Without TetGen's program a clean surface is meshed by CGAL.
   TetrahedralParameters noTetGen = LimitedParameters();
   noTetGen.TetGen.TetGenCommand = "no-such-program";
   const AutomaticMesh cgal = AutomaticTetrahedra(clean, noTetGen);

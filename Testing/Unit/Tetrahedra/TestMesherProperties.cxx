@@ -72,7 +72,7 @@ Mesh MakeTetrahedra(vtkAlgorithm* surface, const Change& change)
   return made;
 }
 
-/// Of the unit cube.
+/// Meshes the unit cube.
 Mesh TetGen(const Change& change)
 {
   vtkNew<vtkCubeSource> cube;
@@ -85,7 +85,7 @@ Mesh TetGen(const Change& change)
     });
 }
 
-/// Of a ball of radius 1.
+/// Meshes a ball of radius 1.
 Mesh CGAL(const Change& change)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -119,7 +119,7 @@ TEST(MesherProperties, OfTetGen)
       m->SetMaximumVolume(0.002);
       m->SetMinimumDihedralAngle(18.0);
     });
-  // A target: TetGen 1.5 reaches it, 1.6 comes to 13 degrees. Without it 1.5 has 8, and 1.6 less.
+  // A target: TetGen 1.5 reaches it, 1.6 reaches 13 degrees. Without it 1.5 has 8, and 1.6 less.
   EXPECT_GE(blunt.SmallestAngle, 12.0);
   const Mesh kept = TetGen(
     [](vtkTetrahedralMesher* m)

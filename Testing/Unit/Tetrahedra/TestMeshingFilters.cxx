@@ -1,5 +1,5 @@
-// What the vtk classes of the module add: errors as one sentence and an empty output, abort,
-// repair, what is kept of the input, empty input.
+// The vtk classes of the module: an error is one message and an empty output; abort, repair, data
+// kept from the input, empty input.
 
 #include "vtkDelaunayIsosurface.h"
 #include "vtkMSMSReader.h"

@@ -44,7 +44,7 @@ bool IsKnownToCross(const std::string& file)
 
 }
 
-/// Acceptance 1: what is clean is filled, what is not ends in a sentence.
+/// Acceptance 1: clean surfaces are filled, others end in an error message.
 TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");

@@ -171,9 +171,9 @@ TEST(TetrahedralMesher, TetGenKeepsItsBounds)
   EXPECT_GT(without, 5.0);
 }
 
-// Of a surface that is kept, and the box around it: what exceeds the bounds is nearer to the
-// surface than its triangles are long or, by little, on the box; the warning says how many do, and
-// by how much.
+// With a preserved surface and a box around it: tetrahedra that exceed the bounds are nearer to the
+// surface than its triangles are long or, by little, on the box; the warning gives their number and
+// the excess.
 TEST(TetrahedralMesher, TetGenKeepsItsBoundsNextToAPreservedSurface)
 {
   TetrahedralParameters parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Both);

@@ -1,4 +1,4 @@
-// What each property of the tetrahedral mesher bounds, measured on the mesh.
+// The quantity that each property of the tetrahedral mesher bounds, measured on the mesh.
 
 #include "Core/PolyDataTriangles.h"
 #include "SurfaceFiles.h"

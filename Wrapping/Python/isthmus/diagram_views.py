@@ -23,7 +23,7 @@ from . import pocket_views as pockets_and_pores
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
 CHOKE_POINTS = 2  # port of Choking Loops
 CELL, ROW = 1, 6  # of vtkDataObject's attribute types
-# Of a chart's legend, in pixels: its width, the height of each row; and what axes and title take of a chart.
+# Pixels: width of a chart's legend, height of each of its rows, and space that the axes and the title of a chart need.
 LEGEND_WIDTH, ROW_HEIGHT, LEFT_SPACE, BELOW_SPACE = 145, 18, 75, 90
 DISC, DIAMOND = "4", "5"  # marker styles of a chart
 # Pixels. ParaView 5.13 draws the loop itself, 5 pixels wide, over its selection.

@@ -172,7 +172,7 @@ def _look_at_loops(display, view, port):
         display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
         simple.ColorBy(display, ("CELLS", "Kind"))
         display.SetScalarBarVisibility(view, True)
-        # Of a map, the contour is an output; of a surface, it is the input.
+        # For a map, the contour is an output; for a surface, it is the input.
         loops = servermanager._getPyProxy(display.Input.SMProxy)
         own = loops.SMProxy.GetNumberOfOutputPorts() > 4
         surface = simple.OutputPort(loops, 4) if own else loops.Input
@@ -283,9 +283,9 @@ def _hide_molecule(atoms, view):
         simple.HideUnusedScalarBars(view)
 
 
-# What a spreadsheet of residues hides at first, so that name, number and structure are visible.
+# Columns that a spreadsheet of residues hides initially, so that name, number and structure are visible.
 HIDDEN_OF_RESIDUES = ("ChainIndex", "InsertionCode", "Point ID", "Points")
-# What a spreadsheet of sites hides at first: ParaView sorts columns by name, and these would come
+# Columns that a spreadsheet of sites hides initially: ParaView sorts columns by name, and these would come
 # before rank, class, residues, score and volume.
 HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "SiteClass")
 

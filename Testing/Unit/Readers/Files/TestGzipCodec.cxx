@@ -109,7 +109,7 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
 {
   if (!HasIsal)
   {
-    // What CI installs must not be missed there without a word.
+    // In CI, where it is installed, its absence is a failure.
     ASSERT_FALSE(isthmus::testing::SharedDataRequired()) << "built without ISA-L (libisal-dev)";
     GTEST_SKIP() << "built without ISA-L (libisal-dev)";
   }

@@ -265,7 +265,7 @@ TEST(ParallelBzip2, RunsOfOneValueTakeNoMemory)
   vtkSMPTools::LocalScope(vtkSMPTools::Config(4, "STDThread", false), read);
   EXPECT_EQ(sum, size);
   EXPECT_LT(most, 4 * 13e6 + 5e6);
-  EXPECT_GT(most, 4e6); // it was looked at while blocks were there
+  EXPECT_GT(most, 4e6); // it was measured while blocks existed
 }
 
 TEST(ParallelBzip2, BlocksThatEndAtAnyBit)

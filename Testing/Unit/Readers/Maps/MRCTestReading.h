@@ -1,6 +1,6 @@
 /**
  * @file MRCTestReading.h
- * @brief Reads a file with vtkMRCMapReader and keeps what it said.
+ * @brief Reads a file with vtkMRCMapReader and keeps its messages.
  */
 #ifndef isthmus_MRCTestReading_h
 #define isthmus_MRCTestReading_h

@@ -62,7 +62,7 @@ long PeakMiB()
   return usage.ru_maxrss / 1024;
 }
 
-/// The sanitizers keep freed memory, so nothing can be said about the peak under them.
+/// The sanitizers keep freed memory, so the peak cannot be measured under them.
 void ExpectPeakBelow(long mib)
 {
 #if !defined(__SANITIZE_ADDRESS__)
@@ -281,7 +281,7 @@ TEST(MRCErrors, AFileThatChangesIsNotCalledTruncated)
   }
 }
 
-/// 34 GB on paper, next to nothing on disk: only the crop is read and paid for.
+/// 34 GB according to the header, almost nothing on disk: only the crop is read and allocated.
 TEST(MRCErrors, SmallCropOfAHugeSparseMap)
 {
   MRCTestFile map({ 2048, 2048, 2048 }, 2);

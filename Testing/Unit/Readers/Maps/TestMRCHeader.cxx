@@ -1,4 +1,4 @@
-// What a header says, repairs of damaged fields, byte order without a stamp, and CanReadFile.
+// Values of the header, repairs of damaged fields, byte order without a stamp, and CanReadFile.
 
 #include "MRCTestFile.h"
 #include "MRCTestReading.h"

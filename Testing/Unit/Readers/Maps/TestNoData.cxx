@@ -1,4 +1,4 @@
-// Values that stand for "no data": which ones are found, and what the reader makes of them.
+// Values that stand for "no data": which ones are found, and how the reader replaces them.
 
 #include "MRCTestFile.h"
 #include "MRCTestReading.h"

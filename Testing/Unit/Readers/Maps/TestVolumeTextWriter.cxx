@@ -1,5 +1,5 @@
-// The .dat files: counts and order of the values, numbers that come back bit for bit, what they do
-// not hold, and broken ones, each with its line.
+// The .dat files: counts and order of the values, numbers that are restored bitwise, data that they
+// cannot hold, and damaged files, reported with the line.
 
 #include "vtkVolumeTextReader.h"
 #include "vtkVolumeTextWriter.h"

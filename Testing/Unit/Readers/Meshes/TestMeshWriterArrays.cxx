@@ -63,7 +63,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Mesh(int type = VTK_TETRA, int corners = 4)
   return RandomMesh(type, corners, 2);
 }
 
-/// What was written of an array and read again, and the warning of the writer.
+/// An array after writing and reading, and the warning of the writer.
 struct Trip
 {
   vtkSmartPointer<vtkDataArray> Array;

@@ -45,8 +45,8 @@ std::vector<double> GetNodes(int type)
   return { coordinates, coordinates + 3 * cell->GetNumberOfPoints() };
 }
 
-/// A section of two cells of `type`, one bent a little and far larger, whose nodes behind the
-/// corners come in the order `order`.
+/// A section of two cells of `type`, one bent a little and far larger, whose nodes after the
+/// corners are in the order `order`.
 std::string TwoCells(
   const std::string& section, int type, std::size_t corners, const std::vector<std::size_t>& order)
 {

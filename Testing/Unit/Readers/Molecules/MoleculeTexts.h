@@ -1,6 +1,6 @@
 /**
  * @file MoleculeTexts.h
- * @brief Molecules as texts, and what is made of them.
+ * @brief Molecules as texts, and the results of reading them.
  */
 #ifndef isthmus_MoleculeTexts_h
 #define isthmus_MoleculeTexts_h

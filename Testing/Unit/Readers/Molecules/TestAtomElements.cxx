@@ -160,7 +160,7 @@ TEST(AtomElements, ColumnsOfNamesInUnknownResidues)
   EXPECT_EQ(JoinElements(FromPDB(
               AtomLine("1", "CA", "CAL A   1 ", 0) + AtomLine("2", "CB", "CAL A   1 ", 1.5))),
     "C C ");
-  // Left-justified names of a known residue: columns mean nothing.
+  // Left-justified names of a known residue: columns have no meaning.
   const std::string left =
     AtomLine("1", "CA", "ALA A   1 ", 0) + AtomLine("2", "N", "ALA A   1 ", -1.4);
   EXPECT_EQ(JoinElements(FromPDB(left + AtomLine("3", "CD1", "XYZ A   2 ", 50) +
@@ -193,7 +193,7 @@ TEST(AtomElements, MetalsAreKnownByTheirLigands)
   EXPECT_EQ(center("CD", 2.3), "Cd");
   EXPECT_EQ(center("CA", 2.4), "Ca");
   EXPECT_EQ(center("CO1", 1.9), "C ");
-  // A symbol that can mean nothing else, wherever it is; a small letter.
+  // An unambiguous symbol, in any column; a lower-case letter.
   EXPECT_EQ(center("IR", 1.5), "Ir");
   EXPECT_EQ(center("RU", 3.8), "Ru");
   EXPECT_EQ(center("Co1", 1.9), "Co");

@@ -1,4 +1,5 @@
-// What of an mmCIF file goes to gemmi: nothing that is not wanted, no number that no int holds.
+// The part of an mmCIF file that gemmi parses: only required categories, and only numbers that an
+// int can hold.
 
 #include "MoleculeTexts.h"
 
@@ -12,7 +13,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// Two atoms; what stands for `id`, `label`, `residue` and `charge` of the second.
+/// Two atoms; the second has the given `id`, `label`, `residue` and `charge`.
 std::string TwoAtoms(const std::string& id, const std::string& label, const std::string& residue,
   const std::string& charge)
 {

@@ -32,7 +32,7 @@ std::string Line(int serial, const char* name, char altLoc, const char* residue,
   return line.data();
 }
 
-/// Residues of three to nine atoms, some of which come back later in their chain; blank and odd
+/// Residues of three to nine atoms, some of which recur later in their chain; blank and odd
 /// columns, other records and chains in between.
 std::string RandomFile(unsigned seed)
 {

@@ -162,7 +162,7 @@ TEST(ReadingReport, TypesOfForceFieldsInMOL2AreNoElements)
     EXPECT_TRUE(Mention(molecule.Notes, "are those of a force field, not SYBYL's")) << types;
     EXPECT_TRUE(molecule.Warnings.empty());
   }
-  // SYBYL's types win over the names.
+  // SYBYL's types take precedence over the names.
   EXPECT_EQ(JoinElements(file("Os N.ar Ca H.spc Cl")), "Os N Ca H Cl ");
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file OpenDXTestFiles.h
- * @brief OpenDX files of a test, and what is read of them.
+ * @brief OpenDX files of a test, and the result of reading them.
  */
 #ifndef isthmus_OpenDXTestFiles_h
 #define isthmus_OpenDXTestFiles_h

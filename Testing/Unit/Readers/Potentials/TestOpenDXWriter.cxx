@@ -1,4 +1,5 @@
-// OpenDX files out: every bit comes back, and what cannot be written is a sentence.
+// Writing of OpenDX files: round trips are bitwise, and data that cannot be written cause an error
+// message.
 
 #include "OpenDXTestFiles.h"
 #include "vtkOpenDXWriter.h"
@@ -71,7 +72,7 @@ void ExpectSameBack(const char* name)
   const auto image = HardImage<Array>();
   const auto back = WriteAndRead(image, file.Path);
   auto* before = Array::SafeDownCast(image->GetPointData()->GetScalars());
-  // Every array comes back as double, the only type that is written.
+  // Every array is read back as double, the only type that is written.
   auto* after = vtkDoubleArray::SafeDownCast(back->GetPointData()->GetArray("Potential"));
   ASSERT_NE(after, nullptr);
   ASSERT_EQ(after->GetNumberOfTuples(), before->GetNumberOfTuples());
