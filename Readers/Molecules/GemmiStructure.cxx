@@ -4,12 +4,14 @@
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/CIFAssemblies.h"
 #include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
 #include "Molecules/PDBColumns.h"
 #include "Molecules/PDBFile.h"
 #include "Molecules/PDBLines.h"
 #include "Molecules/PQRFile.h"
+#include "Molecules/PeriodicMolecules.h"
 #include "Molecules/ReadingReport.h"
 #include "Molecules/StructureRecords.h"
 
@@ -17,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -41,6 +44,18 @@ class UnknownAssembly : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+[[noreturn]] void RefuseAssembly(
+  const std::string& name, const std::vector<std::string>& known, const std::string& path)
+{
+  std::string list;
+  for (const std::string& one : known)
+  {
+    list += (list.empty() ? "" : ", ") + one;
+  }
+  throw UnknownAssembly(path + ": there is no assembly " + name + "; the file describes " +
+    (list.empty() ? "none." : list + "."));
+}
 
 /// The box around the copies of the box around all atoms.
 gemmi::Box<gemmi::Position> ComputeBox(
@@ -101,44 +116,45 @@ void RequireModestBox(
  */
 void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path)
 {
-  std::string known;
-  for (const gemmi::Assembly& assembly : structure.assemblies)
-  {
-    known += (known.empty() ? "" : ", ") + assembly.name;
-  }
   const gemmi::Assembly* const wanted = structure.find_assembly(name);
   if (!wanted)
   {
-    throw UnknownAssembly(path + ": there is no assembly " + name + "; the file describes " +
-      (known.empty() ? "none." : known + "."));
+    std::vector<std::string> known;
+    for (const gemmi::Assembly& assembly : structure.assemblies)
+    {
+      known.push_back(assembly.name);
+    }
+    RefuseAssembly(name, known, path);
   }
   RequireModestBox(structure, *wanted, path);
   gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, {});
 }
 
-/// Categories of an mmCIF file that atoms, bonds and assemblies come from.
+/// Categories of an mmCIF file that gemmi makes atoms and bonds of.
 const std::vector<std::string> CategoriesRead{ "_atom_site.", "_atom_site_", "_atom_sites.",
   "_atom_type", "_cell.", "_cell_", "_chem_comp_atom.", "_chem_comp_bond.", "_symmetry.",
-  "_entity.", "_entity_poly.", "_ma_qa_metric", "_struct_asym.", "_struct_conn.",
-  "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.", "_pdbx_struct_oper_list." };
+  "_entity.", "_entity_poly.", "_ma_qa_metric", "_struct_asym.", "_struct_conn." };
 
 /// Those of them without which there are still atoms.
 const std::vector<std::string> CategoriesOfAtoms{ "_atom_site." };
 
+bool IsOfCategory(const gemmi::cif::Item& item, const std::vector<std::string>& categories)
+{
+  using gemmi::cif::ItemType;
+  const bool isLoop = item.type == ItemType::Loop && !item.loop.tags.empty();
+  if (!isLoop && item.type != ItemType::Pair)
+  {
+    return false;
+  }
+  const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
+  return std::any_of(categories.begin(), categories.end(),
+    [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
+}
+
 void DropOthers(gemmi::cif::Block& block, const std::vector<std::string>& categories)
 {
   const auto isOther = [&categories](const gemmi::cif::Item& item)
-  {
-    using gemmi::cif::ItemType;
-    const bool isLoop = item.type == ItemType::Loop && !item.loop.tags.empty();
-    if (!isLoop && item.type != ItemType::Pair)
-    {
-      return true;
-    }
-    const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
-    return std::none_of(categories.begin(), categories.end(),
-      [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
-  };
+  { return !IsOfCategory(item, categories); };
   block.items.erase(
     std::remove_if(block.items.begin(), block.items.end(), isOther), block.items.end());
 }
@@ -195,9 +211,8 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
  * a fault in what is not wanted would cost the atoms. Completes the table of atoms. Unknown
  * occupancies and B factors become BlankText, by which they are found again. O(values).
  *
- * @throws std::invalid_argument for whole numbers of more than nine digits, and of more than five
- * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the one
- * to the other, without a look at their size.
+ * @throws std::invalid_argument for whole numbers of more than nine digits: gemmi (0.5.7) adds
+ * digits up without a look at their size.
  */
 CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
 {
@@ -208,11 +223,10 @@ CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
   for (const char* tag : { "_atom_site.id", "_atom_site.auth_seq_id", "_atom_site.label_seq_id",
          "_atom_site.pdbx_formal_charge", "_struct_conn.ptnr1_auth_seq_id",
          "_struct_conn.ptnr2_auth_seq_id", "_struct_conn.ptnr1_label_seq_id",
-         "_struct_conn.ptnr2_label_seq_id", "_pdbx_struct_assembly.oligomeric_count" })
+         "_struct_conn.ptnr2_label_seq_id" })
   {
     RequireShortNumbers(block, tag, 9);
   }
-  RequireShortNumbers(block, "_pdbx_struct_assembly_gen.oper_expression", 5);
   MarkBlanks(block, "_atom_site.occupancy");
   MarkBlanks(block, "_atom_site.B_iso_or_equiv");
   return atoms;
@@ -422,7 +436,8 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
 {
   const PDBLines lines = SplitPDB(text, bytesOfAPiece, Between(progress, 0.0, 0.3));
   ReadingReport report;
-  const std::vector<PDBModel> models = FindModels(lines, report);
+  const std::vector<PDBModel> models = FindModels(lines, report, PDBColumnsOfAtoms, choice.Combine);
+  const bool isOfCopies = AreCombined(lines, models);
   Macromolecule molecule;
   molecule.NumberOfModels = static_cast<std::int64_t>(models.size());
   if (choice.Model < 0 || choice.Model >= molecule.NumberOfModels)
@@ -430,7 +445,7 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     return molecule;
   }
   PDBMolecule read = ReadPDBModel(text, path, lines, models[static_cast<std::size_t>(choice.Model)],
-    report, Between(progress, 0.3, 1.0));
+    isOfCopies, report, Between(progress, 0.3, 1.0));
   if (EndsWithinRecord(text, lines))
   {
     throw std::runtime_error(path + ", " + FormatLineNumber(text, UnfinishedLine(text)) +
@@ -441,7 +456,11 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     molecule.Atoms = std::move(read.Atoms);
     molecule.Bonds = std::move(read.Links);
     molecule.Bonds.insert(molecule.Bonds.end(), read.Bonds.begin(), read.Bonds.end());
-    SetStructure(ReadPDBStructure(text), molecule.Atoms);
+    if (!isOfCopies) // whose chains have other names, and are beside the cell
+    {
+      SetStructure(ReadPDBStructure(text), molecule.Atoms);
+      molecule.Cell = FindCell(lines, models[static_cast<std::size_t>(choice.Model)]);
+    }
   }
   else
   {
@@ -512,12 +531,13 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
   }
 }
 
-std::int64_t CountPDBModels(std::string_view text)
+std::int64_t CountPDBModels(std::string_view text, ModelCombination combine)
 {
   ReadingReport report;
   constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
   const PDBLines lines = SplitPDB(text, bytesOfAPiece, {});
-  return std::max<std::int64_t>(static_cast<std::int64_t>(FindModels(lines, report).size()), 1);
+  const std::size_t models = FindModels(lines, report, PDBColumnsOfAtoms, combine).size();
+  return std::max<std::int64_t>(static_cast<std::int64_t>(models), 1);
 }
 
 namespace
@@ -527,8 +547,42 @@ namespace
 struct AtomBlock
 {
   gemmi::cif::Block* Block;
+  gemmi::cif::Block Assemblies; ///< its categories of assemblies
   CIFAtoms Atoms;
 };
+
+/// Moves the categories of assemblies out of a block: gemmi reads their usual forms only.
+gemmi::cif::Block MoveAssemblies(gemmi::cif::Block& block)
+{
+  gemmi::cif::Block assemblies(block.name);
+  const auto isOther = [](const gemmi::cif::Item& item) {
+    return !IsOfCategory(item, { "_pdbx_struct_assembly_gen.", "_pdbx_struct_oper_list." });
+  };
+  const auto found = std::stable_partition(block.items.begin(), block.items.end(), isOther);
+  std::move(found, block.items.end(), std::back_inserter(assemblies.items));
+  block.items.erase(found, block.items.end());
+  return assemblies;
+}
+
+/// Replaces the models of `structure` by an assembly that the block describes.
+void TakeAssembly(gemmi::Structure& structure, gemmi::cif::Block& block, const std::string& name,
+  const std::string& path)
+{
+  const std::vector<std::string> known = CIFAssemblyNames(block);
+  if (std::find(known.begin(), known.end(), name) == known.end())
+  {
+    RefuseAssembly(name, known, path);
+  }
+  try
+  {
+    structure.assemblies = { ReadCIFAssembly(block, name) };
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw UnknownAssembly(path + ": " + error.what() + ".");
+  }
+  TakeAssembly(structure, name, path);
+}
 
 /// "A, B, C, ..."
 std::string JoinNames(const std::vector<AtomBlock>& blocks)
@@ -554,10 +608,11 @@ std::vector<AtomBlock> FindAtoms(gemmi::cif::Document& document)
       hasReflections || block.has_tag("_refln.index_h") || block.has_tag("_refln_index_h");
     try
     {
+      gemmi::cif::Block assemblies = MoveAssemblies(block);
       CIFAtoms atoms = PrepareForGemmi(block);
       if (atoms.From != CIFAtoms::Source::None)
       {
-        blocks.push_back({ &block, std::move(atoms) });
+        blocks.push_back({ &block, std::move(assemblies), std::move(atoms) });
       }
     }
     catch (const std::invalid_argument& error)
@@ -663,13 +718,16 @@ Macromolecule ReadBlocks(
     {
       if (!choice.Assembly.empty())
       {
-        TakeAssembly(structure, choice.Assembly, path);
+        TakeAssembly(structure, block.Assemblies, choice.Assembly, path);
       }
       molecule =
         Flatten(structure, choice.Model - models, block.Atoms.Report, block.Atoms.Confidence);
       if (choice.Assembly.empty())
       {
         SetStructure(block.Atoms.Structure, molecule.Atoms);
+        const gemmi::UnitCell& cell = structure.cell;
+        molecule.Cell =
+          CellVectors({ cell.a, cell.b, cell.c }, { cell.alpha, cell.beta, cell.gamma });
       }
       AddNamedBonds(block.Atoms, molecule);
       if (block.Atoms.From == CIFAtoms::Source::MMCIF)

@@ -5,10 +5,12 @@
 #include "Files/OpenByteSource.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomSelection.h"
+#include "Molecules/CoordinateUnits.h"
 #include "Molecules/CovalentBonds.h"
 #include "Molecules/ExchangeFormats.h"
 #include "Molecules/GemmiStructure.h"
 #include "Molecules/PQRFile.h"
+#include "Molecules/PeriodicMolecules.h"
 #include "Molecules/XYZFile.h"
 
 #include <algorithm>
@@ -66,6 +68,11 @@ MoleculeFormat FormatFromName(const std::string& path)
     {
       return format;
     }
+  }
+  const bool isNumbered = !name.empty() && name.back() >= '1' && name.back() <= '9';
+  if (isNumbered && EndsWith(name.substr(0, name.size() - 1), ".pdb")) // biological units
+  {
+    return MoleculeFormat::PDB;
   }
   return MoleculeFormat::ByName;
 }
@@ -356,6 +363,8 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
 void Check(const MoleculeOptions& options)
 {
   RequireChoice("Format", options.Format, MoleculeFormat::SDF);
+  RequireChoice("LengthUnit", options.LengthUnit, CoordinateUnit::Bohr);
+  RequireChoice("CombineModels", options.CombineModels, ModelCombination::Always);
   RequireChoice("RadiusTable", options.RadiusTable, RadiusTable::Alvarez);
 }
 
@@ -363,8 +372,8 @@ Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress)
 {
   Check(options);
-  Macromolecule parsed = Parse(text, path, options.Format, { options.ModelIndex, options.Assembly },
-    Between(progress, 0.0, 0.6));
+  Macromolecule parsed = Parse(text, path, options.Format,
+    { options.ModelIndex, options.Assembly, options.CombineModels }, Between(progress, 0.0, 0.6));
   return CompleteMacromolecule(std::move(parsed), path, options, Between(progress, 0.6, 1.0));
 }
 
@@ -375,16 +384,22 @@ Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& pat
   Macromolecule molecule = std::move(parsed);
   CheckModel(molecule, path, options.ModelIndex);
   Report(progress, 0.0);
+  ConvertUnit(molecule, options.LengthUnit);
   SelectAtoms(molecule, options);
+  const bool mayHaveBonds = CheckDistances(molecule, options.LengthUnit);
   SetRadii(molecule, options.RadiusTable);
   Report(progress, 0.25);
-  if (options.BondsByDistance)
+  if (options.BondsByDistance && mayHaveBonds)
   {
     AddCovalentBonds(molecule, Between(progress, 0.25, 1.0));
   }
   else
   {
     SortBonds(molecule);
+  }
+  if (mayHaveBonds)
+  {
+    MakeMoleculesWhole(molecule, options.BondsByDistance);
   }
   return molecule;
 }
@@ -409,14 +424,20 @@ namespace
 struct Separators
 {
   static constexpr std::uint64_t None = ~std::uint64_t{ 0 };
+  static constexpr std::size_t MostFirstModels = 3;
 
   std::int64_t Models = 0;
   std::int64_t EndModels = 0;
   std::int64_t Ends = 0;
   std::uint64_t FirstEnd = None;
+  std::vector<std::uint64_t> FirstModels; ///< where the first three of MODEL are
 
   Separators& operator+=(const Separators& other)
   {
+    this->FirstModels.insert(
+      this->FirstModels.end(), other.FirstModels.begin(), other.FirstModels.end());
+    std::sort(this->FirstModels.begin(), this->FirstModels.end());
+    this->FirstModels.resize(std::min(this->FirstModels.size(), MostFirstModels));
     this->Models += other.Models;
     this->EndModels += other.EndModels;
     this->Ends += other.Ends;
@@ -445,7 +466,15 @@ Separators FindSeparators(
   };
   for (std::size_t at = text.find('\n'); at < last; at = text.find('\n', at + 1))
   {
-    found.Models += isWord(at, "\nMODEL") ? 1 : 0;
+    const std::uint64_t place = offset + at - (hasLineEnd && at > 0 ? 1 : 0);
+    if (isWord(at, "\nMODEL"))
+    {
+      ++found.Models;
+      if (found.FirstModels.size() < Separators::MostFirstModels)
+      {
+        found.FirstModels.push_back(place);
+      }
+    }
     if (begins(at, "\nENDMDL"))
     {
       ++found.EndModels;
@@ -453,7 +482,7 @@ Separators FindSeparators(
     else if (isWord(at, "\nEND"))
     {
       ++found.Ends;
-      found.FirstEnd = std::min(found.FirstEnd, offset + at - (hasLineEnd && at > 0 ? 1 : 0));
+      found.FirstEnd = std::min(found.FirstEnd, place);
     }
   }
   return found;
@@ -510,7 +539,27 @@ bool IsCountedByRecords(const Separators& found, ByteSource& source)
 
 }
 
-std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromolecule* parsed)
+namespace
+{
+
+/// Whether the first two of MODEL records are models, so that all are. The file is read up to the
+/// third one.
+bool AreFirstModelsApart(const Separators& found, ByteSource& source, ModelCombination combine)
+{
+  if (found.Models < 2 || combine == ModelCombination::Never)
+  {
+    return true;
+  }
+  const bool isMore = found.FirstModels.size() == Separators::MostFirstModels;
+  std::string text(isMore ? found.FirstModels.back() : source.MaximumBytes(), ' ');
+  text.resize(source.Read(0, text.data(), text.size()));
+  return CountPDBModels(text, combine) > 1;
+}
+
+}
+
+std::int64_t CountModels(
+  const std::string& path, MoleculeFormat format, Macromolecule* parsed, ModelCombination combine)
 {
   const auto source = OpenTextSource(path);
   if (format == MoleculeFormat::ByName)
@@ -524,7 +573,8 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   {
     found = FindSeparators(*source);
   }
-  if (isByRecord && source->RandomAccess() && IsCountedByRecords(found, *source))
+  if (isByRecord && source->RandomAccess() && IsCountedByRecords(found, *source) &&
+    (format == MoleculeFormat::PQR || AreFirstModelsApart(found, *source, combine)))
   {
     return std::max<std::int64_t>(found.Models, 1);
   }
@@ -539,7 +589,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   }
   if (format == MoleculeFormat::PDB)
   {
-    return CountPDBModels(text);
+    return CountPDBModels(text, combine);
   }
   Macromolecule molecule = Parse(text, path, format, {}, {});
   const std::int64_t models = molecule.NumberOfModels;

@@ -341,6 +341,7 @@ Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
     ends.push_back(lines.size());
   }
   molecule.Atoms = read(lines, Between(progress, 0.2, 1.0));
+  molecule.Cell = FindCell(split, parts);
   std::vector<PDBRun> runs;
   for (std::size_t part = 0, atom = 0; part < parts.size(); ++part)
   {

@@ -173,7 +173,7 @@ TEST(PDBModels, AtomsOutsideOfModelsJoinAnAdjacentModel)
   EXPECT_EQ(Reading(ligand + model).Sizes(), (Sizes{ 1, 31, 31 }));
   EXPECT_EQ(Reading(model + model + ligand).Sizes(), (Sizes{ 2, 30, 31 }));
   // Models may differ, and may be empty: MODEL says that they are models.
-  EXPECT_EQ(Reading(model + "MODEL        2\n" + Chain('B', 5, 4) + "ENDMDL\n").Sizes(),
+  EXPECT_EQ(Reading(model + "MODEL        2\n" + Chain('B', 1, 4) + "ENDMDL\n").Sizes(),
     (Sizes{ 2, 30, 12 }));
 }
 
