@@ -1,27 +1,59 @@
 #include "vtkForceFieldCharges.h"
 
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/PipelineInputs.h"
 #include "Electrostatics/ForceFieldAtoms.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkStringArray.h>
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkForceFieldCharges);
+
+namespace
+{
+
+/// The notes of the input, and further ones.
+std::vector<std::string> JoinNotes(vtkPointSet* atoms, const std::vector<std::string>& further)
+{
+  std::vector<std::string> notes;
+  auto* known = vtkStringArray::SafeDownCast(atoms->GetFieldData()->GetAbstractArray("Notes"));
+  for (vtkIdType i = 0; known && i < known->GetNumberOfValues(); ++i)
+  {
+    notes.push_back(known->GetValue(i));
+  }
+  notes.insert(notes.end(), further.begin(), further.end());
+  return notes;
+}
+
+}
 
 vtkForceFieldCharges::vtkForceFieldCharges()
   : Cache(std::make_unique<isthmus::ForceFieldAtomsCache>())
 {
+  this->SetNumberOfInputPorts(2);
 }
 
 vtkForceFieldCharges::~vtkForceFieldCharges() = default;
+
+int vtkForceFieldCharges::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
 
 int vtkForceFieldCharges::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -50,9 +82,18 @@ int vtkForceFieldCharges::RequestData(
         output->ShallowCopy(atoms);
         return;
       }
-      output->ShallowCopy(this->Cache->Get(atoms, arrays,
-        static_cast<isthmus::ChargeTable>(this->ForceField), isthmus::MakeProgress(this)));
+      vtkPointSet* ligands = vtkPointSet::GetData(inputVector[1], 0);
+      if (ligands)
+      {
+        isthmus::RequireFinitePositions(ligands, "the ligands");
+      }
+      isthmus::ChargeOptions options(static_cast<isthmus::ChargeTable>(this->ForceField));
+      options.UsePropka = this->UsePropka;
+      options.PH = this->PH;
+      output->ShallowCopy(
+        this->Cache->Get(atoms, ligands, arrays, options, isthmus::MakeProgress(this)));
       output->GetFieldData()->PassData(atoms->GetFieldData());
+      isthmus::AddNotes(JoinNotes(atoms, this->Cache->Notes()), output);
       if (!this->Cache->Warning().empty())
       {
         vtkWarningMacro(<< this->Cache->Warning());
@@ -64,4 +105,6 @@ void vtkForceFieldCharges::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ForceField: " << this->ForceField << "\n";
+  os << indent << "UsePropka: " << this->UsePropka << "\n";
+  os << indent << "PH: " << this->PH << "\n";
 }

@@ -4,6 +4,7 @@
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/BinaryCIF.h"
 #include "Molecules/CIFAssemblies.h"
 #include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
@@ -149,6 +150,16 @@ bool IsOfCategory(const gemmi::cif::Item& item, const std::vector<std::string>& 
   const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
   return std::any_of(categories.begin(), categories.end(),
     [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
+}
+
+/// Whether a category of BinaryCIF is read.
+bool IsWanted(const std::string& category)
+{
+  const std::string name = gemmi::to_lower(category);
+  const auto begins = [&name](const std::string& with) { return gemmi::starts_with(name, with); };
+  return std::any_of(CategoriesRead.begin(), CategoriesRead.end(), begins) ||
+    begins("_pdbx_struct_assembly_gen.") || begins("_pdbx_struct_oper_list.") ||
+    begins("_struct_conf.") || begins("_struct_sheet_range.") || begins("_refln.");
 }
 
 void DropOthers(gemmi::cif::Block& block, const std::vector<std::string>& categories)
@@ -762,7 +773,9 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   Macromolecule molecule;
   try
   {
-    gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
+    gemmi::cif::Document document = IsBinaryCIF(text)
+      ? ReadBinaryCIF(text, IsWanted)
+      : gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
     Report(progress, 0.5);
     molecule = ReadBlocks(document, path, choice);
   }
@@ -776,8 +789,8 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   }
   catch (const std::invalid_argument& error)
   {
-    throw std::runtime_error(
-      path + ": this can't be read as mmCIF or core CIF: " + error.what() + ".");
+    throw std::runtime_error(path + ": this can't be read as " +
+      (IsBinaryCIF(text) ? "BinaryCIF: " : "mmCIF or core CIF: ") + error.what() + ".");
   }
   catch (const std::exception& error)
   {

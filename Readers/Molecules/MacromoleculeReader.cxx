@@ -5,6 +5,7 @@
 #include "Files/OpenByteSource.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomSelection.h"
+#include "Molecules/BinaryCIF.h"
 #include "Molecules/CoordinateUnits.h"
 #include "Molecules/CovalentBonds.h"
 #include "Molecules/ExchangeFormats.h"
@@ -17,6 +18,7 @@
 #include <atomic>
 #include <cctype>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 
@@ -56,12 +58,12 @@ MoleculeFormat FormatFromName(const std::string& path)
   const std::string name = RemoveCompressionSuffix(path);
   const std::pair<const char*, MoleculeFormat> extensions[] = { { ".pdb", MoleculeFormat::PDB },
     { ".ent", MoleculeFormat::PDB }, { ".cif", MoleculeFormat::MMCIF },
-    { ".mmcif", MoleculeFormat::MMCIF }, { ".pqr", MoleculeFormat::PQR },
-    { ".xyz", MoleculeFormat::XYZ }, { ".extxyz", MoleculeFormat::XYZ },
-    { ".txyz", MoleculeFormat::XYZ }, { ".arc", MoleculeFormat::XYZ },
-    { ".pdbqt", MoleculeFormat::PDBQT }, { ".gro", MoleculeFormat::GRO },
-    { ".mol2", MoleculeFormat::MOL2 }, { ".sdf", MoleculeFormat::SDF },
-    { ".mol", MoleculeFormat::SDF } };
+    { ".mmcif", MoleculeFormat::MMCIF }, { ".bcif", MoleculeFormat::MMCIF },
+    { ".pqr", MoleculeFormat::PQR }, { ".xyz", MoleculeFormat::XYZ },
+    { ".extxyz", MoleculeFormat::XYZ }, { ".txyz", MoleculeFormat::XYZ },
+    { ".arc", MoleculeFormat::XYZ }, { ".pdbqt", MoleculeFormat::PDBQT },
+    { ".gro", MoleculeFormat::GRO }, { ".mol2", MoleculeFormat::MOL2 },
+    { ".sdf", MoleculeFormat::SDF }, { ".mol", MoleculeFormat::SDF } };
   for (const auto& [extension, format] : extensions)
   {
     if (EndsWith(name, extension))
@@ -86,8 +88,6 @@ std::string DescribeForeignFormat(const std::string& path)
     const char* Extensions;
     const char* Message;
   } formats[] = {
-    { ".bcif ",
-      "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif)." },
     { ".mmtf ",
       "this is MMTF, which is not read; the PDB has retired it. Fetch the structure as mmCIF "
       "(.cif)." },
@@ -129,6 +129,14 @@ std::string DescribeForeignFormat(const std::string& path)
   return {};
 }
 
+/// As text, or as it is if it is BinaryCIF.
+std::unique_ptr<ByteSource> OpenMolecule(const std::string& path)
+{
+  std::array<char, 1000> begin{};
+  const std::size_t size = OpenByteSource(path)->Read(0, begin.data(), begin.size());
+  return IsBinaryCIF({ begin.data(), size }) ? OpenByteSource(path) : OpenTextSource(path);
+}
+
 bool BeginsAs(std::string_view text, std::string_view with)
 {
   return text.size() >= with.size() &&
@@ -149,9 +157,13 @@ std::string DescribeForeignContent(std::string_view text, MoleculeFormat format)
     return "this is MMTF, which is not read; the PDB has retired it. Fetch the structure as mmCIF "
            "(.cif).";
   }
-  if (isMessagePack && (has("encoder") || has("dataBlocks")))
+  if (isMessagePack && format != MoleculeFormat::MMCIF && IsBinaryCIF(text))
   {
-    return "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif).";
+    return "this is BinaryCIF. Name it .bcif, or choose mmCIF as its format.";
+  }
+  if (isMessagePack && format == MoleculeFormat::MMCIF && !IsBinaryCIF(text))
+  {
+    return "this is neither mmCIF nor BinaryCIF. The file may be damaged: fetch it again.";
   }
   const std::string_view words =
     text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
@@ -187,6 +199,10 @@ std::string DescribeForeignContent(std::string_view text, MoleculeFormat format)
 /// For names without a known extension. mmCIF first, since its text may contain PDB's words.
 MoleculeFormat FormatFromText(std::string_view text, const std::string& path)
 {
+  if (IsBinaryCIF(text))
+  {
+    return MoleculeFormat::MMCIF;
+  }
   if (text.substr(0, 5) == "data_" || text.find("\ndata_") != std::string_view::npos)
   {
     return MoleculeFormat::MMCIF;
@@ -210,7 +226,8 @@ MoleculeFormat FormatFromText(std::string_view text, const std::string& path)
     throw std::runtime_error(path + ": " + other);
   }
   throw std::runtime_error(path +
-    ": neither the name (.pdb .ent .cif .pqr .xyz .pdbqt .gro .mol2 .sdf .mol) nor the content "
+    ": neither the name (.pdb .ent .cif .bcif .pqr .xyz .pdbqt .gro .mol2 .sdf .mol) nor the "
+    "content "
     "says "
     "which format this is. Choose the format.");
 }
@@ -408,7 +425,7 @@ Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress)
 {
   Check(options);
-  const std::string text = ReadAll(*OpenTextSource(path), Between(progress, 0.0, 0.2));
+  const std::string text = ReadAll(*OpenMolecule(path), Between(progress, 0.0, 0.2));
   MoleculeOptions named = options;
   if (named.Format == MoleculeFormat::ByName)
   {
@@ -561,7 +578,7 @@ bool AreFirstModelsApart(const Separators& found, ByteSource& source, ModelCombi
 std::int64_t CountModels(
   const std::string& path, MoleculeFormat format, Macromolecule* parsed, ModelCombination combine)
 {
-  const auto source = OpenTextSource(path);
+  const auto source = OpenMolecule(path);
   if (format == MoleculeFormat::ByName)
   {
     format = FormatFromName(path);
@@ -610,6 +627,10 @@ bool LooksLikeMolecule(const std::string& path)
   {
     std::array<char, 4096> begin;
     const std::size_t size = OpenByteSource(path)->Read(0, begin.data(), begin.size());
+    if (IsBinaryCIF({ begin.data(), size }))
+    {
+      return FormatFromName(path) == MoleculeFormat::MMCIF;
+    }
     if (BeginsAsUTF16({ begin.data(), size }))
     {
       return true; // the reader's message explains what to do

@@ -559,24 +559,29 @@ std::string DescribeTorn(const std::vector<Atom>& atoms)
     {
       std::vector<std::string> names;
       const Atom* away = nullptr;
+      const Atom* next = nullptr; // N or P
       for (std::size_t i = begin; i < end; ++i)
       {
         const Atom& atom = atoms[i];
         names.push_back(atom.Name + atom.AltLoc);
         away = !away && Distance(atoms[begin].Position, atom.Position) > largest ? &atom : away;
         last = atom.Name == "C" || atom.Name == "O3'" ? &atom : last;
-        const bool isNext = carbon && carbon->Chain == atom.Chain &&
-          carbon->ResidueId + 1 == atom.ResidueId && (atom.Name == "N" || atom.Name == "P");
-        if (isNext && AreApartAlongAxis(carbon->Position, atom.Position))
-        {
-          add(*carbon, atom);
-        }
+        next = atom.Name == "N" || atom.Name == "P" ? &atom : next;
       }
       std::sort(names.begin(), names.end());
-      const bool isOne = std::adjacent_find(names.begin(), names.end()) == names.end();
-      if (away && isOne) // not several residues with the same number
+      if (std::adjacent_find(names.begin(), names.end()) != names.end())
+      {
+        last = away = next = nullptr; // several residues with the same number
+      }
+      if (away)
       {
         add(atoms[begin], *away);
+      }
+      if (carbon && next && carbon->Chain == next->Chain &&
+        carbon->ResidueId + 1 == next->ResidueId &&
+        AreApartAlongAxis(carbon->Position, next->Position))
+      {
+        add(*carbon, *next);
       }
     }
     carbon = last;

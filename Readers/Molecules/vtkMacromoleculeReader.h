@@ -1,9 +1,9 @@
 /**
  * @class   vtkMacromoleculeReader
- * @brief   atoms and bonds from PDB, mmCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
+ * @brief   atoms and bonds from PDB, mmCIF, BinaryCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
  *
- * The extensions are .pdb .ent .pdb1 to .pdb9 .cif .mmcif .pqr .xyz .extxyz .pdbqt .gro .mol2 .sdf
- * .mol, plain, .gz or .bz2; for other names, the format is detected from the content.
+ * The extensions are .pdb .ent .pdb1 to .pdb9 .cif .mmcif .bcif .pqr .xyz .extxyz .pdbqt .gro .mol2
+ * .sdf .mol, plain, .gz or .bz2; for other names, the format is detected from the content.
  *
  * **Output 0**, vtkPolyData: a point and a vertex for each atom (angstrom, double), a line for each
  * bond. Point arrays:
@@ -86,7 +86,7 @@ public:
   {
     ByName = 0,
     PDB = 1,
-    MMCIF = 2,
+    MMCIF = 2, ///< also BinaryCIF
     PQR = 3,
     XYZ = 4, ///< also extended XYZ and TINKER's
     PDBQT = 5,
