@@ -197,8 +197,15 @@ vtkPointSet* ForceFieldAtomsCache::Get(vtkPointSet* atoms, vtkPointSet* ligands,
           const std::vector<LigandAtom> charged = ReadLigands(ligands);
           const std::vector<NamedAtom> named = ReadNamedAtoms(atoms);
           ChargedProtein protein = ChargeProtein(named, options, {}, progress);
+          const std::size_t without = protein.Uncharged.size();
           AddLigandCharges(named, charged, protein);
           made.Warning = protein.Warning;
+          if (!charged.empty() && protein.Uncharged.size() == without)
+          {
+            made.Warning += (made.Warning.empty() ? "" : " ") +
+              std::string("The second input has charges for none of the residues without charges, "
+                          "neither by place nor by the names of residues and atoms.");
+          }
           const std::string missing =
             DescribeUncharged(named, ReadValues(atoms, arrays.Charge.c_str()), protein);
           made.Warning += (made.Warning.empty() || missing.empty() ? "" : " ") + missing;

@@ -371,8 +371,10 @@ public:
   {
     std::vector<std::size_t> lost;
     std::vector<std::size_t> hydrogens;
-    for (const FileResidue& residue : this->Residues)
+    for (std::size_t r = 0; r < this->Residues.size(); ++r)
     {
+      const FileResidue& residue = this->Residues[r];
+      const std::size_t before = lost.size();
       if (!residue.HasCharges)
       {
         to.Uncharged.push_back(residue.Atoms);
@@ -386,6 +388,12 @@ public:
         {
           (isHydrogen ? hydrogens : lost).push_back(i);
         }
+      }
+      const std::vector<std::size_t> ofResidue(
+        lost.begin() + static_cast<std::ptrdiff_t>(before), lost.end());
+      if (this->RestorePhosphate(r, ofResidue, to))
+      {
+        lost.resize(before);
       }
     }
     if (!lost.empty())
@@ -407,6 +415,82 @@ public:
   }
 
 private:
+  static bool IsPhosphateOxygen(const std::string& name)
+  {
+    static const std::set<std::string> names{ "OP1", "OP2", "OP3", "O1P", "O2P", "O3P" };
+    return names.count(name) > 0;
+  }
+
+  /// The atom of a residue with a name in the answer, or null.
+  ForceFieldAtom* FindInAnswer(
+    std::size_t residue, const std::set<std::string>& names, ChargedProtein& in) const
+  {
+    for (ForceFieldAtom& atom : in.Atoms)
+    {
+      const auto& own = this->Residues[residue].Atoms;
+      if (names.count(atom.Name) > 0 &&
+        std::find(own.begin(), own.end(), atom.SourceAtom) != own.end())
+      {
+        return &atom;
+      }
+    }
+    return nullptr;
+  }
+
+  /**
+   * A phosphate at the 5' end, which the program removes and replaces by a hydrogen. Its atoms get
+   * the charges that those of another residue have; what is missing to the charge of a phosphate
+   * with one proton, -1 e, is divided among its oxygens other than O5'. False: it is something
+   * else, or no residue has a phosphate.
+   */
+  bool RestorePhosphate(
+    std::size_t residue, const std::vector<std::size_t>& lost, ChargedProtein& to) const
+  {
+    const bool isPhosphate = std::all_of(lost.begin(), lost.end(),
+      [this](std::size_t i)
+      { return this->Atoms[i].Name == "P" || IsPhosphateOxygen(this->Atoms[i].Name); });
+    const auto oxygens = static_cast<double>(lost.size()) - 1.0;
+    ForceFieldAtom* const link = this->FindInAnswer(residue, { "O5'", "O5*" }, to);
+    ForceFieldAtom* const hydrogen = this->FindInAnswer(residue, { "H5T", "HO5'" }, to);
+    const auto other = std::find_if(to.Atoms.begin(), to.Atoms.end(),
+      [](const ForceFieldAtom& atom) { return atom.Name == "P" && !atom.IsNew; });
+    if (!isPhosphate || lost.size() < 3 || !link || !hydrogen || other == to.Atoms.end())
+    {
+      return false;
+    }
+    const std::size_t source = other->SourceAtom;
+    const auto holder = std::find_if(this->Residues.begin(), this->Residues.end(),
+      [source](const FileResidue& r)
+      { return std::find(r.Atoms.begin(), r.Atoms.end(), source) != r.Atoms.end(); });
+    const auto from = static_cast<std::size_t>(holder - this->Residues.begin());
+    const ForceFieldAtom phosphorus = *other;
+    const ForceFieldAtom* const oxygen = this->FindInAnswer(from, { "OP1", "O1P" }, to);
+    const ForceFieldAtom* const linked = this->FindInAnswer(from, { "O5'", "O5*" }, to);
+    if (!oxygen || !linked)
+    {
+      return false;
+    }
+    const double change = phosphorus.Charge + oxygens * oxygen->Charge + linked->Charge -
+      link->Charge - hydrogen->Charge;
+    const double missing = (-1.0 - change) / oxygens;
+    const ForceFieldAtom model = *oxygen;
+    link->Charge = linked->Charge;
+    link->Radius = linked->Radius;
+    to.Atoms.erase(to.Atoms.begin() + (hydrogen - to.Atoms.data()));
+    for (const std::size_t i : lost)
+    {
+      const bool isCenter = this->Atoms[i].Name == "P";
+      to.Atoms.push_back(
+        { this->Atoms[i].Place, isCenter ? phosphorus.Charge : model.Charge + missing,
+          isCenter ? phosphorus.Radius : model.Radius, this->Atoms[i].Name, this->Atoms[i].Residue,
+          i, false });
+    }
+    to.Notes.push_back("The phosphate at the 5' end, " +
+      Printable(DescribeResidue(this->Atoms[lost.front()])) +
+      ", which pdb2pqr leaves out, has the charges of the other ones and one proton (-1 e).");
+    return true;
+  }
+
   const std::vector<NamedAtom>& Atoms;
   std::vector<FileResidue>& Residues;
   std::map<std::pair<char, int>, std::size_t> Places;

@@ -70,6 +70,8 @@ struct ChargedProtein
  *
  * What comes back is compared atom by atom with what went in: the warning lists all atoms other
  * than hydrogens that are missing in residues that have charges, and counts those that were built.
+ * A phosphate at the 5' end, which the program removes, is restored with one proton (-1 e) where
+ * another residue has one, with a note.
  * @throws std::invalid_argument for options out of range, for molecules that a PDB file cannot
  * contain (more than 62 chains, more than 9,999 residues in one chain, coordinates beyond +-9,999),
  * and if no atom has a residue name.

@@ -70,6 +70,8 @@ int vtkForceFieldCharges::RequestData(
         return;
       }
       isthmus::RequireFinitePositions(atoms, "the atoms");
+      vtkPointSet* ligands = vtkPointSet::GetData(inputVector[1], 0);
+      isthmus::RequireFinitePositions(ligands, "the ligands");
       const isthmus::ChargeArrays arrays{ "Charge", "Radius" };
       if (!isthmus::LacksCharges(atoms, arrays))
       {
@@ -80,12 +82,12 @@ int vtkForceFieldCharges::RequestData(
             "open a PDB, mmCIF or PQR file with the Macromolecule Reader.");
         }
         output->ShallowCopy(atoms);
+        if (ligands)
+        {
+          isthmus::AddNotes(
+            JoinNotes(atoms, { "The atoms have charges already: input 2 was not used." }), output);
+        }
         return;
-      }
-      vtkPointSet* ligands = vtkPointSet::GetData(inputVector[1], 0);
-      if (ligands)
-      {
-        isthmus::RequireFinitePositions(ligands, "the ligands");
       }
       isthmus::ChargeOptions options(static_cast<isthmus::ChargeTable>(this->ForceField));
       options.UsePropka = this->UsePropka;

@@ -106,7 +106,8 @@ def charged(name):
 heavy, charge, warned, notes = charged("r11_same_chain_TER.pdb")
 assert heavy == 478 and abs(charge - 6.0) < 1e-3, (heavy, charge, warned)
 heavy, charge, warned, notes = charged("q02_rna_5phosphate.pdb")
-print("q02", heavy, charge, warned, notes)
+assert heavy == 389 and abs(charge + 18.0) < 1e-3 and not warned, (heavy, charge, warned)
+assert "phosphate at the 5' end, G 2 R" in notes, notes
 heavy, charge, warned, notes = charged("v01_HT2.pdb")
 assert "HT2 of LEU 129 A" in notes, notes
 assert abs(charge - 8.0) < 1e-3 and not warned, (charge, warned)

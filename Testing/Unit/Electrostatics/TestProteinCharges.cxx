@@ -218,6 +218,54 @@ TEST(ProteinCharges, LostAtomsAreListed)
     << protein.Notes[0];
 }
 
+/// Two nucleotides; the program removes the phosphate of the first.
+TEST(ProteinCharges, PhosphatesAtTheEndAreRestored)
+{
+  std::vector<NamedAtom> atoms;
+  for (int r = 0; r < 2; ++r)
+  {
+    for (const char* name : { "P", "OP1", "OP2", "O5'", "C1'" })
+    {
+      const auto x = static_cast<double>(atoms.size());
+      atoms.push_back(MakeAtom(name, "G", r + 1, "R", { x, 0.5, 0.25 }));
+    }
+  }
+  const std::string rest = "ATOM 6 P RG A 2 5.000 0.500 0.250 1.2 2.1\\n"
+                           "ATOM 7 OP1 RG A 2 6.000 0.500 0.250 -0.8 1.6\\n"
+                           "ATOM 8 OP2 RG A 2 7.000 0.500 0.250 -0.8 1.6\\n"
+                           "ATOM 9 O5' RG A 2 8.000 0.500 0.250 -0.5 1.7\\n"
+                           "ATOM 10 C1' RG A 2 9.000 0.500 0.250 0.1 1.9\\n";
+  const std::string first = "ATOM 1 O5' RG A 1 3.000 0.500 0.250 -0.6 1.7\\n"
+                            "ATOM 2 C1' RG A 1 4.000 0.500 0.250 0.1 1.9\\n";
+  const auto answer = [](std::string text)
+  {
+    for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 5)
+    {
+      text.replace(at, 1, "'\"'\"'");
+    }
+    return Answering(text);
+  };
+  const OnlyProgram program(answer(first + "ATOM 3 H5T RG A 1 3.0 1.5 0.25 0.4 0\\n" + rest));
+  const ChargedProtein protein = ChargeProtein(WithElements(atoms), ChargeTable::AMBER, Short(60));
+  EXPECT_TRUE(protein.Warning.empty()) << protein.Warning;
+  ASSERT_EQ(protein.Notes.size(), 1u);
+  EXPECT_NE(protein.Notes[0].find("G 1 R"), std::string::npos) << protein.Notes[0];
+  ASSERT_EQ(protein.Atoms.size(), 10u);
+  double sum = 0.0;
+  for (const ForceFieldAtom& atom : protein.Atoms)
+  {
+    EXPECT_NE(atom.Name, "H5T");
+    sum += atom.Charge;
+  }
+  // Before: O5' and C1' of the first, its hydrogen, and the second residue.
+  EXPECT_NEAR(sum, -0.6 + 0.1 + 0.4 - 0.8 - 1.0, 1e-12);
+  // Without a hydrogen in its place, it is lost, and so listed.
+  const OnlyProgram other(answer(first + rest));
+  EXPECT_NE(ChargeProtein(WithElements(atoms), ChargeTable::AMBER, Short(60))
+              .Warning.find("left out 3 atoms: P of G 1 R, OP1 of G 1 R, OP2 of G 1 R."),
+    std::string::npos);
+}
+
 // Of chains under one name, one after the other and mixed, each is a chain of the program's file.
 TEST(ProteinCharges, CopiesOfAChainAreKept)
 {
