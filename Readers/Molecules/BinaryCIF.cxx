@@ -448,7 +448,8 @@ gemmi::cif::Document ReadBinaryCIF(
       for (const Json& category : from.at("categories"))
       {
         auto name = category.at("name").get<std::string>();
-        name = (name.substr(0, 1) == "_" ? "" : "_") + name + ".";
+        name.insert(0, name.substr(0, 1) == "_" ? "" : "_");
+        name += '.';
         if (isWanted(name))
         {
           ReadCategory(category, name, decoder, document.blocks.back());
