@@ -287,9 +287,27 @@ void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs)
   {
     std::size_t Part = 0;
     std::size_t Copy = 0;
-    std::unordered_map<std::string, std::set<std::string_view>> Residues; ///< names of atoms
+    std::unordered_map<std::string, std::vector<std::size_t>> Residues; ///< their runs
   };
   std::unordered_map<std::string, Chain> chains;
+  const auto nameOf = [&lines](std::size_t i) { return lines.Atoms[i].substr(12, 5); };
+  const auto isAgain = [&](const PDBRun& run, const std::vector<std::size_t>& earlier)
+  {
+    std::set<std::string_view> names;
+    for (const std::size_t r : earlier)
+    {
+      for (std::size_t i = runs[r].First; i < runs[r].Last; ++i)
+      {
+        names.insert(nameOf(i));
+      }
+    }
+    std::size_t again = 0;
+    for (std::size_t i = run.First; i < run.Last; ++i)
+    {
+      again += names.count(nameOf(i));
+    }
+    return again > 0 && 2 * again >= run.Last - run.First;
+  };
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     PDBRun& run = runs[r];
@@ -303,22 +321,12 @@ void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs)
     {
       const std::string key =
         run.Name + '\n' + std::to_string(run.Number.value_or(0)) + run.InsertionCode + run.Segment;
-      const auto nameOf = [&lines](std::size_t i) { return lines.Atoms[i].substr(12, 5); };
-      const auto known = chain.Residues.find(key);
-      std::size_t again = 0;
-      for (std::size_t i = run.First; known != chain.Residues.end() && i < run.Last; ++i)
-      {
-        again += known->second.count(nameOf(i));
-      }
-      if (2 * again >= run.Last - run.First && again > 0)
+      std::vector<std::size_t>& earlier = chain.Residues[key];
+      earlier.push_back(r);
+      if (earlier.size() > 1 && isAgain(run, { earlier.begin(), earlier.end() - 1 }))
       {
         ++chain.Copy;
-        chain.Residues.clear();
-      }
-      std::set<std::string_view>& names = chain.Residues[key];
-      for (std::size_t i = run.First; i < run.Last; ++i)
-      {
-        names.insert(nameOf(i));
+        chain.Residues = { { key, { r } } };
       }
     }
     run.Copy = chain.Copy;

@@ -531,14 +531,52 @@ bool AreApartAlongAxis(const Point3& a, const Point3& b)
   return along == 1 && beside == 2;
 }
 
+/// The atoms [Begin, End) of a residue, and those at which neighbours in a chain are bonded.
+struct ResidueInFile
+{
+  std::size_t Begin = 0;
+  std::size_t End = 0;
+  const Atom* Last = nullptr; ///< C or O3'
+  const Atom* Next = nullptr; ///< N or P
+  const Atom* Away = nullptr; ///< far from the first one
+};
+
+ResidueInFile FindResidueAt(const std::vector<Atom>& atoms, std::size_t begin)
+{
+  constexpr double largest = 20.0;
+  ResidueInFile residue{ begin, begin + 1 };
+  while (residue.End < atoms.size() && AreOneResidue(atoms[begin], atoms[residue.End]))
+  {
+    ++residue.End;
+  }
+  for (std::size_t i = begin; i < residue.End && IsPolymer(atoms[begin]); ++i)
+  {
+    const Atom& atom = atoms[i];
+    residue.Last = atom.Name == "C" || atom.Name == "O3'" ? &atom : residue.Last;
+    residue.Next = atom.Name == "N" || atom.Name == "P" ? &atom : residue.Next;
+    const bool isAway = Distance(atoms[begin].Position, atom.Position) > largest;
+    residue.Away = !residue.Away && isAway ? &atom : residue.Away;
+  }
+  return residue;
+}
+
+/// Whether no name of an atom comes twice: otherwise they are residues with the same number.
+bool IsOneResidue(const std::vector<Atom>& atoms, const ResidueInFile& residue)
+{
+  std::vector<std::string> names;
+  for (std::size_t i = residue.Begin; i < residue.End; ++i)
+  {
+    names.push_back(atoms[i].Name + atoms[i].AltLoc);
+  }
+  std::sort(names.begin(), names.end());
+  return std::adjacent_find(names.begin(), names.end()) == names.end();
+}
+
 /// "N residues are torn ..." where atoms that belong together are far apart.
 std::string DescribeTorn(const std::vector<Atom>& atoms)
 {
-  constexpr double largest = 20.0; // of a residue
   std::size_t torn = 0;
   std::string first;
-  std::size_t begin = 0;
-  const Atom* carbon = nullptr; // C or O3' of the residue before
   const auto add = [&](const Atom& a, const Atom& b)
   {
     if (torn++ == 0)
@@ -547,45 +585,22 @@ std::string DescribeTorn(const std::vector<Atom>& atoms)
         FixedNumber(Distance(a.Position, b.Position), 0) + " angstrom apart";
     }
   };
-  while (begin < atoms.size())
+  ResidueInFile before;
+  for (std::size_t begin = 0; begin < atoms.size(); begin = before.End)
   {
-    std::size_t end = begin + 1;
-    while (end < atoms.size() && AreOneResidue(atoms[begin], atoms[end]))
+    const ResidueInFile residue = FindResidueAt(atoms, begin);
+    const bool isJump = before.Last && residue.Next && before.Last->Chain == residue.Next->Chain &&
+      before.Last->ResidueId + 1 == residue.Next->ResidueId &&
+      AreApartAlongAxis(before.Last->Position, residue.Next->Position);
+    if (residue.Away && IsOneResidue(atoms, residue))
     {
-      ++end;
+      add(atoms[begin], *residue.Away);
     }
-    const Atom* last = nullptr;
-    if (IsPolymer(atoms[begin]))
+    if (isJump && IsOneResidue(atoms, residue) && IsOneResidue(atoms, before))
     {
-      std::vector<std::string> names;
-      const Atom* away = nullptr;
-      const Atom* next = nullptr; // N or P
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Atom& atom = atoms[i];
-        names.push_back(atom.Name + atom.AltLoc);
-        away = !away && Distance(atoms[begin].Position, atom.Position) > largest ? &atom : away;
-        last = atom.Name == "C" || atom.Name == "O3'" ? &atom : last;
-        next = atom.Name == "N" || atom.Name == "P" ? &atom : next;
-      }
-      std::sort(names.begin(), names.end());
-      if (std::adjacent_find(names.begin(), names.end()) != names.end())
-      {
-        last = away = next = nullptr; // several residues with the same number
-      }
-      if (away)
-      {
-        add(atoms[begin], *away);
-      }
-      if (carbon && next && carbon->Chain == next->Chain &&
-        carbon->ResidueId + 1 == next->ResidueId &&
-        AreApartAlongAxis(carbon->Position, next->Position))
-      {
-        add(*carbon, *next);
-      }
+      add(*before.Last, *residue.Next);
     }
-    carbon = last;
-    begin = end;
+    before = residue;
   }
   return torn == 0 ? std::string()
                    : "Residues that are torn apart: " + std::to_string(torn) + " (" + first + ").";
