@@ -93,18 +93,21 @@ with tempfile.TemporaryDirectory() as folder:
     # Two chains in contact, broken at boxes that change; a triclinic one.
     whole = MDAnalysis.Universe(str(shared_data("reports/m01c_whole.gro")))
     still = whole.atoms.positions.astype(float)
-    cells = ([36.0, 38.0, 40.0, 90, 90, 90], [35.0, 35.0, 36.0, 90, 90, 90], [40.0, 40.0, 40.0, 60, 60, 90])
+    # The corner of the last box lies between the first atoms of the chains.
+    moves = [9.0, 18.0, 27.0, -0.5 * (still[0] + still[len(still) // 2])]
+    cells = ([36.0, 38.0, 40.0, 90, 90, 90], [35.0, 35.0, 36.0, 90, 90, 90], [40.0, 40.0, 40.0, 60, 60, 90],
+             [36.0, 38.0, 40.0, 90, 90, 90])
     wrapped = []
-    for number, cell in enumerate(cells):
+    for move, cell in zip(moves, cells):
         vectors = MDAnalysis.lib.mdamath.triclinic_vectors(cell).astype(float)
-        fractions = (still + 9.0 * (number + 1)) @ numpy.linalg.inv(vectors)
+        fractions = (still + move) @ numpy.linalg.inv(vectors)
         wrapped.append((fractions - numpy.floor(fractions)) @ vectors)
     chains = MDAnalysis.Universe(str(shared_data("reports/m01c_whole.gro")))
-    write(folder / "broken.xtc", chains, wrapped, cells, [0.0, 1.0, 2.0])
+    write(folder / "broken.xtc", chains, wrapped, cells, [0.0, 1.0, 2.0, 3.0])
     reader = simple.OpenDataFile(str(folder / "broken.xtc"))
     reader.Topology = str(shared_data("reports/m01c_whole.gro"))
     reader.UpdatePipelineInformation()
-    for time in (0.0, 1.0, 2.0):
+    for time in (0.0, 1.0, 2.0, 3.0):
         places, _, notes, atoms = frame(reader, time)
         assert "made whole by the cell of this frame" in notes, notes
         assert abs((places - places[0]) - (still - still[0])).max() < 0.05, time

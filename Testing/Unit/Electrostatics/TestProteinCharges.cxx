@@ -184,13 +184,15 @@ TEST(ProteinCharges, EveryFailureOfTheProgramHasAMessage)
   ExpectSentence("exit 0", "62 chains", 60, many);
 }
 
-/// Each atom but those with the words `except` in its line, with charge 0.5 and radius 1.5.
+/// Each atom but those with the words `except` in its line, and those that come again in their
+/// residue, with charge 0.5 and radius 1.5.
 std::string Echoing(const std::string& except = "nothing")
 {
   return "for last in \"$@\"; do before=$file; file=$last; done\n"
          "while read -r a b c d e f g h i j; do case \"$a $b $c $d $e $f\" in END*|" +
     except +
-    ") ;; *) echo \"$a $b $c $d $e $f $g $h $i 0.5 1.5\";; esac; done <\"$before\" >\"$file\"\n";
+    ") ;; *) case \"$seen\" in *\"|$c $d $e $f|\"*) ;; *) seen=\"$seen|$c $d $e $f|\"; "
+    "echo \"$a $b $c $d $e $f $g $h $i 0.5 1.5\";; esac;; esac; done <\"$before\" >\"$file\"\n";
 }
 
 /// With the elements of their names.
