@@ -1,7 +1,7 @@
 # What is bundled or compiled in, by what Debian calls it; asked for before the packages
 # that need each other and before anything is downloaded.
 foreach (needed IN ITEMS CGAL/version.h=libcgal-dev Eigen/Core=libeigen3-dev gemmi/pdb.hpp=gemmi-dev
-    tao/pegtl.hpp=tao-pegtl-dev boost/version.hpp=libboost-dev gmp.h=libgmp-dev mpfr.h=libmpfr-dev
+    tao/pegtl.hpp=tao-pegtl-dev nlohmann/json.hpp=nlohmann-json3-dev boost/version.hpp=libboost-dev gmp.h=libgmp-dev mpfr.h=libmpfr-dev
     isa-l/igzip_lib.h=libisal-dev bzlib.h=libbz2-dev)
   string(REPLACE "=" ";" needed "${needed}")
   list(GET needed 0 header)

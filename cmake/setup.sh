@@ -19,6 +19,7 @@ build_packages=(
   g++ cmake ninja-build
   paraview paraview-dev python3-paraview
   libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev 'libgemmi-dev|gemmi-dev' tao-pegtl-dev
+  nlohmann-json3-dev
   tetgen xvfb xauth)
 
 # What find_package(ParaView) of Debian's paraview-dev asks for without depending on it, and the icons
@@ -40,6 +41,7 @@ paraview_packages=(
 plain_packages=(
   g++ cmake ninja-build libvtk9-dev
   libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev 'libgemmi-dev|gemmi-dev' tao-pegtl-dev
+  nlohmann-json3-dev
   tetgen locales libgtest-dev optional:libgudhi-dev)
 
 # What the tests compare with and look through.

@@ -122,6 +122,36 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
   return choice;
 }
 
+/// Drops atoms of residues with a confidence below `minimum`.
+void RemoveUncertain(double minimum, MoleculeAtoms& atoms, PolymerChoice& choice)
+{
+  RequireRange("MinimumConfidence", minimum, 0.0, 100.0);
+  if (minimum == 0.0 || atoms.Named.empty())
+  {
+    return;
+  }
+  const std::size_t before = choice.Kept.size();
+  const auto isUncertain = [&](std::size_t i) { return atoms.Named[i].Confidence < minimum; };
+  const bool hasAny = std::any_of(atoms.Named.begin(), atoms.Named.end(),
+    [](const NamedAtom& atom) { return !std::isnan(atom.Confidence); });
+  if (!hasAny)
+  {
+    atoms.Warnings.emplace_back("MinimumConfidence has no effect: the atoms have no array pLDDT "
+                                "(predicted models in mmCIF have).");
+    return;
+  }
+  choice.Kept.erase(
+    std::remove_if(choice.Kept.begin(), choice.Kept.end(), isUncertain), choice.Kept.end());
+  if (choice.Kept.empty())
+  {
+    throw std::invalid_argument("No residue has a confidence (pLDDT) of " + FormatNumber(minimum) +
+      " or more: lower MinimumConfidence.");
+  }
+  atoms.Notes.push_back("Atoms of residues with a confidence (pLDDT) below " +
+    FormatNumber(minimum) + ", left out: " + std::to_string(before - choice.Kept.size()) + " of " +
+    std::to_string(before) + ".");
+}
+
 /// Of the atoms `kept`, those that lie exactly at the place of another one with a larger radius, or
 /// with an equal radius and a smaller id, in ascending order.
 std::vector<std::size_t> FindCopies(
@@ -274,9 +304,16 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   {
     atoms.Warnings.push_back(radii.Warning);
   }
-  // Before copies are searched for: alternate locations may lie at one place.
-  const PolymerChoice choice = Select(input, options, atoms);
+  // Before copies are looked for: alternate locations may lie at one place.
+  PolymerChoice choice = Select(input, options, atoms);
   atoms.Notes = choice.Notes;
+  RemoveUncertain(options.MinimumConfidence, atoms, choice);
+  const std::string missing =
+    atoms.HasNames ? DescribeMissingSideChains(atoms.Named) : std::string();
+  if (!missing.empty())
+  {
+    atoms.Warnings.push_back(missing);
+  }
   if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&
     AssignUnitedRadii(choice.Kept, elements, radii))
   {
@@ -397,6 +434,7 @@ std::vector<NamedAtom> ReadNamedAtoms(vtkDataObject* input)
     [&](std::size_t i, double value) { atoms[i].ResidueId = static_cast<int>(value); });
   ReadNumbers(input, "Occupancy", n,
     [&](std::size_t i, double value) { atoms[i].Occupancy = std::isnan(value) ? 1.0 : value; });
+  ReadNumbers(input, "pLDDT", n, [&](std::size_t i, double value) { atoms[i].Confidence = value; });
   ReadNumbers(
     input, "IsHetero", n, [&](std::size_t i, double value) { atoms[i].IsHetero = value != 0.0; });
   return atoms;

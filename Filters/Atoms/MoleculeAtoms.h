@@ -9,7 +9,7 @@
  * - charges: AtomCharges, from a point array, required;
  * - elements: the atomic numbers of a molecule, or the point array `Element`;
  * - names: the point arrays `AtomName`, `ResidueName`, `ResidueId`, `Chain`, `InsertionCode`,
- *   `AltLoc`, `Occupancy` and `IsHetero` of vtkMacromoleculeReader, as far as they exist;
+ *   `AltLoc`, `Occupancy`, `IsHetero` and `pLDDT` of vtkMacromoleculeReader, as far as they exist;
  * - atoms exactly at the same place: the largest of them (the first of equal ones) is used, and a
  *   warning states how many others were dropped, with their charges; a molecule that occurs twice
  *   would otherwise count twice in sums over atoms;
@@ -47,6 +47,9 @@ struct AtomOptions
   /// Where chains of amino acids or nucleotides have no hydrogens at all, and radii are those of a
   /// table by element, radii of united atoms (RadiusTable::UnitedAtom) replace them.
   bool UnitedAtoms = false;
+  /// Residues of a predicted model with a confidence (point array pLDDT) below this are dropped, of
+  /// those that the selection keeps. 0: none.
+  double MinimumConfidence = 0.0;
   bool ZeroRadii = false;    ///< atoms with radius 0 also get a ball
   bool KeepCopies = false;   ///< atoms at the place of another one are listed only, not dropped
   bool RequireBalls = false; ///< std::invalid_argument where no atom has a radius above 0
@@ -73,10 +76,11 @@ struct MoleculeAtoms
   std::vector<vtkIdType> Kept;   ///< points of all atoms that are used, including those of radius 0
   std::vector<vtkIdType> Copies; ///< points of atoms at the place of another one, ascending
   std::vector<NamedAtom> Named;  ///< of all points of the input, where there was a selection
-  std::vector<std::string> Notes;    ///< one message per kind of dropped or replaced value
-  std::vector<std::string> Warnings; ///< one message per missing property, and for copies of atoms
-  vtkIdType NumberOfAtoms = 0;       ///< of the input
-  bool HasNames = false;             ///< any residue names
+  std::vector<std::string> Notes; ///< one message per kind of dropped or replaced value
+  /// One message per missing property, for copies of atoms, and for missing side chains.
+  std::vector<std::string> Warnings;
+  vtkIdType NumberOfAtoms = 0; ///< of the input
+  bool HasNames = false;       ///< any residue names
   bool HasElements = false;
   bool IsSurface = false; ///< points of polygons, see AtomOptions::SurfacePoints
 };

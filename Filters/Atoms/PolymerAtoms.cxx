@@ -326,4 +326,106 @@ PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOp
   return choice;
 }
 
+namespace
+{
+
+const std::set<std::string>& Nucleotides()
+{
+  static const std::set<std::string> names{ "A", "C", "G", "U", "I", "DA", "DC", "DG", "DT", "DI",
+    "DU", "RA", "RC", "RG", "RU", "ADE", "CYT", "GUA", "URA", "THY" };
+  return names;
+}
+
+/// What a residue of a chain consists of.
+struct ResidueParts
+{
+  bool HasN = false, HasCA = false, HasC = false;
+  bool HasPhosphorus = false, HasSugar = false;
+  bool HasMore = false; ///< atoms beyond C-beta, of a base, or of unknown names
+
+  void Add(const std::string& name, bool isNucleotide)
+  {
+    static const std::set<std::string> backbone{ "N", "CA", "C", "O", "OXT", "OT1", "OT2", "CB" };
+    static const std::set<std::string> phosphate{ "P", "OP1", "OP2", "OP3", "O1P", "O2P", "O3P" };
+    this->HasN = this->HasN || name == "N";
+    this->HasCA = this->HasCA || name == "CA";
+    this->HasC = this->HasC || name == "C";
+    this->HasPhosphorus = this->HasPhosphorus || name == "P";
+    const bool isSugar = !name.empty() && (name.back() == '\'' || name.back() == '*');
+    this->HasSugar = this->HasSugar || isSugar;
+    this->HasMore = this->HasMore ||
+      (isNucleotide ? phosphate.count(name) == 0 && !isSugar : backbone.count(name) == 0);
+  }
+
+  bool IsIncomplete(bool isNucleotide, const std::string& residue) const
+  {
+    if (isNucleotide)
+    {
+      return !this->HasMore && (this->HasPhosphorus || this->HasSugar);
+    }
+    const bool isSmall = residue == "GLY" || residue == "ALA";
+    return this->HasCA && !this->HasMore && !(isSmall && this->HasN && this->HasC);
+  }
+};
+
+/// Counts of the residues of one chain.
+struct ChainParts
+{
+  std::size_t Residues = 0, Incomplete = 0, CAOnly = 0, POnly = 0, Nucleotides = 0;
+};
+
+}
+
+std::string DescribeMissingSideChains(const std::vector<NamedAtom>& atoms)
+{
+  std::vector<std::size_t> of;
+  const std::vector<Residue> residues = Residues(atoms, of);
+  std::map<std::string, ChainParts> chains;
+  for (const Residue& residue : residues)
+  {
+    if (residue.IsHetero || StandardResidues().count(residue.Name) == 0)
+    {
+      continue;
+    }
+    const bool isNucleotide = Nucleotides().count(residue.Name) > 0;
+    ResidueParts parts;
+    for (const std::size_t i : residue.Atoms)
+    {
+      if (!IsHydrogen(atoms[i]))
+      {
+        parts.Add(atoms[i].Name, isNucleotide);
+      }
+    }
+    ChainParts& chain = chains[atoms[residue.Atoms.front()].Chain];
+    const bool isIncomplete = parts.IsIncomplete(isNucleotide, residue.Name);
+    ++chain.Residues;
+    chain.Incomplete += isIncomplete ? 1 : 0;
+    chain.Nucleotides += isNucleotide ? 1 : 0;
+    chain.CAOnly += isIncomplete && !isNucleotide && !parts.HasN && !parts.HasC ? 1 : 0;
+    chain.POnly += isIncomplete && isNucleotide && !parts.HasSugar ? 1 : 0;
+  }
+  constexpr std::size_t fewest = 5;
+  constexpr std::size_t mostNamed = 10;
+  std::size_t found = 0;
+  std::string list;
+  for (const auto& [name, chain] : chains)
+  {
+    if (chain.Residues < fewest || 2 * chain.Incomplete <= chain.Residues || ++found > mostNamed)
+    {
+      continue;
+    }
+    const char* what = 2 * chain.CAOnly > chain.Incomplete ? "only C-alpha"
+      : 2 * chain.POnly > chain.Incomplete                 ? "only phosphates"
+                                                           : "only the backbone";
+    list += (list.empty() ? "" : ", ") + (name.empty() ? std::string() : "chain " + name + ": ") +
+      what + " of " + std::to_string(chain.Incomplete) + " of " + std::to_string(chain.Residues) +
+      " residues";
+  }
+  return list.empty()
+    ? list
+    : "Side chains or bases are missing (" + list + (found > mostNamed ? ", ..." : "") +
+      "), so pockets, pores and surfaces are not those of the molecule: use a complete model, or "
+      "build the side chains first.";
+}
+
 }

@@ -9,6 +9,7 @@
 #include "Core/Geometry.h"
 #include "vtkIsthmusFiltersAtomsModule.h"
 
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct NamedAtom
   std::string AltLoc;
   double Occupancy = 1.0;
   bool IsHetero = false;
+  double Confidence = std::numeric_limits<double>::quiet_NaN(); ///< pLDDT, 0 to 100; NaN: none
 };
 
 struct PolymerOptions
@@ -58,6 +60,16 @@ struct PolymerChoice
  */
 VTKISTHMUSFILTERSATOMS_EXPORT PolymerChoice ChoosePolymer(
   const std::vector<NamedAtom>& atoms, const PolymerOptions& options);
+
+/**
+ * Says where side chains or bases are missing, so that pockets, pores and surfaces are not those of
+ * the molecule: chains of at least five residues, more than half of which have only C-alpha, only
+ * the backbone (with C-beta), or nucleotides only the phosphorus or the backbone. Glycine and
+ * alanine count where their backbone is not complete. Residues with atoms of other names (beads)
+ * do not count. Empty: nothing is missing. O(n log n).
+ */
+VTKISTHMUSFILTERSATOMS_EXPORT std::string DescribeMissingSideChains(
+  const std::vector<NamedAtom>& atoms);
 
 }
 

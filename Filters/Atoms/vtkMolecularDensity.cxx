@@ -164,6 +164,11 @@ void vtkMolecularDensity::FillImage(
   {
     vtkWarningMacro(<< warning);
   }
+  const std::string missing = isthmus::DescribeMissingSideChains(isthmus::ReadNamedAtoms(input));
+  if (!missing.empty())
+  {
+    vtkWarningMacro(<< missing);
+  }
   if (atoms.Balls.empty())
   {
     return;

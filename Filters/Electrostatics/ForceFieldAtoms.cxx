@@ -18,6 +18,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedShortArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -141,30 +142,86 @@ std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms)
   return polymer;
 }
 
-vtkPointSet* ForceFieldAtomsCache::Get(vtkPointSet* atoms, const ChargeArrays& arrays,
-  ChargeTable table, const ProgressCallback& progress)
+namespace
 {
-  RequireChoice("ForceField", table, ChargeTable::PARSE);
-  const Outcome& outcome = this->Cache.Get({ GetState(atoms), arrays.Charge, arrays.Radius, table },
-    [&]
-    {
-      Outcome made;
-      try
+
+/// One value for each atom; empty without such an array.
+std::vector<double> ReadValues(vtkPointSet* atoms, const char* name)
+{
+  vtkDataArray* array = atoms->GetPointData()->GetArray(name);
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < atoms->GetNumberOfPoints(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+std::vector<LigandAtom> ReadLigands(vtkPointSet* ligands)
+{
+  std::vector<LigandAtom> atoms;
+  if (!ligands || ligands->GetNumberOfPoints() == 0)
+  {
+    return atoms;
+  }
+  const std::vector<double> charges = ReadValues(ligands, "Charge");
+  const std::vector<double> radii = ReadValues(ligands, "Radius");
+  if (std::none_of(charges.begin(), charges.end(), [](double q) { return std::isfinite(q); }))
+  {
+    throw std::invalid_argument("The second input has no charges: open a MOL2 or PQR file there.");
+  }
+  const std::vector<NamedAtom> named = ReadNamedAtoms(ligands);
+  for (std::size_t i = 0; i < named.size(); ++i)
+  {
+    constexpr double usual = 1.7; // where the input has no radii
+    atoms.push_back(
+      { named[i], charges[i], i < radii.size() && std::isfinite(radii[i]) ? radii[i] : usual });
+  }
+  return atoms;
+}
+
+}
+
+vtkPointSet* ForceFieldAtomsCache::Get(vtkPointSet* atoms, vtkPointSet* ligands,
+  const ChargeArrays& arrays, const ChargeOptions& options, const ProgressCallback& progress)
+{
+  Check(options);
+  const Outcome& outcome =
+    this->Cache.Get({ GetState(atoms), GetState(ligands), arrays.Charge, arrays.Radius,
+                      options.Table, options.UsePropka, options.PH },
+      [&]
       {
-        const ChargedProtein protein = ChargeProtein(ReadNamedAtoms(atoms), table, {}, progress);
-        made.Warning = protein.Warning;
-        made.Atoms = CopyAtomsWithCharges(protein, atoms, arrays);
-      }
-      catch (const Cancelled&)
-      {
-        throw;
-      }
-      catch (const std::exception& error)
-      {
-        made.Failure = error.what();
-      }
-      return made;
-    });
+        Outcome made;
+        try
+        {
+          const std::vector<LigandAtom> charged = ReadLigands(ligands);
+          const std::vector<NamedAtom> named = ReadNamedAtoms(atoms);
+          ChargedProtein protein = ChargeProtein(named, options, {}, progress);
+          const std::size_t without = protein.Uncharged.size();
+          AddLigandCharges(named, charged, protein);
+          made.Warning = protein.Warning;
+          if (!charged.empty() && protein.Uncharged.size() == without)
+          {
+            made.Warning += (made.Warning.empty() ? "" : " ") +
+              std::string("The second input has charges for none of the residues without charges, "
+                          "neither by place nor by the names of residues and atoms.");
+          }
+          const std::string missing =
+            DescribeUncharged(named, ReadValues(atoms, arrays.Charge.c_str()), protein);
+          made.Warning += (made.Warning.empty() || missing.empty() ? "" : " ") + missing;
+          made.Notes = protein.Notes;
+          made.Atoms = CopyAtomsWithCharges(protein, atoms, arrays);
+        }
+        catch (const Cancelled&)
+        {
+          throw;
+        }
+        catch (const std::exception& error)
+        {
+          made.Failure = error.what();
+        }
+        return made;
+      });
   if (!outcome.Atoms)
   {
     throw std::runtime_error(outcome.Failure);

@@ -13,6 +13,7 @@
 
 #include <string>
 #include <tuple>
+#include <vector>
 
 class vtkPointSet;
 
@@ -47,19 +48,28 @@ std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms);
 class ForceFieldAtomsCache
 {
 public:
-  /// @throws what ChargeProtein does.
-  vtkPointSet* Get(vtkPointSet* atoms, const ChargeArrays& arrays, ChargeTable table,
-    const ProgressCallback& progress);
-  /// The warning of the last call of Get().
+  /// `ligands`: molecules with charges for what the force field does not know, with the arrays
+  /// Charge and Radius; null: none. @throws what ChargeProtein does, and std::invalid_argument for
+  /// ligands without charges.
+  vtkPointSet* Get(vtkPointSet* atoms, vtkPointSet* ligands, const ChargeArrays& arrays,
+    const ChargeOptions& options, const ProgressCallback& progress);
+  /// Of the last call of Get().
   std::string Warning() { return this->Cache.Last() ? this->Cache.Last()->Warning : std::string(); }
+  std::vector<std::string> Notes()
+  {
+    return this->Cache.Last() ? this->Cache.Last()->Notes : std::vector<std::string>();
+  }
 
 private:
   struct Outcome
   {
     vtkSmartPointer<vtkPointSet> Atoms; ///< null: Failure says why
     std::string Warning, Failure;
+    std::vector<std::string> Notes;
   };
-  Cached<std::tuple<ObjectState, std::string, std::string, ChargeTable>, Outcome> Cache;
+  Cached<std::tuple<ObjectState, ObjectState, std::string, std::string, ChargeTable, bool, double>,
+    Outcome>
+    Cache;
 };
 
 }

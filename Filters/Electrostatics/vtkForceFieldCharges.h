@@ -7,12 +7,17 @@
  * and the arrays of OutputArrayTable(). Atoms that already have charges (a PQR file) are returned
  * unchanged.
  *
+ * Input 1 (optional): a molecule with charges and radii, for example of a MOL2 or PQR file, for
+ * residues that the force field does not know. Residues whose heavy atoms are at its places, or
+ * have its names of residue and atoms, get its charges (ProteinCharges.h).
+ *
  * The program pdb2pqr has to be installed (ProteinCharges.h); vtkPoissonBoltzmann calls it in the
  * same way. It runs in a temporary folder on a file of the atoms in memory: the user's files are
- * neither read nor written. Protonation states are those of the force field at pH 7. Water is
- * dropped; so are residues that the force field does not know (ligands, ions, modified residues),
- * and one warning names them. There is no fallback for their charges: PEOE needs bond orders and
- * hydrogens, which these files do not have.
+ * neither read nor written. Protonation states are those of the force field at pH 7, or those of
+ * PROPKA at PH. Water is dropped; so are residues that the force field does not know (ligands,
+ * ions, modified residues), unless input 1 has them. What came back is compared with what was sent:
+ * one warning lists these residues, with the formal charges of the file, and all other heavy atoms
+ * that were left out or built. Hydrogens with unknown names are listed in the field data `Notes`.
  *
  * **Errors** (one message, empty output): pdb2pqr is not installed, fails or takes more than ten
  * minutes; atoms without names of residues and without charges; coordinates that are not finite;
@@ -54,13 +59,24 @@ public:
   vtkGetMacro(ForceField, int);
   ///@}
 
-  /// The arrays that the filter adds to its outputs.
-  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
+  ///@{
+  /// Protonation states by PROPKA at PH, instead of those of the force field at pH 7. Default off.
+  vtkSetMacro(UsePropka, bool);
+  vtkGetMacro(UsePropka, bool);
+  vtkBooleanMacro(UsePropka, bool);
+  ///@}
+
+  ///@{
+  /// pH, 0 to 14, for UsePropka. Default 7.
+  vtkSetMacro(PH, double);
+  vtkGetMacro(PH, double);
+  ///@}
 
 protected:
   vtkForceFieldCharges();
   ~vtkForceFieldCharges() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -69,6 +85,8 @@ private:
   void operator=(const vtkForceFieldCharges&) = delete;
 
   int ForceField = AMBER;
+  bool UsePropka = false;
+  double PH = 7.0;
   std::unique_ptr<isthmus::ForceFieldAtomsCache> Cache;
 };
 

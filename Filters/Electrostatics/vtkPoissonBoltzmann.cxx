@@ -297,7 +297,8 @@ vtkPointSet* vtkPoissonBoltzmann::AtomsWithCharges(vtkInformationVector** inputV
   {
     return atoms;
   }
-  return this->Cache->Get(atoms, arrays, static_cast<isthmus::ChargeTable>(this->ForceField),
+  return this->Cache->Get(atoms, nullptr, arrays,
+    static_cast<isthmus::ChargeTable>(this->ForceField),
     isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.05));
 }
 

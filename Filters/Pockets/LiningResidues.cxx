@@ -14,6 +14,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace isthmus
@@ -105,6 +106,30 @@ std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& 
     text += (text.empty() ? "" : ", ") + MakeResidueLabel(AtomAt(atoms, residue.Points.front()));
   }
   return text;
+}
+
+std::string DescribeConfidence(
+  const std::vector<LiningResidue>& residues, const MoleculeAtoms& atoms, const std::string& place)
+{
+  constexpr double low = 70.0; // "low" and "very low" of AlphaFold's database
+  std::size_t known = 0;
+  std::size_t uncertain = 0;
+  for (const LiningResidue& residue : residues)
+  {
+    const auto point = static_cast<std::size_t>(residue.Points.front());
+    const double confidence =
+      point < atoms.Named.size() ? atoms.Named[point].Confidence : std::nan("");
+    known += std::isnan(confidence) ? 0 : 1;
+    uncertain += confidence < low ? 1 : 0;
+  }
+  if (uncertain == 0 || 5 * uncertain < known)
+  {
+    return {};
+  }
+  return "Of the " + std::to_string(known) + " residues at " + place + ", " +
+    std::to_string(uncertain) +
+    " have a low confidence (pLDDT below 70), so it may be no more than "
+    "a guess: set MinimumConfidence to leave such residues out.";
 }
 
 void LiningTable::Add(

@@ -40,6 +40,11 @@ std::vector<LiningResidue> FindLiningResidues(
 /// names.
 std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms);
 
+/// A warning where a fifth or more of the residues at `place` ("the first site") of a predicted
+/// model have a low confidence, pLDDT below 70; empty: fewer, or no confidence.
+std::string DescribeConfidence(
+  const std::vector<LiningResidue>& residues, const MoleculeAtoms& atoms, const std::string& place);
+
 /// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names
 /// between blanks), AtomIds (points of the input), NumberOfAtoms, Area.
 class LiningTable

@@ -123,7 +123,7 @@ std::vector<double> ReadNumbers(const std::string& name, vtkPolyData* surface, b
 class vtkMolecularPockets::vtkInternals
 {
 public:
-  using Key = std::tuple<isthmus::ObjectState, std::string, std::array<double, 4>,
+  using Key = std::tuple<isthmus::ObjectState, std::string, std::array<double, 5>,
     std::array<bool, 7>, std::string>;
   isthmus::Cached<Key, isthmus::PocketResult> Pockets;
 };
@@ -309,8 +309,9 @@ void vtkMolecularPockets::Compute(
   isthmus::PocketOptions options = this->Parameters;
   isthmus::Check(options);
   options.Predicted = isthmus::WarnAboutLongTriangulation(this);
-  const isthmus::MoleculeAtoms atoms =
-    isthmus::ReadAtoms(input, isthmus::SelectPolymer(isthmus::InputArrayName(this, 0), keep));
+  isthmus::AtomOptions which = isthmus::SelectPolymer(isthmus::InputArrayName(this, 0), keep);
+  which.MinimumConfidence = this->MinimumConfidence;
+  const isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
   const std::vector<isthmus::SiteAtom> siteAtoms = MakeSiteAtoms(atoms);
   if (this->FindSites && !siteAtoms.empty())
   {
@@ -320,7 +321,8 @@ void vtkMolecularPockets::Compute(
   // Pockets of any volume are kept, so that changing the threshold of whole pockets is instant.
   const double least = std::exchange(options.MinimumVolume, 0.0);
   const vtkInternals::Key key{ isthmus::GetState(input), isthmus::InputArrayName(this, 0),
-    { options.ProbeRadius, options.InnerRadius, options.OuterRadius, options.BurialRadius },
+    { options.ProbeRadius, options.InnerRadius, options.OuterRadius, options.BurialRadius,
+      this->MinimumConfidence },
     { this->FindSites, options.KeepDescriptors, keep.Hydrogens, keep.Waters, keep.Ions,
       keep.Ligands, keep.ProstheticGroups },
     this->IncludeResidues };
@@ -373,6 +375,14 @@ void vtkMolecularPockets::Compute(
   {
     vtkWarningMacro(<< warning);
   }
+  const std::string confidence = result.Pockets.empty()
+    ? std::string()
+    : isthmus::DescribeConfidence(
+        isthmus::FindLiningResidues(result.Pockets.front().Lining, atoms), atoms, "the first site");
+  if (!confidence.empty())
+  {
+    vtkWarningMacro(<< confidence);
+  }
 }
 
 void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
@@ -392,6 +402,7 @@ void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IncludeWaters: " << this->IncludeWaters << "\n";
   os << indent << "IncludeIons: " << this->IncludeIons << "\n";
   os << indent << "IncludeLigands: " << this->IncludeLigands << "\n";
+  os << indent << "MinimumConfidence: " << this->MinimumConfidence << "\n";
   os << indent << "IncludeProstheticGroups: " << this->IncludeProstheticGroups << "\n";
   os << indent << "IncludeResidues: " << this->IncludeResidues << "\n";
   os << indent << "ShownPocket: " << this->ShownPocket << "\n";

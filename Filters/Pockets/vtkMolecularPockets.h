@@ -156,6 +156,13 @@ public:
   vtkGetMacro(ShownPocket, int);
   ///@}
 
+  ///@{
+  /// Residues of a predicted model with a confidence (point array `pLDDT`, 0 to 100) below this are
+  /// left out. Default 0: none.
+  vtkSetMacro(MinimumConfidence, double);
+  vtkGetMacro(MinimumConfidence, double);
+  ///@}
+
   vtkTable* GetPocketTable();
   vtkPolyData* GetMouths();
   vtkPolyData* GetAlphaBalls();
@@ -197,6 +204,7 @@ private:
   bool IncludeWaters = false;
   bool IncludeIons = false;
   bool IncludeLigands = false;
+  double MinimumConfidence = 0.0;
   bool IncludeProstheticGroups = false;
   std::string IncludeResidues;
   int ShownPocket = 0;

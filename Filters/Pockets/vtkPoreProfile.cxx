@@ -72,7 +72,9 @@ std::vector<isthmus::Pore> Find(const std::vector<isthmus::Ball>& balls, const P
   return { isthmus::PoreAlong(balls, point(ways.Point), point(ways.Direction), options, progress) };
 }
 
-void Fill(const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationVector* outputs)
+/// Returns a warning about residues of low confidence at the first pore.
+std::string Fill(
+  const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationVector* outputs)
 {
   auto* lines = vtkPolyData::GetData(outputs, 0);
   isthmus::FillPoreLines(report, lines);
@@ -84,6 +86,9 @@ void Fill(const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationV
   isthmus::FillTubes(lines, vtkPolyData::GetData(outputs, 5));
   isthmus::FillPoreLiningAtoms(report, residues, input, vtkPolyData::GetData(outputs, 6));
   isthmus::AddNotes(report.Atoms.Notes, lines);
+  return residues.empty()
+    ? std::string()
+    : isthmus::DescribeConfidence(residues.front(), report.Atoms, "the first pore");
 }
 
 }
@@ -250,6 +255,7 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   keep.ProstheticGroups = true;
   isthmus::AtomOptions which = isthmus::SelectPolymer(isthmus::InputArrayName(this, 0), keep);
   which.SurfacePoints = true;
+  which.MinimumConfidence = this->MinimumConfidence;
   isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
   isthmus::PoreOptions options = this->Parameters;
   options.Predicted = isthmus::WarnAboutLongTriangulation(this);
@@ -266,7 +272,11 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   const PoreQuery ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };
   const auto pores =
     Find(atoms.Balls, ways, options, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.95));
-  Fill({ pores, atoms }, input, outputs);
+  const std::string confidence = Fill({ pores, atoms }, input, outputs);
+  if (!confidence.empty())
+  {
+    atoms.Warnings.push_back(confidence);
+  }
   for (const std::string& warning : atoms.Warnings)
   {
     vtkWarningMacro(<< warning);
@@ -292,4 +302,5 @@ void vtkPoreProfile::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IncludeHydrogens: " << this->IncludeHydrogens << "\n";
   os << indent << "IncludeIons: " << this->IncludeIons << "\n";
   os << indent << "IncludeLigands: " << this->IncludeLigands << "\n";
+  os << indent << "MinimumConfidence: " << this->MinimumConfidence << "\n";
 }

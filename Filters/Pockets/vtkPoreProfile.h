@@ -132,6 +132,13 @@ public:
   vtkBooleanMacro(IncludeLigands, bool);
   ///@}
 
+  ///@{
+  /// Residues of a predicted model with a confidence (point array `pLDDT`, 0 to 100) below this are
+  /// left out. Default 0: none.
+  vtkSetMacro(MinimumConfidence, double);
+  vtkGetMacro(MinimumConfidence, double);
+  ///@}
+
   vtkTable* GetProfile();
   vtkTable* GetPoreTable();
   vtkPolyData* GetBottlenecks();
@@ -166,6 +173,7 @@ private:
   bool IncludeHydrogens = true;
   bool IncludeIons = false;
   bool IncludeLigands = false;
+  double MinimumConfidence = 0.0;
 };
 
 #endif

@@ -43,15 +43,16 @@ bool AreBonded(const Candidate& a, const Candidate& b)
 }
 
 /// Atoms that can have bonds, sorted by cells as wide as the longest bond.
-std::vector<Candidate> SortedCandidates(const Macromolecule& molecule)
+template <typename AnyAtom>
+std::vector<Candidate> SortedCandidates(const std::vector<AnyAtom>& atoms)
 {
   std::vector<Candidate> candidates;
-  candidates.reserve(molecule.Atoms.size());
+  candidates.reserve(atoms.size());
   double longest = 0.0;
   std::array<double, 3> low{ INFINITY, INFINITY, INFINITY };
-  for (std::size_t i = 0; i < molecule.Atoms.size(); ++i)
+  for (std::size_t i = 0; i < atoms.size(); ++i)
   {
-    const Atom& atom = molecule.Atoms[i];
+    const AnyAtom& atom = atoms[i];
     const double radius = CovalentRadius(atom.Element);
     if (std::isnan(radius))
     {
@@ -139,6 +140,29 @@ void FindBonds(
   }
 }
 
+std::vector<Bond> FindAllBonds(
+  const std::vector<Candidate>& sorted, const ProgressCallback& progress)
+{
+  constexpr std::size_t block = 1 << 14;
+  std::vector<std::vector<Bond>> found((sorted.size() + block - 1) / block);
+  ParallelFor(
+    0, static_cast<std::int64_t>(found.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto b = static_cast<std::size_t>(begin); b < static_cast<std::size_t>(end); ++b)
+      {
+        FindBonds(sorted, b * block, std::min(sorted.size(), (b + 1) * block), found[b]);
+      }
+    },
+    progress);
+  std::vector<Bond> all;
+  for (const auto& bonds : found)
+  {
+    all.insert(all.end(), bonds.begin(), bonds.end());
+  }
+  return all;
+}
+
 }
 
 void SortBonds(Macromolecule& molecule)
@@ -154,9 +178,17 @@ void SortBonds(Macromolecule& molecule)
     bonds.end());
 }
 
+std::vector<Bond> FindCovalentBonds(
+  const std::vector<BondingAtom>& atoms, bool& isCrowded, const ProgressCallback& progress)
+{
+  const std::vector<Candidate> sorted = SortedCandidates(atoms);
+  isCrowded = TooCrowded(sorted);
+  return isCrowded ? std::vector<Bond>() : FindAllBonds(sorted, progress);
+}
+
 void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress)
 {
-  const std::vector<Candidate> sorted = SortedCandidates(molecule);
+  const std::vector<Candidate> sorted = SortedCandidates(molecule.Atoms);
   Report(progress, 0.3);
   if (TooCrowded(sorted))
   {
@@ -166,22 +198,8 @@ void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress)
     SortBonds(molecule);
     return;
   }
-  constexpr std::size_t block = 1 << 14;
-  std::vector<std::vector<Bond>> found((sorted.size() + block - 1) / block);
-  ParallelFor(
-    0, static_cast<std::int64_t>(found.size()), 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (auto b = static_cast<std::size_t>(begin); b < static_cast<std::size_t>(end); ++b)
-      {
-        FindBonds(sorted, b * block, std::min(sorted.size(), (b + 1) * block), found[b]);
-      }
-    },
-    Between(progress, 0.3, 0.9));
-  for (const auto& bonds : found)
-  {
-    molecule.Bonds.insert(molecule.Bonds.end(), bonds.begin(), bonds.end());
-  }
+  const std::vector<Bond> found = FindAllBonds(sorted, Between(progress, 0.3, 0.9));
+  molecule.Bonds.insert(molecule.Bonds.end(), found.begin(), found.end());
   SortBonds(molecule);
 }
 

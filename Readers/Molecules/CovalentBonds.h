@@ -28,6 +28,19 @@ namespace isthmus
  */
 void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress);
 
+/// What of an atom decides its bonds.
+struct BondingAtom
+{
+  std::array<double, 3> Position;
+  int Element;
+  char AltLoc;
+};
+
+/// The same bonds of atoms without names, in any order. Empty, and `isCrowded` true, where there
+/// are too many atoms in one place.
+std::vector<Bond> FindCovalentBonds(
+  const std::vector<BondingAtom>& atoms, bool& isCrowded, const ProgressCallback& progress = {});
+
 /// Sorts the bonds and keeps one for each pair of atoms, preferably that of the file.
 void SortBonds(Macromolecule& molecule);
 

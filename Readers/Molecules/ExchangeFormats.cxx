@@ -235,10 +235,11 @@ std::size_t CoordinateWidth(std::string_view line, const TextLines& lines)
   return two - one;
 }
 
+constexpr double AngstromOfNanometre = 10.0;
+
 Atom ReadGROAtom(
   std::string_view line, std::size_t width, const TextLines& lines, ReadingReport& report)
 {
-  constexpr double angstromOfNanometre = 10.0;
   Atom atom;
   atom.ResidueId = IntegerOrZero(Columns(line, 0, 5), OddResidueNumbers, lines, report);
   atom.ResidueName = Columns(line, 5, 5);
@@ -246,7 +247,7 @@ Atom ReadGROAtom(
   IsNumber(Columns(line, 15, 5), atom.Serial);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    atom.Position[axis] = angstromOfNanometre *
+    atom.Position[axis] = AngstromOfNanometre *
       FiniteNumber(Columns(line, 20 + width * axis, width), lines, "a coordinate");
     constexpr double largest = 1e9;
     if (std::abs(atom.Position[axis]) > largest)
@@ -260,10 +261,31 @@ Atom ReadGROAtom(
   return atom;
 }
 
+/// v1x v2y v3z, and where they are not 0 v1y v1z v2x v2z v3x v3y, nm; empty: no box.
+std::vector<std::array<double, 3>> ReadGROBox(std::string_view line)
+{
+  std::array<double, 9> v{};
+  for (double& x : v)
+  {
+    const std::string_view word = NextWord(line);
+    if (!word.empty() && !IsNumber(word, x))
+    {
+      return {};
+    }
+    x *= AngstromOfNanometre;
+  }
+  if (!(v[0] > 0.0 && v[1] > 0.0 && v[2] > 0.0))
+  {
+    return {};
+  }
+  return { { v[0], v[3], v[4] }, { v[5], v[1], v[6] }, { v[7], v[8], v[2] } };
+}
+
 Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int64_t model,
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  molecule.UnitOfFormat = AngstromOfNanometre;
   ReadingReport report;
   ReadingReport ofOthers;
   report.Note("GRO file: elements were inferred from the names; there are no chains.");
@@ -297,11 +319,16 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
       }
     }
     double box = 0.0;
-    if (!lines.Next(line) || !IsNumber(NextWord(line), box))
+    std::string_view rest;
+    if (!lines.Next(line) || (rest = line, !IsNumber(NextWord(rest), box)))
     {
       lines.Fail(
         "the box should follow the last atom: three numbers or nine. The file is truncated "
         "or has another number of atoms than it declares. Fetch or write it again.");
+    }
+    if (isWanted)
+    {
+      molecule.Cell = ReadGROBox(line);
     }
     ++molecule.NumberOfModels;
   }

@@ -4,12 +4,15 @@
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/BinaryCIF.h"
+#include "Molecules/CIFAssemblies.h"
 #include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
 #include "Molecules/PDBColumns.h"
 #include "Molecules/PDBFile.h"
 #include "Molecules/PDBLines.h"
 #include "Molecules/PQRFile.h"
+#include "Molecules/PeriodicMolecules.h"
 #include "Molecules/ReadingReport.h"
 #include "Molecules/StructureRecords.h"
 
@@ -17,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -41,6 +45,18 @@ class UnknownAssembly : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+[[noreturn]] void RefuseAssembly(
+  const std::string& name, const std::vector<std::string>& known, const std::string& path)
+{
+  std::string list;
+  for (const std::string& one : known)
+  {
+    list += (list.empty() ? "" : ", ") + one;
+  }
+  throw UnknownAssembly(path + ": there is no assembly " + name + "; the file describes " +
+    (list.empty() ? "none." : list + "."));
+}
 
 /// The box around the copies of the box around all atoms.
 gemmi::Box<gemmi::Position> ComputeBox(
@@ -101,44 +117,55 @@ void RequireModestBox(
  */
 void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path)
 {
-  std::string known;
-  for (const gemmi::Assembly& assembly : structure.assemblies)
-  {
-    known += (known.empty() ? "" : ", ") + assembly.name;
-  }
   const gemmi::Assembly* const wanted = structure.find_assembly(name);
   if (!wanted)
   {
-    throw UnknownAssembly(path + ": there is no assembly " + name + "; the file describes " +
-      (known.empty() ? "none." : known + "."));
+    std::vector<std::string> known;
+    for (const gemmi::Assembly& assembly : structure.assemblies)
+    {
+      known.push_back(assembly.name);
+    }
+    RefuseAssembly(name, known, path);
   }
   RequireModestBox(structure, *wanted, path);
   gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, {});
 }
 
-/// Categories of an mmCIF file that describe atoms, bonds and assemblies.
+/// Categories of an mmCIF file that gemmi makes atoms and bonds of.
 const std::vector<std::string> CategoriesRead{ "_atom_site.", "_atom_site_", "_atom_sites.",
   "_atom_type", "_cell.", "_cell_", "_chem_comp_atom.", "_chem_comp_bond.", "_symmetry.",
-  "_entity.", "_entity_poly.", "_ma_qa_metric", "_struct_asym.", "_struct_conn.",
-  "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.", "_pdbx_struct_oper_list." };
+  "_entity.", "_entity_poly.", "_ma_qa_metric", "_struct_asym.", "_struct_conn." };
 
 /// The categories among them that are not needed for atoms.
 const std::vector<std::string> CategoriesOfAtoms{ "_atom_site." };
 
+bool IsOfCategory(const gemmi::cif::Item& item, const std::vector<std::string>& categories)
+{
+  using gemmi::cif::ItemType;
+  const bool isLoop = item.type == ItemType::Loop && !item.loop.tags.empty();
+  if (!isLoop && item.type != ItemType::Pair)
+  {
+    return false;
+  }
+  const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
+  return std::any_of(categories.begin(), categories.end(),
+    [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
+}
+
+/// Whether a category of BinaryCIF is read.
+bool IsWanted(const std::string& category)
+{
+  const std::string name = gemmi::to_lower(category);
+  const auto begins = [&name](const std::string& with) { return gemmi::starts_with(name, with); };
+  return std::any_of(CategoriesRead.begin(), CategoriesRead.end(), begins) ||
+    begins("_pdbx_struct_assembly_gen.") || begins("_pdbx_struct_oper_list.") ||
+    begins("_struct_conf.") || begins("_struct_sheet_range.") || begins("_refln.");
+}
+
 void DropOthers(gemmi::cif::Block& block, const std::vector<std::string>& categories)
 {
   const auto isOther = [&categories](const gemmi::cif::Item& item)
-  {
-    using gemmi::cif::ItemType;
-    const bool isLoop = item.type == ItemType::Loop && !item.loop.tags.empty();
-    if (!isLoop && item.type != ItemType::Pair)
-    {
-      return true;
-    }
-    const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
-    return std::none_of(categories.begin(), categories.end(),
-      [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
-  };
+  { return !IsOfCategory(item, categories); };
   block.items.erase(
     std::remove_if(block.items.begin(), block.items.end(), isOther), block.items.end());
 }
@@ -196,9 +223,8 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
  * of atoms. Unknown occupancies and B factors become BlankText, by which they are found again.
  * O(values).
  *
- * @throws std::invalid_argument for whole numbers of more than nine digits, and of more than five
- * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the
- * first to the last, without checking their size.
+ * @throws std::invalid_argument for whole numbers of more than nine digits: gemmi (0.5.7) adds
+ * digits up without a look at their size.
  */
 CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
 {
@@ -209,11 +235,10 @@ CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
   for (const char* tag : { "_atom_site.id", "_atom_site.auth_seq_id", "_atom_site.label_seq_id",
          "_atom_site.pdbx_formal_charge", "_struct_conn.ptnr1_auth_seq_id",
          "_struct_conn.ptnr2_auth_seq_id", "_struct_conn.ptnr1_label_seq_id",
-         "_struct_conn.ptnr2_label_seq_id", "_pdbx_struct_assembly.oligomeric_count" })
+         "_struct_conn.ptnr2_label_seq_id" })
   {
     RequireShortNumbers(block, tag, 9);
   }
-  RequireShortNumbers(block, "_pdbx_struct_assembly_gen.oper_expression", 5);
   MarkBlanks(block, "_atom_site.occupancy");
   MarkBlanks(block, "_atom_site.B_iso_or_equiv");
   return atoms;
@@ -423,7 +448,8 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
 {
   const PDBLines lines = SplitPDB(text, bytesOfAPiece, Between(progress, 0.0, 0.3));
   ReadingReport report;
-  const std::vector<PDBModel> models = FindModels(lines, report);
+  const std::vector<PDBModel> models = FindModels(lines, report, PDBColumnsOfAtoms, choice.Combine);
+  const bool isOfCopies = AreCombined(lines, models);
   Macromolecule molecule;
   molecule.NumberOfModels = static_cast<std::int64_t>(models.size());
   if (choice.Model < 0 || choice.Model >= molecule.NumberOfModels)
@@ -431,7 +457,7 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     return molecule;
   }
   PDBMolecule read = ReadPDBModel(text, path, lines, models[static_cast<std::size_t>(choice.Model)],
-    report, Between(progress, 0.3, 1.0));
+    isOfCopies, report, Between(progress, 0.3, 1.0));
   if (EndsWithinRecord(text, lines))
   {
     throw std::runtime_error(path + ", " + FormatLineNumber(text, UnfinishedLine(text)) +
@@ -442,7 +468,11 @@ Macromolecule ReadColumns(std::string_view text, const std::string& path,
     molecule.Atoms = std::move(read.Atoms);
     molecule.Bonds = std::move(read.Links);
     molecule.Bonds.insert(molecule.Bonds.end(), read.Bonds.begin(), read.Bonds.end());
-    SetStructure(ReadPDBStructure(text), molecule.Atoms);
+    if (!isOfCopies) // whose chains have other names, and are beside the cell
+    {
+      SetStructure(ReadPDBStructure(text), molecule.Atoms);
+      molecule.Cell = FindCell(lines, models[static_cast<std::size_t>(choice.Model)]);
+    }
   }
   else
   {
@@ -513,12 +543,13 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
   }
 }
 
-std::int64_t CountPDBModels(std::string_view text)
+std::int64_t CountPDBModels(std::string_view text, ModelCombination combine)
 {
   ReadingReport report;
   constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
   const PDBLines lines = SplitPDB(text, bytesOfAPiece, {});
-  return std::max<std::int64_t>(static_cast<std::int64_t>(FindModels(lines, report).size()), 1);
+  const std::size_t models = FindModels(lines, report, PDBColumnsOfAtoms, combine).size();
+  return std::max<std::int64_t>(static_cast<std::int64_t>(models), 1);
 }
 
 namespace
@@ -528,8 +559,42 @@ namespace
 struct AtomBlock
 {
   gemmi::cif::Block* Block;
+  gemmi::cif::Block Assemblies; ///< its categories of assemblies
   CIFAtoms Atoms;
 };
+
+/// Moves the categories of assemblies out of a block: gemmi reads their usual forms only.
+gemmi::cif::Block MoveAssemblies(gemmi::cif::Block& block)
+{
+  gemmi::cif::Block assemblies(block.name);
+  const auto isOther = [](const gemmi::cif::Item& item) {
+    return !IsOfCategory(item, { "_pdbx_struct_assembly_gen.", "_pdbx_struct_oper_list." });
+  };
+  const auto found = std::stable_partition(block.items.begin(), block.items.end(), isOther);
+  std::move(found, block.items.end(), std::back_inserter(assemblies.items));
+  block.items.erase(found, block.items.end());
+  return assemblies;
+}
+
+/// Replaces the models of `structure` by an assembly that the block describes.
+void TakeAssembly(gemmi::Structure& structure, gemmi::cif::Block& block, const std::string& name,
+  const std::string& path)
+{
+  const std::vector<std::string> known = CIFAssemblyNames(block);
+  if (std::find(known.begin(), known.end(), name) == known.end())
+  {
+    RefuseAssembly(name, known, path);
+  }
+  try
+  {
+    structure.assemblies = { ReadCIFAssembly(block, name) };
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw UnknownAssembly(path + ": " + error.what() + ".");
+  }
+  TakeAssembly(structure, name, path);
+}
 
 /// "A, B, C, ..."
 std::string JoinNames(const std::vector<AtomBlock>& blocks)
@@ -555,10 +620,11 @@ std::vector<AtomBlock> FindAtoms(gemmi::cif::Document& document)
       hasReflections || block.has_tag("_refln.index_h") || block.has_tag("_refln_index_h");
     try
     {
+      gemmi::cif::Block assemblies = MoveAssemblies(block);
       CIFAtoms atoms = PrepareForGemmi(block);
       if (atoms.From != CIFAtoms::Source::None)
       {
-        blocks.push_back({ &block, std::move(atoms) });
+        blocks.push_back({ &block, std::move(assemblies), std::move(atoms) });
       }
     }
     catch (const std::invalid_argument& error)
@@ -664,13 +730,16 @@ Macromolecule ReadBlocks(
     {
       if (!choice.Assembly.empty())
       {
-        TakeAssembly(structure, choice.Assembly, path);
+        TakeAssembly(structure, block.Assemblies, choice.Assembly, path);
       }
       molecule =
         Flatten(structure, choice.Model - models, block.Atoms.Report, block.Atoms.Confidence);
       if (choice.Assembly.empty())
       {
         SetStructure(block.Atoms.Structure, molecule.Atoms);
+        const gemmi::UnitCell& cell = structure.cell;
+        molecule.Cell =
+          CellVectors({ cell.a, cell.b, cell.c }, { cell.alpha, cell.beta, cell.gamma });
       }
       AddNamedBonds(block.Atoms, molecule);
       if (block.Atoms.From == CIFAtoms::Source::MMCIF)
@@ -705,7 +774,9 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   Macromolecule molecule;
   try
   {
-    gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
+    gemmi::cif::Document document = IsBinaryCIF(text)
+      ? ReadBinaryCIF(text, IsWanted)
+      : gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
     Report(progress, 0.5);
     molecule = ReadBlocks(document, path, choice);
   }
@@ -719,8 +790,8 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   }
   catch (const std::invalid_argument& error)
   {
-    throw std::runtime_error(
-      path + ": this can't be read as mmCIF or core CIF: " + error.what() + ".");
+    throw std::runtime_error(path + ": this can't be read as " +
+      (IsBinaryCIF(text) ? "BinaryCIF: " : "mmCIF or core CIF: ") + error.what() + ".");
   }
   catch (const std::exception& error)
   {

@@ -26,6 +26,7 @@ struct StructureChoice
 {
   std::int64_t Model = 0; ///< from 0
   std::string Assembly; ///< a biological assembly that the file describes; empty: the file as it is
+  ModelCombination Combine = ModelCombination::Automatic; ///< of models of a PDB file
 };
 
 /**
@@ -41,7 +42,7 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
   std::size_t bytesOfAPiece = std::size_t{ 1 } << 20);
 
 /// The number of models that ParsePDB finds, at least 1.
-std::int64_t CountPDBModels(std::string_view text);
+std::int64_t CountPDBModels(std::string_view text, ModelCombination combine);
 
 /// Like ParsePDB, for mmCIF; bonds are those of struct_conn, without hydrogen bonds.
 Macromolecule ParseMMCIF(std::string_view text, const std::string& path,

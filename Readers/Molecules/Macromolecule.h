@@ -56,6 +56,9 @@ struct Macromolecule
   std::vector<Atom> Atoms;
   std::vector<Bond> Bonds;
   std::int64_t NumberOfModels = 0; ///< in the file
+  /// The three vectors of the periodic cell, angstrom; empty if the file has none.
+  std::vector<std::array<double, 3>> Cell;
+  double UnitOfFormat = 1.0; ///< the format's unit of length, angstrom
   std::vector<std::string> Notes;
   std::vector<std::string> Warnings;
 };

@@ -5,16 +5,20 @@
 #include "Files/OpenByteSource.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomSelection.h"
+#include "Molecules/BinaryCIF.h"
+#include "Molecules/CoordinateUnits.h"
 #include "Molecules/CovalentBonds.h"
 #include "Molecules/ExchangeFormats.h"
 #include "Molecules/GemmiStructure.h"
 #include "Molecules/PQRFile.h"
+#include "Molecules/PeriodicMolecules.h"
 #include "Molecules/XYZFile.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 
@@ -54,18 +58,23 @@ MoleculeFormat FormatFromName(const std::string& path)
   const std::string name = RemoveCompressionSuffix(path);
   const std::pair<const char*, MoleculeFormat> extensions[] = { { ".pdb", MoleculeFormat::PDB },
     { ".ent", MoleculeFormat::PDB }, { ".cif", MoleculeFormat::MMCIF },
-    { ".mmcif", MoleculeFormat::MMCIF }, { ".pqr", MoleculeFormat::PQR },
-    { ".xyz", MoleculeFormat::XYZ }, { ".extxyz", MoleculeFormat::XYZ },
-    { ".txyz", MoleculeFormat::XYZ }, { ".arc", MoleculeFormat::XYZ },
-    { ".pdbqt", MoleculeFormat::PDBQT }, { ".gro", MoleculeFormat::GRO },
-    { ".mol2", MoleculeFormat::MOL2 }, { ".sdf", MoleculeFormat::SDF },
-    { ".mol", MoleculeFormat::SDF } };
+    { ".mmcif", MoleculeFormat::MMCIF }, { ".bcif", MoleculeFormat::MMCIF },
+    { ".pqr", MoleculeFormat::PQR }, { ".xyz", MoleculeFormat::XYZ },
+    { ".extxyz", MoleculeFormat::XYZ }, { ".txyz", MoleculeFormat::XYZ },
+    { ".arc", MoleculeFormat::XYZ }, { ".pdbqt", MoleculeFormat::PDBQT },
+    { ".gro", MoleculeFormat::GRO }, { ".mol2", MoleculeFormat::MOL2 },
+    { ".sdf", MoleculeFormat::SDF }, { ".mol", MoleculeFormat::SDF } };
   for (const auto& [extension, format] : extensions)
   {
     if (EndsWith(name, extension))
     {
       return format;
     }
+  }
+  const bool isNumbered = !name.empty() && name.back() >= '1' && name.back() <= '9';
+  if (isNumbered && EndsWith(name.substr(0, name.size() - 1), ".pdb")) // biological units
+  {
+    return MoleculeFormat::PDB;
   }
   return MoleculeFormat::ByName;
 }
@@ -79,8 +88,6 @@ std::string DescribeForeignFormat(const std::string& path)
     const char* Extensions;
     const char* Message;
   } formats[] = {
-    { ".bcif ",
-      "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif)." },
     { ".mmtf ",
       "this is MMTF, which is not read; the PDB has retired it. Fetch the structure as mmCIF "
       "(.cif)." },
@@ -122,6 +129,14 @@ std::string DescribeForeignFormat(const std::string& path)
   return {};
 }
 
+/// As text, or as it is if it is BinaryCIF.
+std::unique_ptr<ByteSource> OpenMolecule(const std::string& path)
+{
+  std::array<char, 1000> begin{};
+  const std::size_t size = OpenByteSource(path)->Read(0, begin.data(), begin.size());
+  return IsBinaryCIF({ begin.data(), size }) ? OpenByteSource(path) : OpenTextSource(path);
+}
+
 bool BeginsAs(std::string_view text, std::string_view with)
 {
   return text.size() >= with.size() &&
@@ -142,9 +157,13 @@ std::string DescribeForeignContent(std::string_view text, MoleculeFormat format)
     return "this is MMTF, which is not read; the PDB has retired it. Fetch the structure as mmCIF "
            "(.cif).";
   }
-  if (isMessagePack && (has("encoder") || has("dataBlocks")))
+  if (isMessagePack && format != MoleculeFormat::MMCIF && IsBinaryCIF(text))
   {
-    return "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif).";
+    return "this is BinaryCIF. Name it .bcif, or choose mmCIF as its format.";
+  }
+  if (isMessagePack && format == MoleculeFormat::MMCIF && !IsBinaryCIF(text))
+  {
+    return "this is neither mmCIF nor BinaryCIF. The file may be damaged: fetch it again.";
   }
   const std::string_view words =
     text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
@@ -180,6 +199,10 @@ std::string DescribeForeignContent(std::string_view text, MoleculeFormat format)
 /// For names without a known extension. mmCIF first, since its text may contain PDB's words.
 MoleculeFormat FormatFromText(std::string_view text, const std::string& path)
 {
+  if (IsBinaryCIF(text))
+  {
+    return MoleculeFormat::MMCIF;
+  }
   if (text.substr(0, 5) == "data_" || text.find("\ndata_") != std::string_view::npos)
   {
     return MoleculeFormat::MMCIF;
@@ -203,7 +226,8 @@ MoleculeFormat FormatFromText(std::string_view text, const std::string& path)
     throw std::runtime_error(path + ": " + other);
   }
   throw std::runtime_error(path +
-    ": neither the name (.pdb .ent .cif .pqr .xyz .pdbqt .gro .mol2 .sdf .mol) nor the content "
+    ": neither the name (.pdb .ent .cif .bcif .pqr .xyz .pdbqt .gro .mol2 .sdf .mol) nor the "
+    "content "
     "says "
     "which format this is. Choose the format.");
 }
@@ -356,6 +380,8 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
 void Check(const MoleculeOptions& options)
 {
   RequireChoice("Format", options.Format, MoleculeFormat::SDF);
+  RequireChoice("LengthUnit", options.LengthUnit, CoordinateUnit::Bohr);
+  RequireChoice("CombineModels", options.CombineModels, ModelCombination::Always);
   RequireChoice("RadiusTable", options.RadiusTable, RadiusTable::Alvarez);
 }
 
@@ -363,8 +389,8 @@ Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress)
 {
   Check(options);
-  Macromolecule parsed = Parse(text, path, options.Format, { options.ModelIndex, options.Assembly },
-    Between(progress, 0.0, 0.6));
+  Macromolecule parsed = Parse(text, path, options.Format,
+    { options.ModelIndex, options.Assembly, options.CombineModels }, Between(progress, 0.0, 0.6));
   return CompleteMacromolecule(std::move(parsed), path, options, Between(progress, 0.6, 1.0));
 }
 
@@ -375,16 +401,22 @@ Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& pat
   Macromolecule molecule = std::move(parsed);
   CheckModel(molecule, path, options.ModelIndex);
   Report(progress, 0.0);
+  ConvertUnit(molecule, options.LengthUnit);
   SelectAtoms(molecule, options);
+  const bool mayHaveBonds = CheckDistances(molecule, options.LengthUnit);
   SetRadii(molecule, options.RadiusTable);
   Report(progress, 0.25);
-  if (options.BondsByDistance)
+  if (options.BondsByDistance && mayHaveBonds)
   {
     AddCovalentBonds(molecule, Between(progress, 0.25, 1.0));
   }
   else
   {
     SortBonds(molecule);
+  }
+  if (mayHaveBonds)
+  {
+    MakeMoleculesWhole(molecule, options.BondsByDistance);
   }
   return molecule;
 }
@@ -393,7 +425,7 @@ Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress)
 {
   Check(options);
-  const std::string text = ReadAll(*OpenTextSource(path), Between(progress, 0.0, 0.2));
+  const std::string text = ReadAll(*OpenMolecule(path), Between(progress, 0.0, 0.2));
   MoleculeOptions named = options;
   if (named.Format == MoleculeFormat::ByName)
   {
@@ -409,14 +441,20 @@ namespace
 struct Separators
 {
   static constexpr std::uint64_t None = ~std::uint64_t{ 0 };
+  static constexpr std::size_t MostFirstModels = 3;
 
   std::int64_t Models = 0;
   std::int64_t EndModels = 0;
   std::int64_t Ends = 0;
   std::uint64_t FirstEnd = None;
+  std::vector<std::uint64_t> FirstModels; ///< where the first three of MODEL are
 
   Separators& operator+=(const Separators& other)
   {
+    this->FirstModels.insert(
+      this->FirstModels.end(), other.FirstModels.begin(), other.FirstModels.end());
+    std::sort(this->FirstModels.begin(), this->FirstModels.end());
+    this->FirstModels.resize(std::min(this->FirstModels.size(), MostFirstModels));
     this->Models += other.Models;
     this->EndModels += other.EndModels;
     this->Ends += other.Ends;
@@ -445,7 +483,15 @@ Separators FindSeparators(
   };
   for (std::size_t at = text.find('\n'); at < last; at = text.find('\n', at + 1))
   {
-    found.Models += isWord(at, "\nMODEL") ? 1 : 0;
+    const std::uint64_t place = offset + at - (hasLineEnd && at > 0 ? 1 : 0);
+    if (isWord(at, "\nMODEL"))
+    {
+      ++found.Models;
+      if (found.FirstModels.size() < Separators::MostFirstModels)
+      {
+        found.FirstModels.push_back(place);
+      }
+    }
     if (begins(at, "\nENDMDL"))
     {
       ++found.EndModels;
@@ -453,7 +499,7 @@ Separators FindSeparators(
     else if (isWord(at, "\nEND"))
     {
       ++found.Ends;
-      found.FirstEnd = std::min(found.FirstEnd, offset + at - (hasLineEnd && at > 0 ? 1 : 0));
+      found.FirstEnd = std::min(found.FirstEnd, place);
     }
   }
   return found;
@@ -510,9 +556,29 @@ bool IsCountedByRecords(const Separators& found, ByteSource& source)
 
 }
 
-std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromolecule* parsed)
+namespace
 {
-  const auto source = OpenTextSource(path);
+
+/// Whether the first two of MODEL records are models, so that all are. The file is read up to the
+/// third one.
+bool AreFirstModelsApart(const Separators& found, ByteSource& source, ModelCombination combine)
+{
+  if (found.Models < 2 || combine == ModelCombination::Never)
+  {
+    return true;
+  }
+  const bool isMore = found.FirstModels.size() == Separators::MostFirstModels;
+  std::string text(isMore ? found.FirstModels.back() : source.MaximumBytes(), ' ');
+  text.resize(source.Read(0, text.data(), text.size()));
+  return CountPDBModels(text, combine) > 1;
+}
+
+}
+
+std::int64_t CountModels(
+  const std::string& path, MoleculeFormat format, Macromolecule* parsed, ModelCombination combine)
+{
+  const auto source = OpenMolecule(path);
   if (format == MoleculeFormat::ByName)
   {
     format = FormatFromName(path);
@@ -524,7 +590,8 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   {
     found = FindSeparators(*source);
   }
-  if (isByRecord && source->RandomAccess() && IsCountedByRecords(found, *source))
+  if (isByRecord && source->RandomAccess() && IsCountedByRecords(found, *source) &&
+    (format == MoleculeFormat::PQR || AreFirstModelsApart(found, *source, combine)))
   {
     return std::max<std::int64_t>(found.Models, 1);
   }
@@ -539,7 +606,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromo
   }
   if (format == MoleculeFormat::PDB)
   {
-    return CountPDBModels(text);
+    return CountPDBModels(text, combine);
   }
   Macromolecule molecule = Parse(text, path, format, {}, {});
   const std::int64_t models = molecule.NumberOfModels;
@@ -560,6 +627,10 @@ bool LooksLikeMolecule(const std::string& path)
   {
     std::array<char, 4096> begin;
     const std::size_t size = OpenByteSource(path)->Read(0, begin.data(), begin.size());
+    if (IsBinaryCIF({ begin.data(), size }))
+    {
+      return FormatFromName(path) == MoleculeFormat::MMCIF;
+    }
     if (BeginsAsUTF16({ begin.data(), size }))
     {
       return true; // the reader's message explains what to do

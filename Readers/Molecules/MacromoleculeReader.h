@@ -39,8 +39,8 @@ Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
  * the MODEL records are counted. Other files are parsed, and `parsed` is set to their first model,
  * for CompleteMacromolecule. Throws as ReadMacromolecule.
  */
-std::int64_t CountModels(
-  const std::string& path, MoleculeFormat format, Macromolecule* parsed = nullptr);
+std::int64_t CountModels(const std::string& path, MoleculeFormat format,
+  Macromolecule* parsed = nullptr, ModelCombination combine = ModelCombination::Automatic);
 
 /// The result of ReadMacromolecule for model 0 without an assembly, from the data parsed by
 /// CountModels.

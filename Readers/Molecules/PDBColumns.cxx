@@ -7,6 +7,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace isthmus
@@ -280,6 +281,58 @@ std::string FindFreeName(const std::string& name, const std::set<std::string>& t
 
 }
 
+void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs)
+{
+  struct Chain
+  {
+    std::size_t Part = 0;
+    std::size_t Copy = 0;
+    std::unordered_map<std::string, std::vector<std::size_t>> Residues; ///< their runs
+  };
+  std::unordered_map<std::string, Chain> chains;
+  const auto nameOf = [&lines](std::size_t i) { return lines.Atoms[i].substr(12, 5); };
+  const auto isAgain = [&](const PDBRun& run, const std::vector<std::size_t>& earlier)
+  {
+    std::set<std::string_view> names;
+    for (const std::size_t r : earlier)
+    {
+      for (std::size_t i = runs[r].First; i < runs[r].Last; ++i)
+      {
+        names.insert(nameOf(i));
+      }
+    }
+    std::size_t again = 0;
+    for (std::size_t i = run.First; i < run.Last; ++i)
+    {
+      again += names.count(nameOf(i));
+    }
+    return again > 0 && 2 * again >= run.Last - run.First;
+  };
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    PDBRun& run = runs[r];
+    Chain& chain = chains[run.FileChain];
+    if (chain.Part != run.Part)
+    {
+      chain = { run.Part, 0, {} };
+    }
+    const ResidueFamily family = FindResidueFamily(run.Name);
+    if (family == ResidueFamily::AminoAcid || family == ResidueFamily::Nucleotide)
+    {
+      const std::string key =
+        run.Name + '\n' + std::to_string(run.Number.value_or(0)) + run.InsertionCode + run.Segment;
+      std::vector<std::size_t>& earlier = chain.Residues[key];
+      earlier.push_back(r);
+      if (earlier.size() > 1 && isAgain(run, { earlier.begin(), earlier.end() - 1 }))
+      {
+        ++chain.Copy;
+        chain.Residues = { { key, { r } } };
+      }
+    }
+    run.Copy = chain.Copy;
+  }
+}
+
 void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
 {
   std::set<std::string> taken;
@@ -287,18 +340,19 @@ void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
   {
     taken.insert(run.FileChain);
   }
-  std::map<std::string, std::size_t> firstPart;
-  std::map<std::pair<std::size_t, std::string>, std::string> renamed;
+  using Group = std::pair<std::size_t, std::size_t>; // part and copy
+  std::map<std::string, Group> firstGroup;
+  std::map<std::pair<Group, std::string>, std::string> renamed;
   std::string list;
   constexpr std::size_t mostListed = 200;
   for (PDBRun& run : runs)
   {
-    const std::size_t part = firstPart.emplace(run.FileChain, run.Part).first->second;
-    if (part == run.Part)
+    const Group group{ run.Part, run.Copy };
+    if (firstGroup.emplace(run.FileChain, group).first->second == group)
     {
       continue;
     }
-    const auto [found, isNew] = renamed.emplace(std::pair(run.Part, run.FileChain), "");
+    const auto [found, isNew] = renamed.emplace(std::pair(group, run.FileChain), "");
     if (isNew)
     {
       found->second = FindFreeName(run.FileChain, taken);
@@ -306,14 +360,16 @@ void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
       if (list.size() < mostListed)
       {
         list += (list.empty() ? "" : ", ") + (run.FileChain.empty() ? "(no name)" : run.FileChain) +
-          " of part " + std::to_string(run.Part + 1) + " is " + found->second;
+          (run.Copy > 0 ? ", copy " + std::to_string(run.Copy + 1) + "," : "") +
+          (run.Part > 0 ? " of part " + std::to_string(run.Part + 1) : "") + " is " + found->second;
       }
     }
     run.Chain = found->second;
   }
   if (!renamed.empty())
   {
-    report.Note("Chains with the name of a chain of an earlier part, renamed: " +
+    report.Note("Chains with the name of a chain of an earlier part, or its residues once more, "
+                "renamed: " +
       std::to_string(renamed.size()) + " (" + list + (list.size() < mostListed ? ")." : ", ...)."));
   }
 }
@@ -341,6 +397,7 @@ Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
     ends.push_back(lines.size());
   }
   molecule.Atoms = read(lines, Between(progress, 0.2, 1.0));
+  molecule.Cell = FindCell(split, parts);
   std::vector<PDBRun> runs;
   for (std::size_t part = 0, atom = 0; part < parts.size(); ++part)
   {
@@ -349,7 +406,7 @@ Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
       const std::string& chain = molecule.Atoms[atom].Chain;
       if (runs.empty() || runs.back().Part != part || runs.back().FileChain != chain)
       {
-        runs.push_back({ atom, atom, part, {}, chain, chain, {}, {} });
+        runs.push_back({ atom, atom, part, 0, {}, chain, chain, {}, {} });
       }
       runs.back().Last = atom + 1;
     }
@@ -531,7 +588,9 @@ std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool 
     report.Note("Atoms whose chain is their segment (columns 73-76), since column 22 is blank: " +
       std::to_string(bySegment) + ".");
   }
-  if (model.size() > 1)
+  FindCopies(lines, runs);
+  if (model.size() > 1 ||
+    std::any_of(runs.begin(), runs.end(), [](const PDBRun& run) { return run.Copy > 0; }))
   {
     RenameChains(runs, report);
   }

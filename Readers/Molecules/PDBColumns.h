@@ -64,6 +64,7 @@ struct PDBRun
   std::size_t First; ///< of PDBLines::Atoms
   std::size_t Last;
   std::size_t Part; ///< of the model
+  std::size_t Copy; ///< of its chain, 0: the first; see FindCopies
   std::string Name;
   std::string Chain;
   std::string FileChain; ///< as the file has it, before chains of several parts are renamed
@@ -89,12 +90,19 @@ private:
 /**
  * The decoded runs of a model. `withSegments`: columns 73-76 are segments, and are used as chain
  * names if column 22 is blank. Chains of later parts get unused names if their names occur in
- * earlier parts. O(atoms).
+ * earlier parts, and so do copies of chains. O(atoms).
  */
 std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool withSegments,
   PDBResidueNames& names, ReadingReport& report);
 
-/// Renames chains of later parts whose names occur in earlier parts.
+/**
+ * Sets Copy of runs: amino acids and nucleotides that come again after other residues, with the
+ * same name, number and chain and at least half of their atoms, begin a copy of the chain. TER
+ * between copies may be missing. Water and ligands that follow belong to the last copy.
+ */
+void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs);
+
+/// Renames chains of later parts, and copies of chains, whose names occur before.
 void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report);
 
 /// The atoms of lines of a file, each read independently, in their order.

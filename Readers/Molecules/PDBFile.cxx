@@ -291,17 +291,90 @@ void ReadAtom(std::string_view line, std::size_t index, bool withColumns73To80, 
 }
 
 // ------------------------------------------------------------------------------------------
+// Residue names of five letters, as in gemmi's documentation ("tilde-hetnam")
+
+/// The full names of shortened ones: ~00 of HETNAM in columns 12-14 with the full name in columns
+/// 72-79 or, as others write it, alone after it.
+std::map<std::string, std::string> ReadShortenedNames(std::string_view text)
+{
+  std::map<std::string, std::string> names;
+  TextLines lines(text, {}, {});
+  for (std::string_view line; lines.Next(line);)
+  {
+    if (line.substr(0, 6) != "HETNAM" || Columns(line, 11, 1) != "~")
+    {
+      continue;
+    }
+    std::string_view full = Columns(line, 71, 8);
+    std::string_view described = Columns(line, 15, 55);
+    full = full.empty() && described.find(' ') == std::string_view::npos ? described : full;
+    if (!full.empty())
+    {
+      names.emplace(Columns(line, 11, 3), full);
+    }
+  }
+  return names;
+}
+
+void ExpandShortenedNames(std::string_view text, std::vector<Atom>& atoms, ReadingReport& report)
+{
+  const auto isShort = [](const Atom& atom)
+  { return !atom.ResidueName.empty() && atom.ResidueName[0] == '~'; };
+  if (std::none_of(atoms.begin(), atoms.end(), isShort))
+  {
+    return;
+  }
+  const std::map<std::string, std::string> names = ReadShortenedNames(text);
+  std::set<std::string> used;
+  std::set<std::string> unknown;
+  for (Atom& atom : atoms)
+  {
+    if (!isShort(atom))
+    {
+      continue;
+    }
+    const auto full = names.find(atom.ResidueName);
+    if (full == names.end())
+    {
+      unknown.insert(atom.ResidueName);
+      continue;
+    }
+    used.insert(full->first + " is " + full->second);
+    atom.ResidueName = full->second;
+  }
+  const auto list = [](const std::set<std::string>& items)
+  {
+    std::string all;
+    for (const std::string& item : items)
+    {
+      all += (all.empty() ? "" : ", ") + item;
+    }
+    return all;
+  };
+  if (!used.empty())
+  {
+    report.Note("Shortened residue names, replaced by those of HETNAM: " + list(used) + ".");
+  }
+  if (!unknown.empty())
+  {
+    report.Note("Shortened residue names whose full names the file does not give (HETNAM): " +
+      list(unknown) + ".");
+  }
+}
+
+// ------------------------------------------------------------------------------------------
 // The model
 
 class ModelReader
 {
 public:
   ModelReader(std::string_view text, const std::string& path, const PDBLines& lines,
-    const PDBModel& model, ReadingReport& report)
+    const PDBModel& model, bool isOfCopies, ReadingReport& report)
     : Text(text)
     , Path(path)
     , Lines(lines)
     , Model(model)
+    , IsOfCopies(isOfCopies)
     , Report(report)
   {
   }
@@ -327,6 +400,7 @@ public:
     SetElements(this->Result.Atoms, this->Texts, this->Result.Residues, this->Report);
     this->AddConect();
     this->AddLinks();
+    ExpandShortenedNames(this->Text, this->Result.Atoms, this->Report);
     return std::move(this->Result);
   }
 
@@ -487,6 +561,21 @@ private:
     return this->PartOfLine(isBefore ? record.Atom : record.Atom - 1);
   }
 
+  /// The parts to which a record applies: the one that it is in, or each of several copies.
+  std::vector<std::optional<std::size_t>> FindParts(const PDBRecord& record) const
+  {
+    if (!this->IsOfCopies)
+    {
+      return { this->FindPart(record) };
+    }
+    std::vector<std::optional<std::size_t>> parts;
+    for (std::size_t part = 0; part < this->Model.size(); ++part)
+    {
+      parts.emplace_back(part);
+    }
+    return parts;
+  }
+
   /// The part with an atom of PDBLines; none if it is of another model.
   std::optional<std::size_t> PartOfLine(std::size_t atom) const
   {
@@ -634,7 +723,11 @@ private:
       {
         continue;
       }
-      this->AddConect(record, placesOf(this->FindPart(record)), placesOf({}), missing);
+      for (const std::optional<std::size_t> part : this->FindParts(record))
+      {
+        this->AddConect(record, placesOf(part),
+          placesOf(part && this->IsOfCopies ? part : std::nullopt), missing);
+      }
     }
     if (missing > 0)
     {
@@ -712,8 +805,8 @@ private:
   }
 
   /// The atoms of the residue at columns [name, ...) of a record; empty if there is none.
-  std::vector<std::size_t> FindResidue(
-    const PDBRecord& record, std::size_t nameAt, std::size_t chainAt, std::size_t numberAt) const
+  std::vector<std::size_t> FindResidue(const PDBRecord& record, std::optional<std::size_t> part,
+    std::size_t nameAt, std::size_t chainAt, std::size_t numberAt) const
   {
     const std::string_view line = record.Line;
     std::string five(5, ' ');
@@ -733,7 +826,6 @@ private:
       return {};
     }
     number = hybrid.value_or(number);
-    const std::optional<std::size_t> part = this->FindPart(record);
     for (std::size_t p = part.value_or(0); p < this->Model.size(); ++p)
     {
       const auto run = this->RunOf.find({ p, chain, name, number, code });
@@ -801,6 +893,30 @@ private:
     return usual;
   }
 
+  /// Adds the bond of a record between atoms of a part, if they exist.
+  bool AddLink(const PDBRecord& record, std::optional<std::size_t> part, bool isDisulfide)
+  {
+    const std::string_view line = record.Line;
+    const auto altLoc = [line](std::size_t at) { return at < line.size() ? line[at] : ' '; };
+    const auto first = isDisulfide ? this->FindSulfur(this->FindResidue(record, part, 11, 14, 17))
+                                   : this->FindAtom(this->FindResidue(record, part, 17, 20, 22),
+                                       Columns(line, 12, 4), altLoc(16));
+    const auto second = isDisulfide ? this->FindSulfur(this->FindResidue(record, part, 25, 28, 31))
+                                    : this->FindAtom(this->FindResidue(record, part, 47, 50, 52),
+                                        Columns(line, 42, 4), altLoc(46));
+    if (!first || !second)
+    {
+      return false;
+    }
+    const auto a = static_cast<std::int64_t>(std::min(*first, *second));
+    const auto b = static_cast<std::int64_t>(std::max(*first, *second));
+    if (a != b)
+    {
+      this->Result.Links.push_back({ a, b, true });
+    }
+    return true;
+  }
+
   void AddLinks()
   {
     std::size_t missing = 0;
@@ -822,23 +938,9 @@ private:
         continue; // to a symmetry mate
       }
       const bool isDisulfide = (line[0] & ~0x20) == 'S';
-      const auto altLoc = [line](std::size_t at) { return at < line.size() ? line[at] : ' '; };
-      const auto first = isDisulfide
-        ? this->FindSulfur(this->FindResidue(record, 11, 14, 17))
-        : this->FindAtom(this->FindResidue(record, 17, 20, 22), Columns(line, 12, 4), altLoc(16));
-      const auto second = isDisulfide
-        ? this->FindSulfur(this->FindResidue(record, 25, 28, 31))
-        : this->FindAtom(this->FindResidue(record, 47, 50, 52), Columns(line, 42, 4), altLoc(46));
-      if (!first || !second)
+      for (const std::optional<std::size_t> part : this->FindParts(record))
       {
-        ++missing;
-        continue;
-      }
-      const auto a = static_cast<std::int64_t>(std::min(*first, *second));
-      const auto b = static_cast<std::int64_t>(std::max(*first, *second));
-      if (a != b)
-      {
-        this->Result.Links.push_back({ a, b, true });
+        missing += this->AddLink(record, part, isDisulfide) ? 0 : 1;
       }
     }
     if (missing > 0)
@@ -853,6 +955,7 @@ private:
   const std::string& Path;
   const PDBLines& Lines;
   const PDBModel& Model;
+  bool IsOfCopies;
   ReadingReport& Report;
   PDBMolecule Result;
   PDBResidueNames Names;
@@ -870,9 +973,9 @@ private:
 }
 
 PDBMolecule ReadPDBModel(std::string_view text, const std::string& path, const PDBLines& lines,
-  const PDBModel& model, ReadingReport& report, const ProgressCallback& progress)
+  const PDBModel& model, bool isOfCopies, ReadingReport& report, const ProgressCallback& progress)
 {
-  return ModelReader(text, path, lines, model, report).Read(progress);
+  return ModelReader(text, path, lines, model, isOfCopies, report).Read(progress);
 }
 
 }

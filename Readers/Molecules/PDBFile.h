@@ -39,12 +39,13 @@ struct PDBMolecule
 
 /**
  * Reads one model. Lines of a chain with the same residue (number, insertion code, segment and
- * name) are one residue, even if other residues are between them. Time and memory O(bytes).
+ * name) are one residue, even if other residues are between them. `isOfCopies`: the parts of the
+ * model are copies, to each of which CONECT, SSBOND and LINK apply. Time and memory O(bytes).
  * @throws NonstandardColumnsError if the coordinates of an atom are not finite numbers,
  * std::runtime_error if a line ends within them, both with the first such line; Cancelled.
  */
 PDBMolecule ReadPDBModel(std::string_view text, const std::string& path, const PDBLines& lines,
-  const PDBModel& model, ReadingReport& report, const ProgressCallback& progress);
+  const PDBModel& model, bool isOfCopies, ReadingReport& report, const ProgressCallback& progress);
 
 }
 

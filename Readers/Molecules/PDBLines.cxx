@@ -3,11 +3,14 @@
 #include "Atoms/PointBins.h"
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
+#include "Molecules/PeriodicMolecules.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace isthmus
 {
@@ -41,6 +44,10 @@ std::optional<PDBRecord::Kind> ParseRecordKind(std::string_view line)
       }
       return IsWord(line, "END") ? std::optional(PDBRecord::Kind::End) : std::nullopt;
     case 'C':
+      if (IsRecord(line, "CRYST1"))
+      {
+        return PDBRecord::Kind::Cell;
+      }
       return IsRecord(line, "CONECT") ? std::optional(PDBRecord::Kind::Conect) : std::nullopt;
     case 'S':
       return IsRecord(line, "SSBOND") ? std::optional(PDBRecord::Kind::Link) : std::nullopt;
@@ -191,30 +198,6 @@ double UsualDistance(const std::vector<Point3>& places)
   return std::sqrt(*middle);
 }
 
-/**
- * Whether the same molecule at two places penetrates itself: atoms of the one among those of the
- * other, nearer than atoms of one molecule come to each other. Two molecules in contact do not.
- */
-bool Overlap(const std::vector<Point3>& a, const std::vector<Point3>& b)
-{
-  if (a.empty() || b.empty())
-  {
-    return true;
-  }
-  constexpr double nearerThanUsual = 0.6;
-  constexpr std::size_t share = 50; // one atom in fifty
-  const double reach = nearerThanUsual * UsualDistance(a);
-  const PointBins bins(a, 2.0 * reach + 1e-3);
-  std::size_t found = 0;
-  for (const Point3& place : b)
-  {
-    bool isNear = false;
-    bins.Near(place, reach, [&isNear](std::int64_t, double) { isNear = true; });
-    found += isNear ? 1 : 0;
-  }
-  return found * share >= b.size();
-}
-
 struct Box
 {
   Point3 Low{ 0.0, 0.0, 0.0 };
@@ -247,24 +230,160 @@ bool AreApart(const Box& a, const Box& b)
   return false;
 }
 
-/// Whether any two of `groups` overlap.
-bool AnyOverlap(const AtomLines& file, const std::vector<PDBModel>& groups)
+/// The places of a group of atoms, with a search that is made when it is first needed.
+class PlacedGroup
 {
-  std::vector<std::vector<Point3>> places;
-  std::vector<Box> boxes;
+public:
+  explicit PlacedGroup(std::vector<Point3> places)
+    : Places(std::move(places))
+    , Bounds(ComputeBox(this->Places))
+  {
+  }
+
+  /**
+   * Whether the same molecule at two places penetrates itself: atoms of the one among those of the
+   * other, nearer than atoms of one molecule come to each other, or than `leastReach`. Two
+   * molecules in contact do not.
+   */
+  bool Overlaps(const PlacedGroup& other, double leastReach)
+  {
+    if (this->Places.empty() || other.Places.empty())
+    {
+      return true;
+    }
+    if (AreApart(this->Bounds, other.Bounds))
+    {
+      return false;
+    }
+    constexpr double nearerThanUsual = 0.6;
+    constexpr std::size_t share = 50; // one atom in fifty
+    if (!this->Bins)
+    {
+      this->Reach = std::max(leastReach, nearerThanUsual * UsualDistance(this->Places));
+      this->Bins = std::make_unique<PointBins>(this->Places, 2.0 * this->Reach + 1e-3);
+    }
+    std::size_t found = 0;
+    for (const Point3& place : other.Places)
+    {
+      bool isNear = false;
+      if (!AreApart(this->Bounds, { place, place }))
+      {
+        this->Bins->Near(place, this->Reach, [&isNear](std::int64_t, double) { isNear = true; });
+      }
+      found += isNear ? 1 : 0;
+    }
+    return found * share >= other.Places.size();
+  }
+
+  /// Whether atoms in the same order have the same distances from four of them, so that one group
+  /// is the other one at another place.
+  bool IsCopyOf(const PlacedGroup& other) const
+  {
+    constexpr double tolerance = 0.3; // of coordinates that are rounded, or copies with differences
+    const std::size_t size = this->Places.size();
+    if (size != other.Places.size() || size == 0)
+    {
+      return false;
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      for (const std::size_t r : { std::size_t{ 0 }, size / 3, 2 * size / 3, size - 1 })
+      {
+        const double difference =
+          Distance(this->Places[i], this->Places[r]) - Distance(other.Places[i], other.Places[r]);
+        sum += difference * difference;
+      }
+    }
+    return sum <= tolerance * tolerance * 4.0 * static_cast<double>(size);
+  }
+
+private:
+  std::vector<Point3> Places;
+  Box Bounds;
+  double Reach = 0.0;
+  std::unique_ptr<PointBins> Bins;
+};
+
+/// Whether any two of `groups` overlap.
+bool AnyOverlap(const AtomLines& file, const std::vector<PDBModel>& groups, double leastReach = 0.0)
+{
+  std::vector<PlacedGroup> placed;
   for (const PDBModel& group : groups)
   {
-    places.push_back(Places(file, group));
-    boxes.push_back(ComputeBox(places.back()));
-    for (std::size_t earlier = places.size() - 1; earlier-- > 0;)
+    placed.emplace_back(Places(file, group));
+    for (std::size_t earlier = placed.size() - 1; earlier-- > 0;)
     {
-      if (!AreApart(boxes[earlier], boxes.back()) && Overlap(places[earlier], places.back()))
+      if (placed[earlier].Overlaps(placed.back(), leastReach))
       {
         return true;
       }
     }
   }
   return false;
+}
+
+/// The atoms of a model one after the other.
+std::vector<std::string_view> LinesOf(const AtomLines& file, const PDBModel& model)
+{
+  std::vector<std::string_view> lines;
+  for (const PDBPart& part : model)
+  {
+    const auto at = [&file](std::size_t i)
+    { return file.Lines.Atoms.begin() + static_cast<std::ptrdiff_t>(i); };
+    lines.insert(lines.end(), at(part.First), at(part.Last));
+  }
+  return lines;
+}
+
+bool HasResidues(const std::vector<std::string_view>& lines, std::size_t fewest)
+{
+  std::size_t residues = 0;
+  for (std::size_t i = 0; i < lines.size() && residues < fewest; ++i)
+  {
+    residues += i == 0 || Columns(lines[i], 17, 10) != Columns(lines[i - 1], 17, 10) ? 1 : 0;
+  }
+  return residues >= fewest;
+}
+
+/// Whether models are copies beside each other, see FindModels.
+bool AreBesideEachOther(const AtomLines& file, const std::vector<PDBModel>& models)
+{
+  constexpr std::size_t fewestResidues = 4;
+  std::vector<std::vector<std::string_view>> lines;
+  for (const PDBModel& model : models)
+  {
+    lines.push_back(LinesOf(file, model));
+    if (!HasResidues(lines.back(), fewestResidues))
+    {
+      return false;
+    }
+  }
+  constexpr double contact = 1.7; // shorter than hydrogen bonds between molecules
+  if (AnyOverlap(file, models, contact))
+  {
+    return false;
+  }
+  std::vector<std::size_t> first; // models of which no earlier one has the atoms
+  for (std::size_t i = 0; i < models.size(); ++i)
+  {
+    const auto same = std::find_if(first.begin(), first.end(),
+      [&](std::size_t other)
+      {
+        return lines[other].size() == lines[i].size() &&
+          std::equal(lines[other].begin(), lines[other].end(), lines[i].begin(), file.Text.IsSame);
+      });
+    if (same == first.end())
+    {
+      first.push_back(i);
+    }
+    else if (!PlacedGroup(Places(file, models[i]))
+                .IsCopyOf(PlacedGroup(Places(file, models[*same]))))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::vector<PDBModel> GroupParts(const std::vector<PDBPart>& parts, std::size_t size)
@@ -367,10 +486,38 @@ std::vector<PDBModel> ModelsByRecord(const PDBLines& lines, ReadingReport& repor
   return models;
 }
 
+std::size_t CountRecords(const PDBLines& lines, PDBRecord::Kind kind)
+{
+  return static_cast<std::size_t>(std::count_if(lines.Records.begin(), lines.Records.end(),
+    [kind](const PDBRecord& record) { return record.Is == kind; }));
+}
+
 bool Has(const PDBLines& lines, PDBRecord::Kind kind)
 {
-  return std::any_of(lines.Records.begin(), lines.Records.end(),
-    [kind](const PDBRecord& record) { return record.Is == kind; });
+  return CountRecords(lines, kind) > 0;
+}
+
+/// One structure of all models, if that is wanted.
+std::vector<PDBModel> Combine(std::vector<PDBModel> models, const AtomLines& file,
+  ModelCombination combine, ReadingReport& report)
+{
+  if (models.size() < 2 || combine == ModelCombination::Never ||
+    (combine == ModelCombination::Automatic && !AreBesideEachOther(file, models)))
+  {
+    return models;
+  }
+  const std::string count = std::to_string(models.size());
+  report.Note(combine == ModelCombination::Always
+      ? "The " + count + " models of the file were read as one structure, as CombineModels says."
+      : "The " + count +
+        " models of the file are copies beside each other, as in a file of a biological unit: "
+        "read as one structure. To read them as frames (time steps), set CombineModels to Never.");
+  PDBModel all;
+  for (const PDBModel& model : models)
+  {
+    all.insert(all.end(), model.begin(), model.end());
+  }
+  return { all };
 }
 
 }
@@ -421,18 +568,59 @@ std::string FormatLineNumber(std::string_view text, std::string_view line)
 const PDBAtomText PDBColumnsOfAtoms{ HasSameColumns, PlaceInColumns };
 
 std::vector<PDBModel> FindModels(
-  const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms)
+  const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms, ModelCombination combine)
 {
   if (Has(lines, PDBRecord::Kind::Model))
   {
-    return ModelsByRecord(lines, report);
+    return Combine(ModelsByRecord(lines, report), { lines, atoms }, combine, report);
   }
   const std::vector<PDBPart> parts = PartsBetween(lines);
   if (parts.size() < 2 || Has(lines, PDBRecord::Kind::EndModel))
   {
-    return GroupParts(parts, 1);
+    return Combine(GroupParts(parts, 1), { lines, atoms }, combine, report);
   }
   return GroupModels({ lines, atoms }, parts, report);
+}
+
+std::vector<Point3> FindCell(const PDBLines& lines, const PDBModel& model)
+{
+  const PDBRecord* chosen = nullptr;
+  for (const PDBRecord& record : lines.Records)
+  {
+    const bool isBefore = !model.empty() && record.Atom <= model.front().First;
+    if (record.Is == PDBRecord::Kind::Cell && (!chosen || isBefore))
+    {
+      chosen = &record;
+    }
+  }
+  std::array<double, 6> numbers{};
+  if (!chosen)
+  {
+    return {};
+  }
+  constexpr std::array<std::size_t, 7> columns{ 6, 15, 24, 33, 40, 47, 54 };
+  std::string_view rest = chosen->Line.substr(6);
+  bool inColumns = true;
+  bool inWords = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    inColumns = inColumns &&
+      IsNumber(Columns(chosen->Line, columns[i], columns[i + 1] - columns[i]), numbers[i]);
+  }
+  for (std::size_t i = 0; i < numbers.size() && !inColumns; ++i)
+  {
+    inWords = inWords && IsNumber(NextWord(rest), numbers[i]);
+  }
+  return inColumns || inWords
+    ? CellVectors({ numbers[0], numbers[1], numbers[2] }, { numbers[3], numbers[4], numbers[5] })
+    : std::vector<Point3>();
+}
+
+bool AreCombined(const PDBLines& lines, const std::vector<PDBModel>& models)
+{
+  return models.size() == 1 && models[0].size() > 1 &&
+    std::max(CountRecords(lines, PDBRecord::Kind::Model),
+      CountRecords(lines, PDBRecord::Kind::EndModel)) > 1;
 }
 
 }

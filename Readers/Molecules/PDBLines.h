@@ -6,6 +6,7 @@
 #define isthmus_PDBLines_h
 
 #include "Core/Progress.h"
+#include "Molecules/MoleculeOptions.h"
 #include "Molecules/ReadingReport.h"
 
 #include <array>
@@ -26,7 +27,8 @@ struct PDBRecord
     EndModel, ///< ENDMDL
     End,      ///< END
     Conect,   ///< CONECT
-    Link      ///< SSBOND, LINK, LINKR
+    Link,     ///< SSBOND, LINK, LINKR
+    Cell      ///< CRYST1
   };
 
   Kind Is;
@@ -82,11 +84,24 @@ extern const PDBAtomText PDBColumnsOfAtoms;
  * - With END alone: parts that repeat the same atoms at overlapping places are models.
  * - All other parts that END separates are one structure.
  *
+ * With `combine` Automatic, models of MODEL or ENDMDL are one structure where no two of them
+ * overlap and those with the same atoms are rigid copies of each other: the copies of a biological
+ * unit lie beside each other, while the models of an ensemble and the frames of a trajectory lie on
+ * each other or differ in shape. Models of fewer than four residues (poses of ligands, ions) stay
+ * models.
+ *
  * Atoms outside MODEL and ENDMDL belong to the preceding model, or to the first one. Groups of
  * parts may repeat as well. Decisions are noted in `report`.
  */
-std::vector<PDBModel> FindModels(
-  const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms = PDBColumnsOfAtoms);
+std::vector<PDBModel> FindModels(const PDBLines& lines, ReadingReport& report,
+  const PDBAtomText& atoms = PDBColumnsOfAtoms, ModelCombination combine = ModelCombination::Never);
+
+/// The vectors of the cell that CRYST1 gives: the last one before the atoms of a model, or else the
+/// first one. Empty if there is none, it is a dummy, or it cannot be read.
+std::vector<std::array<double, 3>> FindCell(const PDBLines& lines, const PDBModel& model);
+
+/// Whether FindModels has combined the models of a file to one.
+bool AreCombined(const PDBLines& lines, const std::vector<PDBModel>& models);
 
 }
 

@@ -35,10 +35,9 @@ bool IsInList(std::string_view word, std::initializer_list<std::string_view> wor
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// The value of `Properties=` in the comment, in quotes or not; empty: there is none.
-std::string_view FindProperties(std::string_view comment)
+/// The value after `key` ("Properties=") in the comment, in quotes or not; empty: there is none.
+std::string_view FindValue(std::string_view comment, std::string_view key)
 {
-  constexpr std::string_view key = "Properties=";
   const auto at = comment.find(key);
   if (at == std::string_view::npos)
   {
@@ -51,11 +50,29 @@ std::string_view FindProperties(std::string_view comment)
   return quoted ? value.substr(1) : value;
 }
 
+/// Three vectors, one after the other; empty: there are none.
+std::vector<std::array<double, 3>> ReadLattice(std::string_view comment)
+{
+  std::string_view rest = FindValue(comment, "Lattice=");
+  std::vector<std::array<double, 3>> vectors(3);
+  for (std::array<double, 3>& vector : vectors)
+  {
+    for (double& x : vector)
+    {
+      if (!IsNumber(NextWord(rest), x))
+      {
+        return {};
+      }
+    }
+  }
+  return vectors;
+}
+
 /// Extended XYZ says in its comment which columns there are: name:type:count, repeated.
 XYZColumns ParseColumns(std::string_view comment, const TextLines& lines)
 {
   XYZColumns columns;
-  std::string_view rest = FindProperties(comment);
+  std::string_view rest = FindValue(comment, "Properties=");
   if (rest.empty())
   {
     return columns;
@@ -333,6 +350,10 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
       columns = ParseColumns(line, lines);
     }
     const bool isWanted = molecule.NumberOfModels == model;
+    if (isWanted)
+    {
+      molecule.Cell = ReadLattice(line);
+    }
     if (isWanted && !columns.Others.empty())
     {
       report.Note(

@@ -78,8 +78,9 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 class vtkMacromoleculeReader::vtkInternals
 {
 public:
-  /// Path, time of the last change, bytes, format.
-  using Key = std::tuple<std::string, long, unsigned long, isthmus::MoleculeFormat>;
+  /// Path, time of the last change, bytes, format, whether models are combined.
+  using Key = std::tuple<std::string, long, unsigned long, isthmus::MoleculeFormat,
+    isthmus::ModelCombination>;
   struct Counted
   {
     std::int64_t Number = 1;
@@ -87,10 +88,10 @@ public:
   };
   isthmus::Cached<Key, Counted> Models;
 
-  static Key MakeKey(const std::string& file, isthmus::MoleculeFormat format)
+  static Key MakeKey(const std::string& file, const isthmus::MoleculeOptions& options)
   {
     return { file, vtksys::SystemTools::ModifiedTime(file), vtksys::SystemTools::FileLength(file),
-      format };
+      options.Format, options.CombineModels };
   }
 };
 
@@ -160,16 +161,15 @@ std::int64_t vtkMacromoleculeReader::CountModels()
     vtkInternals::Counted counted;
     try
     {
-      counted.Number =
-        isthmus::CountModels(this->FileName, this->Parameters.Format, &counted.Parsed);
+      counted.Number = isthmus::CountModels(
+        this->FileName, this->Parameters.Format, &counted.Parsed, this->Parameters.CombineModels);
     }
     catch (const std::exception&)
     {
     }
     return counted;
   };
-  return this->Internals->Models
-    .Get(vtkInternals::MakeKey(this->FileName, this->Parameters.Format), count)
+  return this->Internals->Models.Get(vtkInternals::MakeKey(this->FileName, this->Parameters), count)
     .Number;
 }
 
@@ -224,7 +224,7 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   const auto progress = isthmus::MakeProgress(this);
   const auto reading = isthmus::Between(progress, 0.0, 0.8);
   vtkInternals::Counted* const counted =
-    this->Internals->Models.Find(vtkInternals::MakeKey(this->FileName, this->Parameters.Format));
+    this->Internals->Models.Find(vtkInternals::MakeKey(this->FileName, this->Parameters));
   if (!counted)
   {
     this->Internals->Models.Clear(); // of another file
@@ -253,6 +253,8 @@ void vtkMacromoleculeReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Format: " << this->GetFormat() << "\n";
+  os << indent << "LengthUnit: " << this->GetLengthUnit() << "\n";
+  os << indent << "CombineModels: " << this->GetCombineModels() << "\n";
   os << indent << "ModelIndex: " << this->GetModelIndex() << "\n";
   os << indent << "ModelsAsTimeSteps: " << this->ModelsAsTimeSteps << "\n";
   os << indent << "Assembly: " << this->GetAssembly() << "\n";

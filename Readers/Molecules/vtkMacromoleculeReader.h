@@ -1,9 +1,9 @@
 /**
  * @class   vtkMacromoleculeReader
- * @brief   atoms and bonds from PDB, mmCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
+ * @brief   atoms and bonds from PDB, mmCIF, BinaryCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
  *
- * The extensions are .pdb .ent .cif .mmcif .pqr .xyz .extxyz .pdbqt .gro .mol2 .sdf .mol, plain,
- * .gz or .bz2; for other names, the format is detected from the content.
+ * The extensions are .pdb .ent .pdb1 to .pdb9 .cif .mmcif .bcif .pqr .xyz .extxyz .pdbqt .gro .mol2
+ * .sdf .mol, plain, .gz or .bz2; for other names, the format is detected from the content.
  *
  * **Output 0**, vtkPolyData: a point and a vertex for each atom (angstrom, double), a line for each
  * bond. Point arrays:
@@ -29,7 +29,8 @@
  * order of the file, except that the atoms of a residue are consecutive.
  *
  * Several models are time steps (ModelsAsTimeSteps). This includes models that are separated by END
- * in a PDB file, if they repeat the same atoms (PDBLines.h). Field data: `NumberOfModels`;
+ * in a PDB file, if they repeat the same atoms, and excludes copies beside each other
+ * (CombineModels, PDBLines.h). Field data: `NumberOfModels`;
  * `ElementSymbols` (string 6 is "C"); `Notes` and `Warnings`: what was dropped or is missing, one
  * message each. Warnings also go to vtkWarningMacro: elements that are missing in the file, and
  * atoms without a radius.
@@ -86,7 +87,7 @@ public:
   {
     ByName = 0,
     PDB = 1,
-    MMCIF = 2,
+    MMCIF = 2, ///< also BinaryCIF
     PQR = 3,
     XYZ = 4, ///< also extended XYZ and TINKER's
     PDBQT = 5,
@@ -100,6 +101,21 @@ public:
   ISTHMUS_PARAMETER(Format, int);
   ///@}
 
+  enum LengthUnits
+  {
+    ByFormat = 0,
+    Angstrom = 1,
+    Nanometre = 2,
+    Bohr = 3
+  };
+
+  ///@{
+  /// Unit of the coordinates and the cell in the file. Default ByFormat: nanometre in GRO files,
+  /// else angstrom. A warning says where the distances of atoms do not fit the unit. The output is
+  /// in angstrom.
+  ISTHMUS_PARAMETER(LengthUnit, int);
+  ///@}
+
   ///@{
   /// Index of the model (MODEL of PDB, frame of XYZ), from 0. Default 0.
   ISTHMUS_PARAMETER(ModelIndex, int);
@@ -111,6 +127,20 @@ public:
   vtkSetMacro(ModelsAsTimeSteps, bool);
   vtkGetMacro(ModelsAsTimeSteps, bool);
   vtkBooleanMacro(ModelsAsTimeSteps, bool);
+  ///@}
+
+  enum ModelCombinations
+  {
+    Automatic = 0,
+    Never = 1,
+    Always = 2
+  };
+
+  ///@{
+  /// Whether the models of a PDB file are read as one structure. Automatic (default): where they
+  /// are rigid copies beside each other, as in a file of a biological unit (.pdb1), whose copies
+  /// are models; a note says so. Models that overlap, as those of an NMR ensemble, stay models.
+  ISTHMUS_PARAMETER(CombineModels, int);
   ///@}
 
   ///@{

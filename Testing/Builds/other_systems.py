@@ -30,7 +30,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SYSTEMS = {"trixie": "Debian 13", "testing": "Debian testing"}
 # The first alternative that the archive has; the libraries named in the report come first.
 PACKAGES = ("libcgal-dev", "libgemmi-dev|gemmi-dev", "libvtk9-dev", "libboost-dev", "libeigen3-dev", "libgmp-dev",
-            "libmpfr-dev", "libtbb-dev", "libisal-dev", "libbz2-dev", "zlib1g-dev", "tao-pegtl-dev", "libc6-dev",
+            "libmpfr-dev", "libtbb-dev", "libisal-dev", "libbz2-dev", "zlib1g-dev", "tao-pegtl-dev", "nlohmann-json3-dev", "libc6-dev",
             "linux-libc-dev")
 REPORTED = 5
 COMPILER = "g++"

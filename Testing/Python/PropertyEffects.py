@@ -88,7 +88,11 @@ SILENT = {
         "all loops of the ring are trusted, 205 of 244 of a noisy map are: SignificantLoops.py has a noisy map",
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
-    ("ForceFieldCharges", "ForceField"): "the atoms have charges: TestProteinCharges has some without",
+    **{(name, of_program): "the atoms have charges: TestProteinCharges has some without"
+       for name in ("ForceFieldCharges", "ForceFieldChargesAndLigands")
+       for of_program in ("ForceField", "UsePropka", "PH")},
+    **{(name, "MinimumConfidence"): "the atoms are no predicted model: ReportedMolecules.py has one"
+       for name in ("MolecularPockets", "PoreProfile")},
     ("FeatureTracks", "MaximumDistance"): "needs steps of time: FeatureTracks.py",
     ("FeatureTracks", "MaximumGap"): "the same",
     **{(name, "MaskInvalid"): "all values are finite: MaskedMaps.py has others"

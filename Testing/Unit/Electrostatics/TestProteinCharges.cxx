@@ -1,6 +1,7 @@
 // Charges for atoms that have none: by pdb2pqr where it is installed, and by substitutes for it
 // that answer, fail, hang, write invalid output, or are missing.
 
+#include "Atoms/ChemicalElement.h"
 #include "Electrostatics/ProteinCharges.h"
 #include "GermanNumbers.h"
 #include "SharedData.h"
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sys/stat.h>
 
 using namespace isthmus;
@@ -128,8 +130,10 @@ TEST(ProteinCharges, OutputIsMatchedResidueByResidue)
   EXPECT_EQ(protein.Atoms[1].Charge, 0.75);
   EXPECT_EQ(protein.Atoms[2].SourceAtom, 6u);
   EXPECT_EQ(protein.Atoms[2].Radius, 1.9);
-  // Water is dropped without a warning; a ligand, and a new heavy atom, cause one.
-  EXPECT_NE(protein.Warning.find("LIG 7:"), std::string::npos) << protein.Warning;
+  // Water goes without a word, the ligand doesn't, nor does a heavy atom out of nowhere.
+  ASSERT_EQ(protein.Uncharged.size(), 1u);
+  EXPECT_EQ(protein.Uncharged[0], std::vector<std::size_t>{ 11 });
+  EXPECT_NE(DescribeUncharged(Molecule(), {}, protein).find("LIG 7:"), std::string::npos);
   EXPECT_EQ(protein.Warning.find("HOH"), std::string::npos) << protein.Warning;
   EXPECT_NE(protein.Warning.find(" 1 atoms other than hydrogens"), std::string::npos);
 }
@@ -169,12 +173,240 @@ TEST(ProteinCharges, EveryFailureOfTheProgramHasAMessage)
   far[3].Place[1] = -12345.0;
   ExpectSentence("exit 0", "9,999 angstrom", 60, far);
   ExpectSentence("exit 0", "no atom and residue names", 60, { NamedAtom{} });
+  ChargeOptions acid;
+  acid.PH = 15.0;
+  EXPECT_THROW(ChargeProtein(Molecule(), acid, Short(60)), std::invalid_argument);
   std::vector<NamedAtom> many;
   for (int i = 0; i < 63; ++i)
   {
     many.push_back(MakeAtom("N", "GLY", 1, std::to_string(i).c_str(), { 1.0 * i, 0, 0 }));
   }
   ExpectSentence("exit 0", "62 chains", 60, many);
+}
+
+/// Each atom but those with the words `except` in its line, and those that come again in their
+/// residue, with charge 0.5 and radius 1.5.
+std::string Echoing(const std::string& except = "nothing")
+{
+  return "for last in \"$@\"; do before=$file; file=$last; done\n"
+         "while read -r a b c d e f g h i j; do case \"$a $b $c $d $e $f\" in END*|" +
+    except +
+    ") ;; *) case \"$seen\" in *\"|$c $d $e $f|\"*) ;; *) seen=\"$seen|$c $d $e $f|\"; "
+    "echo \"$a $b $c $d $e $f $g $h $i 0.5 1.5\";; esac;; esac; done <\"$before\" >\"$file\"\n";
+}
+
+/// With the elements of their names.
+std::vector<NamedAtom> WithElements(std::vector<NamedAtom> atoms)
+{
+  for (NamedAtom& atom : atoms)
+  {
+    atom.Element = ElementFromAtomName(atom.Name, atom.Residue);
+  }
+  return atoms;
+}
+
+TEST(ProteinCharges, LostAtomsAreListed)
+{
+  const OnlyProgram program(Echoing("*' O GLY '*|*' CB '*|*' HA '*"));
+  std::vector<NamedAtom> atoms = Molecule();
+  atoms.push_back(MakeAtom("HA", "ALA", 15001, "AA-2", { -2.9, 0.2, 1.0 }));
+  atoms = WithElements(atoms);
+  const ChargedProtein protein = ChargeProtein(atoms, ChargeTable::AMBER, Short(60));
+  EXPECT_NE(protein.Warning.find("left out 2 atoms: O of GLY 15000 AA-2, CB of ALA 15001 AA-2."),
+    std::string::npos)
+    << protein.Warning;
+  ASSERT_EQ(protein.Notes.size(), 1u);
+  EXPECT_NE(protein.Notes[0].find("dropped: 1 (HA of ALA 15001 AA-2)"), std::string::npos)
+    << protein.Notes[0];
+}
+
+/// Two nucleotides; the program removes the phosphate of the first.
+TEST(ProteinCharges, PhosphatesAtTheEndAreRestored)
+{
+  std::vector<NamedAtom> atoms;
+  for (int r = 0; r < 2; ++r)
+  {
+    for (const char* name : { "P", "OP1", "OP2", "O5'", "C1'" })
+    {
+      const auto x = static_cast<double>(atoms.size());
+      atoms.push_back(MakeAtom(name, "G", r + 1, "R", { x, 0.5, 0.25 }));
+    }
+  }
+  const std::string rest = "ATOM 6 P RG A 2 5.000 0.500 0.250 1.2 2.1\\n"
+                           "ATOM 7 OP1 RG A 2 6.000 0.500 0.250 -0.8 1.6\\n"
+                           "ATOM 8 OP2 RG A 2 7.000 0.500 0.250 -0.8 1.6\\n"
+                           "ATOM 9 O5' RG A 2 8.000 0.500 0.250 -0.5 1.7\\n"
+                           "ATOM 10 C1' RG A 2 9.000 0.500 0.250 0.1 1.9\\n";
+  const std::string first = "ATOM 1 O5' RG A 1 3.000 0.500 0.250 -0.6 1.7\\n"
+                            "ATOM 2 C1' RG A 1 4.000 0.500 0.250 0.1 1.9\\n";
+  const auto answer = [](std::string text)
+  {
+    for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 5)
+    {
+      text.replace(at, 1, "'\"'\"'");
+    }
+    return Answering(text);
+  };
+  const OnlyProgram program(answer(first + "ATOM 3 H5T RG A 1 3.0 1.5 0.25 0.4 0\\n" + rest));
+  const ChargedProtein protein = ChargeProtein(WithElements(atoms), ChargeTable::AMBER, Short(60));
+  EXPECT_TRUE(protein.Warning.empty()) << protein.Warning;
+  ASSERT_EQ(protein.Notes.size(), 1u);
+  EXPECT_NE(protein.Notes[0].find("G 1 R"), std::string::npos) << protein.Notes[0];
+  ASSERT_EQ(protein.Atoms.size(), 10u);
+  double sum = 0.0;
+  for (const ForceFieldAtom& atom : protein.Atoms)
+  {
+    EXPECT_NE(atom.Name, "H5T");
+    sum += atom.Charge;
+  }
+  // Before: O5' and C1' of the first, its hydrogen, and the second residue.
+  EXPECT_NEAR(sum, -0.6 + 0.1 + 0.4 - 0.8 - 1.0, 1e-12);
+  // Without a hydrogen in its place, it is lost, and so listed.
+  const OnlyProgram other(answer(first + rest));
+  EXPECT_NE(ChargeProtein(WithElements(atoms), ChargeTable::AMBER, Short(60))
+              .Warning.find("left out 3 atoms: P of G 1 R, OP1 of G 1 R, OP2 of G 1 R."),
+    std::string::npos);
+}
+
+// Of chains under one name, one after the other and mixed, each is a chain of the program's file.
+TEST(ProteinCharges, CopiesOfAChainAreKept)
+{
+  const OnlyProgram program(Echoing());
+  std::vector<NamedAtom> first = WithElements(Molecule());
+  first.resize(10);
+  std::vector<NamedAtom> both = first;
+  std::vector<NamedAtom> mixed;
+  for (NamedAtom atom : first)
+  {
+    mixed.push_back(atom);
+    atom.Place[2] += 30.0;
+    both.push_back(atom);
+    mixed.push_back(atom);
+  }
+  for (const std::vector<NamedAtom>& atoms : { both, mixed })
+  {
+    const ChargedProtein protein = ChargeProtein(atoms, ChargeTable::AMBER, Short(60));
+    EXPECT_EQ(protein.Atoms.size(), 20u);
+    EXPECT_TRUE(protein.Warning.empty()) << protein.Warning;
+    std::set<std::size_t> sources;
+    for (const ForceFieldAtom& atom : protein.Atoms)
+    {
+      EXPECT_FALSE(atom.IsNew);
+      sources.insert(atom.SourceAtom);
+    }
+    EXPECT_EQ(sources.size(), 20u);
+  }
+  // Alternate locations are no copies.
+  std::vector<NamedAtom> alternate = first;
+  alternate[6].AltLoc = "A";
+  alternate[6].Occupancy = 0.4;
+  alternate.push_back(alternate[6]);
+  alternate.back().AltLoc = "B";
+  alternate.back().Occupancy = 0.6;
+  alternate.back().Place[0] += 0.5;
+  const ChargedProtein one = ChargeProtein(alternate, ChargeTable::AMBER, Short(60));
+  EXPECT_EQ(one.Atoms.size(), 10u);
+  EXPECT_TRUE(one.Warning.empty()) << one.Warning;
+}
+
+// The program stops at the first atom that it does not know, as its log says.
+TEST(ProteinCharges, AtomsThatStopTheProgramAreLeftOut)
+{
+  const std::string stop =
+    "for last in \"$@\"; do before=$file; file=$last; done\n"
+    "while read -r a b c d e; do case $c in HT2|QX) "
+    "echo \"CRITICAL:Found gap in biomolecule structure for atom $a $b $c $d 7 0 0 0\"; exit 1;; "
+    "esac; done <\"$before\"\n";
+  const OnlyProgram program(stop + Echoing());
+  std::vector<NamedAtom> atoms = Molecule();
+  atoms.push_back(MakeAtom("HT2", "ALA", 15001, "AA-2", { -2.9, 0.2, 1.0 }));
+  atoms.push_back(MakeAtom("HT2", "GLY", 15000, "AA-2", { 0.7, -0.7, 1.0 }));
+  atoms.push_back(MakeAtom("QX", "GLY", 15000, "AA-2", { 0.7, -0.7, -1.0 }));
+  atoms = WithElements(atoms);
+  const ChargedProtein protein = ChargeProtein(atoms, ChargeTable::AMBER, Short(60));
+  EXPECT_EQ(protein.Atoms.size(), 11u); // ten, and the ligand
+  EXPECT_NE(protein.Warning.find("left out 1 atom: QX of GLY 15000 AA-2."), std::string::npos)
+    << protein.Warning;
+  ASSERT_EQ(protein.Notes.size(), 1u);
+  EXPECT_NE(
+    protein.Notes[0].find("HT2 of GLY 15000 AA-2, HT2 of ALA 15001 AA-2"), std::string::npos)
+    << protein.Notes[0];
+}
+
+TEST(ProteinCharges, ArgumentsForPROPKA)
+{
+  const OnlyProgram program("echo \"Error: $*\" >&2; exit 1\n");
+  ChargeOptions acid;
+  acid.UsePropka = true;
+  acid.PH = 4.5;
+  for (const bool isUsed : { true, false })
+  {
+    acid.UsePropka = isUsed;
+    try
+    {
+      ChargeProtein(Molecule(), acid, Short(60));
+      ADD_FAILURE();
+    }
+    catch (const std::runtime_error& error)
+    {
+      const std::string said = error.what();
+      EXPECT_EQ(
+        said.find("--titration-state-method=propka --with-ph=4.50") != std::string::npos, isUsed)
+        << said;
+    }
+  }
+}
+
+/// A ligand with two heavy atoms and a hydrogen, as a MOL2 file has it, moved by `z`.
+std::vector<LigandAtom> Ligand(double z, const char* name = "C1")
+{
+  return { { MakeAtom(name, "LIG", 1, "", { 0.0, 9.0, z }), 0.3, 1.7 },
+    { MakeAtom("H1", "LIG", 1, "", { 0.0, 10.0, z }), 0.2, 1.2 },
+    { MakeAtom("C9", "OTH", 2, "", { 0.0, 0.0, z + 50.0 }), 9.0, 1.7 } };
+}
+
+std::vector<LigandAtom> WithElements(std::vector<LigandAtom> atoms)
+{
+  for (LigandAtom& atom : atoms)
+  {
+    atom.Named.Element = ElementFromAtomName(atom.Named.Name, atom.Named.Residue);
+  }
+  return atoms;
+}
+
+TEST(ProteinCharges, OfLigandsByPlaceOrName)
+{
+  const std::vector<NamedAtom> atoms = WithElements(Molecule());
+  ChargedProtein none;
+  none.Uncharged = { { 11 } };
+  // At the same place, whatever the names: the hydrogen comes along.
+  ChargedProtein placed = none;
+  AddLigandCharges(atoms, WithElements(Ligand(0.1, "CX")), placed);
+  ASSERT_EQ(placed.Atoms.size(), 2u);
+  EXPECT_EQ(placed.Atoms[0].Charge, 0.3);
+  EXPECT_EQ(placed.Atoms[0].SourceAtom, 11u);
+  EXPECT_TRUE(placed.Atoms[1].IsNew);
+  EXPECT_EQ(placed.Atoms[1].Charge, 0.2);
+  EXPECT_TRUE(placed.Uncharged.empty());
+  EXPECT_NE(placed.Notes.at(0).find("by place: 0.500 e"), std::string::npos) << placed.Notes[0];
+  // Elsewhere, by name: its charge goes to the carbon.
+  ChargedProtein named = none;
+  AddLigandCharges(atoms, WithElements(Ligand(20.0)), named);
+  ASSERT_EQ(named.Atoms.size(), 1u);
+  EXPECT_NEAR(named.Atoms[0].Charge, 0.5, 1e-12);
+  EXPECT_EQ(named.Atoms[0].Place, atoms[11].Place);
+  // Neither; a charge that is missing.
+  ChargedProtein left = none;
+  AddLigandCharges(atoms, WithElements(Ligand(20.0, "CX")), left);
+  std::vector<LigandAtom> unknown = WithElements(Ligand(0.0));
+  unknown[0].Charge = std::nan("");
+  AddLigandCharges(atoms, unknown, left);
+  EXPECT_TRUE(left.Atoms.empty());
+  ASSERT_EQ(left.Uncharged.size(), 1u);
+  std::vector<double> formal(atoms.size(), std::nan(""));
+  formal[11] = 2.0;
+  EXPECT_NE(
+    DescribeUncharged(atoms, formal, left).find("LIG 7 (formal charge 2)"), std::string::npos);
 }
 
 vtkSmartPointer<vtkPolyData> Points(const std::vector<NamedAtom>& atoms)

@@ -50,18 +50,6 @@ TEST(MMCIF, NumbersThatNoIntHoldsAreRefusedByTheirColumn)
   EXPECT_NE(Why(TwoAtoms("2", "1", "1", large)).find("formal_charge"), std::string::npos);
 }
 
-// gemmi would make a name of each number from the first to the last.
-TEST(MMCIF, LongRangesOfOperationsAreRefused)
-{
-  const std::string assembly =
-    "_pdbx_struct_assembly.id 1\n_pdbx_struct_assembly_gen.assembly_id 1\n"
-    "_pdbx_struct_assembly_gen.asym_id_list A\n"
-    "_pdbx_struct_assembly_gen.oper_expression ";
-  const std::string atoms = TwoAtoms("2", "1", "1", "0");
-  EXPECT_EQ(Why(atoms + assembly + "(1-60)\n"), "");
-  EXPECT_NE(Why(atoms + assembly + "(1-2000000000)\n").find("oper_expression"), std::string::npos);
-}
-
 TEST(MMCIF, MalformedUnusedCategoriesDropNoAtoms)
 {
   const std::string atoms = TwoAtoms("2", "1", "1", "0");

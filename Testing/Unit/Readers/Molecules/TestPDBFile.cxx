@@ -510,9 +510,9 @@ TEST(PDBRecords, StrayRecordsDropNoAtoms)
 TEST(PDBRecords, DroppedRecordsAreCounted)
 {
   const std::string atoms = AtomLine("1", " N", "ALA A   1 ", 0, 0, 0, "  1.00 10.00           N") +
-    AtomLine("2", " CA", "ALA A   1 ", 9, 0, 0, "  1.00 10.00           C") +
-    AtomLine("3", " C", "ALA A   1 ", 18, 0, 0, "  x.xx 10.00           C") +
-    AtomLine("4", " O", "ALA A   1 ", 27, 0, 0, "  1.00 10.00           Oxy");
+    AtomLine("2", " CA", "ALA A   1 ", 4, 0, 0, "  1.00 10.00           C") +
+    AtomLine("3", " C", "ALA A   1 ", 8, 0, 0, "  x.xx 10.00           C") +
+    AtomLine("4", " O", "ALA A   1 ", 12, 0, 0, "  1.00 10.00           Oxy");
   const Macromolecule molecule = FromPDB(atoms +
     "CONECT    1    2\nCONECT nonsense\nCONECT more of it\nCONECT    1    z\nCONECT    1   77\n");
   EXPECT_EQ(molecule.Atoms.size(), 4u);

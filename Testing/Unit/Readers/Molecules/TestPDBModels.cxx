@@ -173,7 +173,7 @@ TEST(PDBModels, AtomsOutsideOfModelsJoinAnAdjacentModel)
   EXPECT_EQ(Reading(ligand + model).Sizes(), (Sizes{ 1, 31, 31 }));
   EXPECT_EQ(Reading(model + model + ligand).Sizes(), (Sizes{ 2, 30, 31 }));
   // Models may differ, and may be empty: MODEL says that they are models.
-  EXPECT_EQ(Reading(model + "MODEL        2\n" + Chain('B', 5, 4) + "ENDMDL\n").Sizes(),
+  EXPECT_EQ(Reading(model + "MODEL        2\n" + Chain('B', 1, 4) + "ENDMDL\n").Sizes(),
     (Sizes{ 2, 30, 12 }));
 }
 
@@ -400,4 +400,34 @@ TEST(PDBModels, EndIsCountedAcrossTheEndsOfBlocks)
     const TemporaryFile one(text.substr(0, text.find("END\n")) + "END\n", "one.pdb");
     EXPECT_EQ(CountModels(one.Path(), MoleculeFormat::PDB), 1) << shift;
   }
+}
+
+// ------------------------------------------------------------------------------------------
+// Copies of a chain under one name
+
+TEST(PDBModels, CopiesOfAChainUnderOneNameAreChains)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("reports/r11_same_chain_TER.pdb");
+  const Macromolecule twice = FromReport("r11_same_chain_TER.pdb");
+  EXPECT_EQ(twice.Atoms.size(), 476u);
+  EXPECT_EQ(twice.Atoms.front().Chain, "A");
+  EXPECT_NE(twice.Atoms.back().Chain, "A");
+  EXPECT_TRUE(Mention(twice.Notes, "A, copy 2, is B"));
+  // With and without TER, without a name, three times, water and ligands behind them.
+  const std::string water =
+    AtomLine("1", " O", "HOH A 501 ", 3, 3, 3, "  1.00  0.00           O", true);
+  for (const std::string ter : { "", "TER\n" })
+  {
+    const Reading three(Chain('A', 0) + ter + Chain('A', 20) + ter + Chain('A', 40) + ter + water);
+    EXPECT_EQ(three.Sizes(), (Sizes{ 1, 91, 91 }));
+    EXPECT_EQ(three.Chains(), "ABC");
+    const Macromolecule blank = FromPDB(Chain(' ', 0) + ter + Chain(' ', 20));
+    EXPECT_EQ(blank.Atoms.size(), 60u);
+    EXPECT_EQ(blank.Atoms.back().Chain, "A");
+  }
+  // Water and ligands of a chain after TER, and atoms of a residue that come later, are none.
+  const Reading one(Chain('A', 0) + "TER\n" + water);
+  EXPECT_EQ(one.Chains(), "A");
+  const std::string late = AtomLine("1", " CB", "ALA A   3 ", 3, 3, 3, "  1.00  0.00           C");
+  EXPECT_EQ(Reading(Chain('A', 0) + late).Chains(), "A");
 }
