@@ -40,6 +40,33 @@ std::vector<std::string> JoinNotes(vtkPointSet* atoms, const std::vector<std::st
 
 }
 
+const std::vector<isthmus::OutputArray>& vtkForceFieldCharges::OutputArrayTable()
+{
+  using isthmus::ArrayChoice;
+  using isthmus::ArrayPlace;
+  static const std::vector<isthmus::OutputArray> table{
+    { 0, ArrayPlace::Points, "Charge", 1, "e", ArrayChoice::None, "of the force field" },
+    { 0, ArrayPlace::Points, "Radius", 1, "angstrom", ArrayChoice::None, "of the force field" },
+    { 0, ArrayPlace::Points, "AtomName", 1, "", ArrayChoice::None, "of the atom" },
+    { 0, ArrayPlace::Points, "Element", 1, "", ArrayChoice::None, "atomic number" },
+    { 0, ArrayPlace::Points, "InputAtom", 1, "", ArrayChoice::None,
+      "point of the input; -1: a new atom" },
+    { 0, ArrayPlace::Points, "ResidueName", 1, "", ArrayChoice::None,
+      "of the residue; where the input has it" },
+    { 0, ArrayPlace::Points, "ResidueId", 1, "", ArrayChoice::None,
+      "of the residue; where the input has it" },
+    { 0, ArrayPlace::Points, "Chain", 1, "", ArrayChoice::None,
+      "of the residue; where the input has it" },
+    { 0, ArrayPlace::Points, "InsertionCode", 1, "", ArrayChoice::None,
+      "of the residue; where the input has it" },
+    { 0, ArrayPlace::Points, "IsHetero", 1, "", ArrayChoice::None,
+      "of the residue; where the input has it" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "hydrogens with unknown names; those of the input" },
+  };
+  return table;
+}
+
 vtkForceFieldCharges::vtkForceFieldCharges()
   : Cache(std::make_unique<isthmus::ForceFieldAtomsCache>())
 {
@@ -85,7 +112,7 @@ int vtkForceFieldCharges::RequestData(
         if (ligands)
         {
           isthmus::AddNotes(
-            JoinNotes(atoms, { "The atoms have charges already: input 2 was not used." }), output);
+            JoinNotes(atoms, { "The atoms have charges already: input 1 was not used." }), output);
         }
         return;
       }

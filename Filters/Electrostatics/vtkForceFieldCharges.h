@@ -72,6 +72,9 @@ public:
   vtkGetMacro(PH, double);
   ///@}
 
+  /// The arrays that the filter adds to its outputs.
+  static const std::vector<isthmus::OutputArray>& OutputArrayTable();
+
 protected:
   vtkForceFieldCharges();
   ~vtkForceFieldCharges() override;
