@@ -1,6 +1,7 @@
 """Trajectories as simulation programs write them: times that are not equally spaced, molecules broken at the periodic
 box, virtual sites, two atoms at one place."""
 
+import shutil
 import sys
 import tempfile
 import warnings
@@ -50,12 +51,18 @@ assert list(gap.TimestepValues) == [0, 10, 20, 100, 110], list(gap.TimestepValue
 
 # Atoms in the order of the topology, two of them at one place in the first frame.
 folder = shared_data("reports/traj/drude")
-drude = MDAnalysis.Universe(str(folder / "top.pdb"), str(folder / "t.xtc"))
+there = sorted(file.name for file in folder.iterdir())
 reader = simple.OpenDataFile(str(folder / "t.xtc"))
-for step in drude.trajectory:
-    places, names, _, atoms = frame(reader, step.time)
-    assert names == list(drude.atoms.names), step.frame
-    assert abs(places - drude.atoms.positions).max() < 1e-4, step.frame
+reader.UpdatePipelineInformation()
+with tempfile.TemporaryDirectory() as copies:  # MDAnalysis keeps an index beside the file
+    for name in ("top.pdb", "t.xtc"):
+        shutil.copyfile(folder / name, Path(copies) / name)
+    drude = MDAnalysis.Universe(f"{copies}/top.pdb", f"{copies}/t.xtc")
+    for step in drude.trajectory:
+        places, names, _, atoms = frame(reader, step.time)
+        assert names == list(drude.atoms.names), step.frame
+        assert abs(places - drude.atoms.positions).max() < 1e-4, step.frame
+assert sorted(file.name for file in folder.iterdir()) == there
 
 with tempfile.TemporaryDirectory() as folder:
     folder = Path(folder)
