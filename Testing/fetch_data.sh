@@ -44,11 +44,15 @@ get()
 }
 
 missing=()
-kept=0 new=0
+kept=0 new=0 unpublished=0
 while IFS=$'\t' read -r file how where sha; do
   target=$into/$file part=$into/$file.part
   if [ -f "$target" ] && [ "$(sum "$target" "$how")" = "$sha" ]; then
     kept=$((kept + 1))
+    continue
+  fi
+  if [ "$how" = shared ]; then
+    unpublished=$((unpublished + 1))
     continue
   fi
   mkdir -p "$(dirname "$target")"
@@ -84,6 +88,7 @@ while IFS=$'\t' read -r file how where sha; do
 done < <(grep -v '^#' "${ISTHMUS_DATA_TABLE:-$here/Data/files.tsv}")
 
 echo "$new fetched, $kept there already, ${#missing[@]} missing, in $into"
+[ $unpublished -eq 0 ] || echo "$unpublished files are not public: tests that read them are skipped."
 [ -f "$into/molecules/1hew/1hew_potential.dx.gz" ] ||
   echo "molecules/1hew/1hew_potential.dx.gz is made, not fetched: run apbs on in.apbs in that folder, gzip the potential."
 [ ${#missing[@]} -eq 0 ]
