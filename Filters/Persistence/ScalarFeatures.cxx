@@ -72,7 +72,7 @@ double AboveLargestGap(const std::vector<ScalarFeature>& features)
   return threshold;
 }
 
-/// How many of `sorted places` are at or before each level, and the sum of (level - place) of
+/// The number of `sorted places` at or before each level, and the sum of (level - place) of
 /// those.
 struct CountsBelow
 {

@@ -499,7 +499,7 @@ private:
     return static_cast<std::size_t>(after - this->Model.begin()) - 1;
   }
 
-  /// The index of the atom with this serial number; -1 if there are several.
+  /// From a serial number to the index of its atom; -1 if there are several.
   using Places = std::unordered_map<int, std::int64_t>;
 
   /// Those of a part, whose atoms follow each other, or of all.
