@@ -92,8 +92,8 @@ def look_at(source, root, build):
 
 
 def check(sources, root, build, seconds=0, jobs=1, say=print):
-    """(places found, sources looked at) of `sources`, in their order until the time is over,
-    but one at least: a slow machine must not pass for having looked at none."""
+    """(places found, sources checked) of `sources`, in their order until the time is over,
+    but one at least: a slow machine must not pass without having checked any."""
     end = time.monotonic() + seconds if seconds > 0 else float("inf")
     seen, looked_at = set(), 0
 
@@ -127,7 +127,7 @@ def main():
     root = given.root.resolve()
     build = (given.build or root / "build").resolve()
     if not shutil.which("clang-tidy"):
-        print("clang-tidy is not installed: nothing was looked at.")
+        print("clang-tidy is not installed: nothing was checked.")
         return 1 if os.environ.get("ISTHMUS_REQUIRE_DATA") == "1" else 77
     if not given.files and not ((root / ".git").exists() and shutil.which("git")):
         print("Not a clone, or git is not installed: no changed files are known.")
@@ -146,7 +146,7 @@ def main():
     if not asked and not given.base:  # sources that no commit names: a shallow clone has few
         chosen += [source for source in sources if source not in set(chosen)]
     found, looked_at = check(chosen, root, build, given.seconds, given.jobs)
-    print(f"{looked_at} of {len(chosen)} sources looked at (of {len(sources)} in all), {found} complaints")
+    print(f"{looked_at} of {len(chosen)} sources checked (of {len(sources)} in all), {found} complaints")
     return 1 if found else 0
 
 

@@ -29,7 +29,7 @@ struct HydrogenBond
   double Energy = MostEnergyOfBond;
 };
 
-/// The hydrogen bonds of a protein, and which residues follow each other.
+/// The hydrogen bonds of a protein, and the order of its residues.
 class BackboneBonds
 {
 public:

@@ -502,7 +502,7 @@ private:
   /// From a serial number to the index of its atom; -1 if there are several.
   using Places = std::unordered_map<int, std::int64_t>;
 
-  /// Those of a part, whose atoms follow each other, or of all.
+  /// Those of a part, whose atoms are consecutive, or of all.
   Places IndexAtoms(std::optional<std::size_t> part) const
   {
     std::size_t first = 0;

@@ -67,7 +67,7 @@ std::vector<ChargedAtom> ChargedWall(const MembraneSlab& m, double radius, doubl
 
 /// The pressure on the wall of an infinitely long pore, kT/angstrom^3: Poisson-Boltzmann's equation
 /// in the radius alone (Runge and Kutta, from the axis), the charge of its ions known.
-double RadialPush(const IonTransportParameters& p, double radius, double perAngstrom)
+double WallPressure(const IonTransportParameters& p, double radius, double perAngstrom)
 {
   const double coulomb = 4.0 * Pi * units::CoulombLength(p.Temperature);
   const double ions = units::IonsPerCubicAngstrom * p.Species[0].Below; // symmetric salt
@@ -195,7 +195,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
     channel.Run();
     const WallValues wall = channel.ForceAtWall();
     double sum = 0.0, count = 0.0;
-    const double exact = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
+    const double exact = WallPressure(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     for (std::size_t i = 0; i < wall.Pull.size(); ++i)
     {
       const Point3 at = MovingChannel::Padded(domain).Place(wall.Crossings[i].Node);
@@ -223,7 +223,7 @@ TEST(MovingChannel, AChargedPoreMovesAsPredicted)
     p.MembraneThickness = 60.0;
     p.SoluteDielectric = dielectric;
     p.Voltage = 0.0;
-    const double push = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
+    const double push = WallPressure(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     const double tension = 3.0 * push * radius; // field and ions are a third as strong
     MovingChannel channel(
       DomainAround({}, p), {}, ChargedWall(p, 7.5, charge), {}, p, Walls(tension, 0.0, 40, 2));
