@@ -149,7 +149,7 @@ def main():
     complaints, looked_at = links.check(output / "html")
     for complaint in complaints:
         print(complaint)
-    print(f"{looked_at} internal links looked at, {len(complaints)} broken")
+    print(f"{looked_at} internal links checked, {len(complaints)} broken")
     print(f"The guide: {output / 'html' / 'index.html'}")
     return 0 if good and looked_at and not complaints else 1
 

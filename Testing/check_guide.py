@@ -92,7 +92,7 @@ def main():
         complaints.append(f"no panel was found under {root}")
     for complaint in complaints:
         print(complaint)
-    print(f"{looked_at} panels looked at, {len(complaints)} complaints")
+    print(f"{looked_at} panels checked, {len(complaints)} complaints")
     return 1 if complaints else 0
 
 

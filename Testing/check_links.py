@@ -91,7 +91,7 @@ def main():
         complaints.append(f"no link was found under {root}")
     for complaint in complaints:
         print(complaint)
-    print(f"{looked_at} links looked at, {len(complaints)} complaints")
+    print(f"{looked_at} links checked, {len(complaints)} complaints")
     return 1 if complaints else 0
 
 

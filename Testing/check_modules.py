@@ -121,7 +121,7 @@ def check_lists(module):
 
 
 def check_includes(module, owners, installed):
-    """(complaints, includes looked at, {concept: concepts of this module it includes})"""
+    """(complaints, includes checked, {concept: concepts of this module it includes})"""
     complaints, looked_at, graph = [], 0, collections.defaultdict(set)
     for path in module.files:
         place = f"{module.place}/{path.name}"
@@ -210,7 +210,7 @@ def check_names(headers):
 
 
 def check(root):
-    """All complaints about the tree under `root`, and how many includes were looked at."""
+    """All complaints about the tree under `root`, and the number of includes checked."""
     modules = modules_of(root)
     complaints, owners = [], {}
     folders = {module.folder for module in modules}
@@ -248,7 +248,7 @@ def main():
         complaints.append(f"no include of a header of ours was found under {root}")
     for complaint in complaints:
         print(complaint)
-    print(f"{looked_at} includes looked at, {len(complaints)} complaints")
+    print(f"{looked_at} includes checked, {len(complaints)} complaints")
     return 1 if complaints else 0
 
 

@@ -194,7 +194,7 @@ def main():
     root = given.root.resolve()
     build = (given.build or root / "build").resolve()
     if not shutil.which("clang-tidy"):
-        print("clang-tidy is not installed: nothing was looked at.")
+        print("clang-tidy is not installed: nothing was checked.")
         return 1 if os.environ.get("ISTHMUS_REQUIRE_DATA") == "1" else 77
     if not given.files and not ((root / ".git").exists() and shutil.which("git")):
         print("Not a clone, or git is not installed: no changed files are known.")

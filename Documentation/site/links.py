@@ -27,7 +27,7 @@ def read(path):
 
 
 def check(folder):
-    """(complaints, number of links looked at)."""
+    """(complaints, number of links checked)."""
     known = {path: read(path) for path in sorted(Path(folder).rglob("*.html"))}
     complaints, looked_at = [], 0
     for path, page in known.items():

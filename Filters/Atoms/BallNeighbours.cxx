@@ -31,7 +31,7 @@ struct Circle
 {
   Place Center;
   Place First;  ///< from the center to the circle
-  Place Second; ///< the same, a right angle further
+  Place Second; ///< the same, turned by a right angle
   double Radius = 0.0;
 
   Circle(const Ball& a, const Ball& b)
@@ -175,7 +175,7 @@ bool BallNeighbours::IsFree(std::size_t ball, const Place& place, std::int64_t& 
 {
   const auto covers = [&](std::int64_t other)
   {
-    // Touching is not covering: the spheres that the place lies on do not count.
+    // A sphere through the place does not cover it.
     const Ball& by = this->Balls[static_cast<std::size_t>(other)];
     const double reach = by.Radius * (1.0 - 1e-9);
     return SquaredDistance(place, by.Center) < reach * reach;

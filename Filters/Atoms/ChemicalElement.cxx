@@ -42,8 +42,8 @@ bool IsInList(std::string_view text, std::string_view list)
 /// Residues in which no atom is of an element with two letters, whatever its name.
 bool IsBiopolymerResidue(std::string_view name)
 {
-  // AMBER's and CHARMM's names of terminal and protonated residues end or begin with one letter
-  // more.
+  // AMBER's and CHARMM's names of terminal and protonated residues have one more letter at the
+  // beginning or the end.
   constexpr std::string_view names =
     "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL HID HIE HIP "
     "HSD HSE HSP CYX CYM ASH GLH LYN A C G U DA DC DG DT DU RA RC RG RU ";
@@ -78,7 +78,7 @@ bool IsSymbolOfTwoLetters(std::string_view name, std::string_view letters)
 constexpr std::size_t Letters = 27;
 constexpr std::size_t LettersSquared = Letters * Letters;
 
-/// LettersSquared for what is not one or two letters.
+/// LettersSquared if the text is not one or two letters.
 std::size_t LettersIndex(std::string_view symbol)
 {
   const auto placeOf = [](char c) { return static_cast<std::size_t>((c | 0x20) - 'a') + 1; };

@@ -248,7 +248,7 @@ DensityGrid GridAroundBalls(
       throw std::invalid_argument("A Spacing of " + FormatNumber(spacing) +
         " would make more than 2^31 nodes along an axis: choose a larger one.");
     }
-    // Two at least, so that contours and gradients exist.
+    // At least two, so that contours and gradients exist.
     grid.Dimensions[axis] = std::max<std::int64_t>(2, static_cast<std::int64_t>(nodes));
   }
   return grid;

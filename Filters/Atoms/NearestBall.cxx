@@ -22,7 +22,7 @@ NearestBall::NearestBall(const std::vector<Ball>& balls)
       this->Largest = std::max(this->Largest, ball.Radius);
     }
   }
-  // Cells as wide as a ball, or wider where the balls lie far apart.
+  // Cells as wide as a ball, or wider if the balls are far apart.
   this->Size = std::max(2.0 * this->Largest, 1e-6);
   const double most = 8.0 * static_cast<double>(balls.size()) + 8.0;
   const auto cells = [&](std::size_t axis)

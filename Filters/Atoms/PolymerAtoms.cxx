@@ -194,7 +194,7 @@ bool IsIncluded(const PolymerOptions& options, Kind kind)
   }
 }
 
-/// The alternate location to keep of each place in a chain, where there are any.
+/// The alternate location to keep for each position in a chain, where there are any.
 class Locations
 {
 public:

@@ -52,8 +52,8 @@ void NameAtom(const NamedAtom& atom, std::size_t index, PolymerResidue& residue)
   }
 }
 
-/// Names with which residues of chains begin, of all atoms or of traces. Other names can repeat:
-/// old files have alternate locations without a letter.
+/// Names with which residues of chains begin, of all atoms or of traces. Other names can occur
+/// twice: old files have alternate locations without a letter.
 bool IsFirstName(const std::string& name)
 {
   return name == "N" || name == "CA" || name == "P" || name == "O5'" || name == "O5*" ||
@@ -89,7 +89,7 @@ void CompleteResidue(const std::vector<NamedAtom>& atoms, PolymerResidue& residu
   }
 }
 
-/// Whether both atoms exist and are that close; `otherwise` if one is missing.
+/// Whether both atoms exist and are within the distance; `otherwise` if one is missing.
 template <typename Otherwise>
 bool AreNear(const std::vector<NamedAtom>& atoms, std::int64_t a, std::int64_t b, double most,
   Otherwise&& otherwise)

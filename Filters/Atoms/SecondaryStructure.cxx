@@ -29,7 +29,7 @@ struct HydrogenBond
   double Energy = MostEnergyOfBond;
 };
 
-/// The hydrogen bonds of a protein, and which residues follow each other.
+/// The hydrogen bonds of a protein, and the order of its residues.
 class BackboneBonds
 {
 public:
@@ -291,8 +291,8 @@ void MarkStrands(const BackboneBonds& bonds, std::vector<SecondaryStructure>& of
   }
 }
 
-/// Helices of `stride` residues per turn, where two turns begin one after the other and all
-/// residues are coil, or `over`.
+/// Helices of `stride` residues per turn, where two consecutive turns begin and all residues are
+/// coil, or `over`.
 void MarkHelices(const BackboneBonds& bonds, std::int64_t stride, SecondaryStructure helix,
   std::initializer_list<SecondaryStructure> over, std::vector<SecondaryStructure>& of)
 {

@@ -223,7 +223,7 @@ private:
       {
         this->Grid->GetPoint(point, position.data());
       }
-      return position; // a wrong number is rejected later, with all others of its kind
+      return position; // an invalid number is rejected later, with all others of its kind
     };
     const std::array<double, 3> origin = at(0);
     double sum = 0.0;

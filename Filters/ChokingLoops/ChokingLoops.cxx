@@ -37,7 +37,7 @@ constexpr double BytesOfWord = 24.0;
 /// In triangulations: all stages together,
 constexpr double UnitsOfStages = 3.2;
 
-/// what reducing a class of M adds,
+/// the cost of reducing a class of M,
 constexpr double UnitsOfClass = 0.006;
 
 /// and TetGen's mesh of the surface's own points with its pairs, in samples per point.

@@ -184,8 +184,8 @@ const std::vector<int>& SpaceRegions::Of(TetrahedronId cell)
   return known->second;
 }
 
-// In a Delaunay triangulation the circumcenter is what keeps its distance from M; in a mesh that
-// conforms to M the tetrahedron itself lies on one side.
+// In a Delaunay triangulation the side is decided by the circumcenter, which has a distance from M;
+// in a mesh that conforms to M the tetrahedron itself lies on one side.
 Point3 SpaceRegions::Inner(TetrahedronId deepest) const
 {
   const CellFiltration& f = this->Context.Filtration;

@@ -442,7 +442,8 @@ public:
   {
   }
 
-  /// Those longer than all before, `longest` at most. @pre The trees reach as far as half of that.
+  /// Those longer than all previous ones, at most `longest`. @pre The trees reach as far as half of
+  /// that.
   std::vector<Closed> Next(const HomologySpan& bounding, double longest);
 
 private:
@@ -465,8 +466,8 @@ void LoopsThrough::Search(double longest)
   const double straight = one.Length(this->Other.Root());
   const HomologyClass back = this->One.ClassTo(this->Other.Root());
   HomologyClass c;
-  // From the edge's end to the other root it is no farther than back over the edge: a loop there is
-  // at most twice as long as `straight`, the path to the point and the edge. Shorter ones were
+  // From the edge's end, the other root is no farther than the way back over the edge: a loop there
+  // is at most twice as long as `straight`, the path to the point and the edge. Shorter ones were
   // found before.
   for (std::size_t i = one.FirstBeyond(0.5 * this->Searched - straight - one.LongestEdge());
        i < one.Points().size(); ++i)
@@ -561,7 +562,7 @@ std::vector<Closed> NextLoops(
   return loops;
 }
 
-/// Adds the membranes of loops that may stand for the feature's own.
+/// Adds the membranes of loops that may replace those of the feature.
 void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
   std::size_t feature, std::vector<Closed> loops, std::vector<Membrane>& membranes)
 {

@@ -99,7 +99,7 @@ CellFiltration FiltrationByBalls(TetrahedralMesh&& mesh, TriangleMesh& surface)
   return f;
 }
 
-/// Points of the complex as those of the surface given; TetGen's own follow as extra ones.
+/// Maps points of the complex to those of the given surface; points added by TetGen follow.
 class Renamer
 {
 public:
@@ -241,7 +241,7 @@ bool SplitSurface::IsSplit(SimplexId a, SimplexId b) const
   return this->Original.Find(a, b).Exists() && !this->Samples.Find(a, b).Exists();
 }
 
-// The points from a (included) to b (not included). Midpoints were made by the same formula.
+// The points from a (included) to b (not included). Midpoints were computed by the same formula.
 void SplitSurface::AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const
 {
   if (this->Samples.Find(a, b).Exists())

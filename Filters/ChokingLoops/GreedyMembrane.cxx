@@ -132,8 +132,8 @@ std::vector<TetrahedronId> GreedyGrowth::Star(SimplexId v) const
   return star;
 }
 
-/// True for a triangle that a patch may take: in the filtration before the choke triangle, and not
-/// within one cluster.
+/// True for a triangle that a patch may contain: it precedes the choke triangle in the filtration,
+/// and is not within one cluster.
 bool GreedyGrowth::IsOpen(TriangleId t) const
 {
   const auto cluster = [this](TetrahedronId cell)
@@ -286,7 +286,8 @@ void GreedyGrowth::Replace(std::size_t walk, std::size_t place, const std::vecto
   ClosedWalk old = std::move(this->Boundary[walk]);
   this->Boundary.erase(this->Boundary.begin() + static_cast<std::ptrdiff_t>(walk));
   std::rotate(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(place), old.end());
-  ClosedWalk next(old.begin() + 1, old.end()); // from after the vertex around to before it
+  ClosedWalk next(
+    old.begin() + 1, old.end()); // from the point after the vertex to the one before it
   next.insert(next.end(), path.begin() + 1, path.end() - 1);
   this->Split(std::move(next));
 }

@@ -25,7 +25,8 @@ namespace
 constexpr double FewestPoints = 32.0;
 constexpr double MostPoints = 256.0;
 
-/// Each averages a direction with its two neighbours: over about two rims in all.
+/// Each round averages a direction with its two neighbours; together they cover about two rim
+/// widths.
 constexpr int SmoothingRounds = 8;
 
 double CurveLength(const std::vector<Point3>& loop)
@@ -69,8 +70,8 @@ Point3 Unit(const Point3& v)
   return length > 0.0 ? (1.0 / length) * v : v;
 }
 
-/// Makes unit vectors along a closed loop change slowly: where it bends sharply, those of
-/// neighbours would cross.
+/// Makes unit vectors along a closed loop change slowly: otherwise vectors of neighbours would
+/// cross at sharp bends.
 void Smooth(std::vector<Point3>& directions)
 {
   const std::size_t n = directions.size();
@@ -122,8 +123,8 @@ Frame ComputeFrame(const std::vector<Point3>& loop, const std::vector<Triangle>&
   return frame;
 }
 
-/// The filling of the rim, above and below, and a wall. Corners are off the loop, since on a
-/// straight wall theirs could lie on it, up to rounding.
+/// The filling of the rim, above and below, and a wall. Corners are at a distance from the loop,
+/// since on a straight wall they could lie on it, up to rounding.
 TriangleMesh MakeSolid(const MembranePlate& plate, const std::vector<Triangle>& filling,
   const Frame& frame, double rim, bool isAlong)
 {
@@ -378,7 +379,7 @@ private:
     const double change = (isTunnel ? 1.0 : -1.0) * (then.Volume - this->Now.Volume);
     const double ratio = change / (plate.Area * plate.Thickness);
     if (then.Components != this->Now.Components || then.Genus() + 1 != this->Now.Genus() ||
-      !(ratio < VolumeFactor) || !(VolumeFactor * ratio > 1.0) || !this->IsSound(after.Mesh))
+      !(ratio < VolumeFactor) || !(VolumeFactor * ratio > 1.0) || !this->IsCleanResult(after.Mesh))
     {
       return false;
     }
@@ -391,7 +392,7 @@ private:
     return true;
   }
 
-  bool IsSound(const SurfaceView& mesh) const
+  bool IsCleanResult(const SurfaceView& mesh) const
   {
     return FindDefects(mesh).None() && SelfIntersections(mesh).empty() &&
       ThinTriangles(mesh).size() <= ThinTriangles(this->Result.Mesh).size();

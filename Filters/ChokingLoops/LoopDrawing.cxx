@@ -23,7 +23,7 @@ namespace isthmus
 namespace
 {
 
-/// Number of points of the hull to try; far fewer give the nearest to a hundredth.
+/// Number of points of the hull to try; far fewer already give the nearest one to 1 %.
 constexpr int Steps = 200;
 
 }
@@ -103,7 +103,7 @@ double SharpestTurn(const std::vector<Point3>& polygon, double least)
 namespace
 {
 
-/// Triangles between two closed curves, advancing on whichever has the shorter diagonal.
+/// Triangles between two closed curves, advancing on the curve with the shorter diagonal.
 class Zipper
 {
 public:
@@ -189,7 +189,7 @@ std::vector<SimplexId> PinsOn(
   return on;
 }
 
-/// Replaces a loop by a tight curve and adapts the membrane.
+/// Replaces a loop by a shortest curve and adapts the membrane.
 void Follow(const SurfaceAdjacency& surface, const SurfaceCurve& tight, double cut,
   std::vector<SimplexId>& loop, LoopFeature& feature)
 {
@@ -287,10 +287,10 @@ double LoopFeature::LongestLength() const
 namespace
 {
 
-/// Other loops are tried for those longer than the shortest girth by this factor.
+/// Other loops are tried for those longer than the shortest circumference by this factor.
 constexpr double Roomy = 1.5;
 
-/// Factor of ShortestGirth(): by how much discretisation may shorten a loop.
+/// Factor of ShortestGirth(): the amount by which discretisation may shorten a loop.
 constexpr double Slack = 0.98;
 
 std::vector<Point3> LoopPoints(
@@ -380,7 +380,7 @@ private:
     None,
     Collapsed,
     Short,   ///< there is no room for the ball in it
-    Hairpin, ///< belongs to the choke point, but goes back along itself
+    Hairpin, ///< belongs to the choke point, but retraces itself
     Strays,  ///< tight, but elsewhere
     Jagged,  ///< belongs to the choke point, but is fixed at a sharp turn
     Fits
@@ -495,7 +495,7 @@ void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
 namespace
 {
 
-/// The feature by one method alone; nothing where that makes no membrane.
+/// The feature by one method alone; nothing if the method yields no membrane.
 std::optional<LoopFeature> DrawnBy(MembraneMethod method, ChokingLoops& loops, std::size_t index,
   int rounds, const ProgressCallback& progress)
 {
@@ -587,7 +587,7 @@ namespace
 /// A smaller sample does not predict the others.
 constexpr std::size_t LeastSample = 24;
 
-/// One in this number is drawn first.
+/// One out of this number is drawn first.
 constexpr std::size_t SampleShare = 4;
 
 }
@@ -664,7 +664,7 @@ private:
   std::atomic<bool> IsStopped{ false };
   std::mutex Mutex; ///< of the members below
   std::condition_variable Changed;
-  std::vector<double> Done; ///< of each task that is done, ascending: seconds since the start
+  std::vector<double> Done; ///< for each finished task, ascending: seconds since the start
   std::exception_ptr Failure;
   Stopwatch Clock;
   double Passed = 0.0; ///< on it
@@ -799,7 +799,7 @@ void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features,
   }
   catch (const Cancelled&)
   {
-    keep(); // what is done need not be drawn again
+    keep(); // finished features need not be drawn again
     throw;
   }
   keep();

@@ -18,8 +18,8 @@ namespace isthmus
 namespace
 {
 
-/// A crossing with what unfolding needs of the triangle that the curve enters there: lengths are
-/// computed once for each crossing, not in each round.
+/// A crossing with the data of the triangle that the curve enters there, which unfolding needs:
+/// lengths are computed once for each crossing, not in each round.
 struct StripEdge
 {
   SurfaceCurvePoint Crossing;
@@ -126,7 +126,7 @@ Point2 ThirdCorner(const StripEdge& e, std::size_t place, const UnfoldedStrip& p
   return UnfoldCorner(plane.From[place], plane.To[place], e.Sides[0], e.Sides[1]);
 }
 
-/// Lays down the triangle beyond an edge at `place` of the plane, up to the next edge.
+/// Unfolds the triangle beyond an edge at `place` of the plane, up to the next edge.
 void UnfoldOver(const StripEdge& e, const StripEdge& next, std::size_t place, UnfoldedStrip& plane)
 {
   const Point2 apex = ThirdCorner(e, place, plane);
@@ -135,7 +135,7 @@ void UnfoldOver(const StripEdge& e, const StripEdge& next, std::size_t place, Un
   plane.To[place + 1] = keepsTo ? plane.To[place] : apex;
 }
 
-/// One curve under shortening.
+/// A curve being shortened.
 class Shortener
 {
 public:
@@ -152,11 +152,11 @@ public:
   /// Shortest paths in the strip, each cut open at another edge than the one before.
   void Straighten(int turns);
 
-  /// The shortest closed path in the strip: until it gains no more than `tolerance` of its
+  /// The shortest closed path in the strip: iterates until the gain is at most `tolerance` of its
   /// length.
   void StraightenFully(double tolerance);
 
-  /// Leads the strip around the points at which the path bends needlessly; false: none.
+  /// Leads the strip around the points at which the path bends needlessly; false if there is none.
   bool Lead();
 
   /// True when all edges of the strip end at one point, to which the curve contracts.
@@ -499,7 +499,7 @@ public:
   /// The shortest path in the strip.
   void Straighten();
 
-  /// Leads the strip around the points at which the path bends needlessly; false: none.
+  /// Leads the strip around the points at which the path bends needlessly; false if there is none.
   bool Lead();
 
 private:
@@ -745,7 +745,7 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
 namespace
 {
 
-/// How often the corners of a cut are cut again, half as far off each time.
+/// How often the corners of a cut are cut again, at half of the previous distance each time.
 constexpr int Generations = 6;
 
 /// The shortest path in a strip from where its first edge is crossed to where its last one is.
@@ -761,7 +761,8 @@ void Straighten(const SurfaceAdjacency& surface, EdgeStrip& strip)
   }
 }
 
-/// Leads the strip around the first point at which the path bends needlessly; false: none.
+/// Leads the strip around the first point at which the path bends needlessly; false if there is
+/// none.
 bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
 {
   for (std::size_t i = 1; i + 1 < strip.size(); ++i)
@@ -803,7 +804,7 @@ bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
 struct Bend
 {
   std::size_t Crossing;
-  int Generation; ///< 0: a pin, at a point of the surface; else where a cut ended, on an edge
+  int Generation; ///< 0: a pin, at a point of the surface; otherwise the end of a cut, on an edge
 };
 
 /// A closed curve, and where it may turn.
@@ -832,7 +833,7 @@ public:
     return std::atan2(Length(Cross(in, out)), Dot(in, out));
   }
 
-  /// The curve without the corner; nothing where that is impossible.
+  /// The curve without the corner; nothing if that is impossible.
   BentCurve Cut(double reach) const;
 
 private:
@@ -948,8 +949,8 @@ BentCurve Corner::Cut(double reach) const
   {
     strip.push_back(this->At(k));
   }
-  // The strip goes around each point beside it once or twice; the bound is there since rounding
-  // could cause an endless loop.
+  // The strip goes around each point beside it once or twice; the bound exists since rounding could
+  // cause an endless loop.
   std::size_t left = 4 * strip.size() + 100;
   do
   {

@@ -13,7 +13,7 @@ namespace isthmus
 namespace
 {
 
-/// Bars as they run with the filtration: negative for superlevels.
+/// Values in the direction of the filtration: negative for superlevels.
 double Along(bool superlevel, double value)
 {
   return superlevel ? -value : value;
@@ -29,8 +29,8 @@ MapHandle HandleAt(const VolumeView& volume, const FeatureList& features, std::s
   handle.IsBridge = index == 1;
   handle.Node = isDeath ? feature.Pair.Death.Node() : feature.Pair.Birth.Node();
   handle.Level = volume.Value(handle.Node);
-  // A tunnel has a bridge and a window as long as it lives. A bridge between two components stays;
-  // the window that closes a void has been open from the start.
+  // A tunnel has a bridge and a window as long as it exists. A bridge between two
+  // components stays; the window that closes a void has been open from the start.
   const double first = parameters.Superlevel ? parameters.Range[1] : parameters.Range[0];
   const double last = parameters.Superlevel ? parameters.Range[0] : parameters.Range[1];
   const double from = feature.Pair.Dimension == 2 ? first
@@ -177,7 +177,7 @@ std::int64_t Draw(std::mt19937_64& random, std::int64_t count)
 }
 
 /// For each of `handles`, the longest first, that one of the same kind among `found` within reach
-/// whose interval is the most alike; null: none. Each is taken once. Sorts `found`.
+/// whose interval is the most similar; null if there is none. Each is used once. Sorts `found`.
 std::vector<const MapHandle*> Match(
   const std::vector<MapHandle>& handles, std::vector<MapHandle>& found, const Index& n)
 {
@@ -221,8 +221,8 @@ bool IsThere(const MapHandle& handle, double level)
   return handle.Interval[0] <= level && level <= handle.Interval[1];
 }
 
-/// Whether noise extended the interval of the handle by at least what it contains beyond the level,
-/// at either end.
+/// Whether noise extended the interval of the handle, at either end, by at least its distance from
+/// the level.
 bool CouldBeNoise(const MapHandle& handle, const MapHandle* resampled, double level)
 {
   return !resampled || handle.Interval[0] - resampled->Interval[0] >= level - handle.Interval[0] ||
@@ -278,7 +278,7 @@ void NoiseBootstrap::AddTo(std::vector<T>& values, std::uint64_t seed) const
       low[a] = low[a] * size[a] - offset[a];
       high[a] = std::min(low[a] + size[a], n[a]);
     }
-    // The nodes of a block from the mask's border have noise in a part of it only.
+    // The nodes of a block from the mask's border have noise only in a part of it.
     int most = -1;
     for (int attempt = 0; attempt < Tries && most < 9; ++attempt)
     {

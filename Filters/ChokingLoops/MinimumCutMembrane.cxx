@@ -153,7 +153,7 @@ void ChokeSurroundings::Link(TriangleId triangle, CellPlace from, CellPlace to)
     { { from, to }, static_cast<std::int64_t>(std::min(capacity, LargestCapacity)), triangle });
 }
 
-/// From a cell over one of its faces, if that is within reach.
+/// The step from a cell over one of its faces, if that is within reach.
 void ChokeSurroundings::Cross(TriangleId triangle, CellPlace from)
 {
   if (!this->IsWithinReach(triangle))
@@ -164,7 +164,7 @@ void ChokeSurroundings::Cross(TriangleId triangle, CellPlace from)
   this->Link(triangle, from, this->Meet(this->F.Across(triangle, this->Met[from])));
 }
 
-/// Over the faces of a cell that were not met from their other side.
+/// Steps over the faces of a cell that were not reached from their other side.
 void ChokeSurroundings::Pass(CellPlace own)
 {
   const TetrahedronId cell = this->Met[own];
@@ -207,8 +207,8 @@ bool ChokeSurroundings::Collect(double reach, std::size_t most)
 namespace
 {
 
-/// Radii of the search, in radii of the choke: each costs almost three times the one before; a
-/// membrane that needs more than the last is not used.
+/// Radii of the search, in radii of the choke: each costs almost three times as much as the
+/// previous one; a membrane that needs more than the last is not used.
 constexpr std::array<double, 3> Reaches = { 3.0, 4.25, 6.0 };
 constexpr double Anchor = 1.5;           ///< of the uncut region on either side, in radii
 constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii
@@ -396,7 +396,7 @@ std::set<TriangleId> ChokeFlow::Cut(const ProgressCallback& progress) const
   return cut;
 }
 
-/// True where the boundary runs along edges that are neither on M nor as short as the error.
+/// True if the boundary contains edges that are neither on M nor as short as the error.
 bool EndsInSpace(const FeatureContext& context, const TriangleChain& triangles, bool chords)
 {
   const EdgeChain boundary = ComputeBoundary(context.Filtration, triangles);
@@ -420,7 +420,7 @@ TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeat
 {
   const auto sides = context.Filtration.TriangleSides(feature.Choke);
   // Values on a mesh need not be lengths: a choke whose value is not positive has no surroundings.
-  // And nothing passes through a triangle of M.
+  // The flow passes no triangle of M.
   if (sides[0] == sides[1] || !(feature.Radius() > 0.0) || context.IsWall(feature.Choke))
   {
     return {};

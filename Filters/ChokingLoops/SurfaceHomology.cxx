@@ -69,7 +69,8 @@ void SurfaceHomology::GrowTree()
   }
 }
 
-// The cotree goes across edges that the tree does not use; what neither uses generates.
+// The cotree goes across edges that the tree does not use; the edges used by neither generate the
+// homology.
 SurfaceHomology::Cotree SurfaceHomology::GrowCotree()
 {
   Cotree cotree;
@@ -229,7 +230,7 @@ SurfaceInComplex::SurfaceInComplex(
     const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[image];
     if (first || f.EdgeValue[image] <= half * half * (1.0 + 1e-9))
     {
-      this->InComplex[e] = image; // else it enters late, and the walk avoids it
+      this->InComplex[e] = image; // otherwise it enters late, and the walk avoids it
     }
   }
   Report(progress, 0.7);

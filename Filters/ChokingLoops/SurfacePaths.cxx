@@ -86,7 +86,7 @@ SurfacePaths::SurfacePaths(
   this->Grow(reach);
 }
 
-/// No path from p to the goal is shorter; 0 without one.
+/// A lower bound of the paths from p to the goal; 0 without a goal.
 double SurfacePaths::Left(SimplexId p) const
 {
   const auto& points = this->Surface.Mesh().Points;
@@ -418,7 +418,7 @@ std::vector<double> FunnelCrossings(const UnfoldedStrip& plane, const Point2& p,
 namespace
 {
 
-/// Fractions this near to an end of the edge count as the end.
+/// Fractions this close to an end of the edge count as the end.
 constexpr double Near = 1e-7;
 
 const Point3& PointAt(const SurfaceAdjacency& s, SimplexId p)

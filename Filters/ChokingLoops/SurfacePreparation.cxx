@@ -27,13 +27,13 @@ namespace isthmus
 namespace
 {
 
-/// How far copies of a point are moved towards the mean of their neighbours.
+/// The distance by which copies of a point are moved towards the mean of their neighbours.
 constexpr double MovedBy = 0.01;
 
 /// Thin triangles may hide others, and repair may create some.
 constexpr int MostRounds = 3;
 
-/// Moves points that lie at the place of another one into the sheet they belong to.
+/// Moves points that coincide with another one into the sheet they belong to.
 void DrawApart(TriangleMesh& mesh)
 {
   std::map<Point3, std::int64_t> count;
@@ -233,7 +233,7 @@ void RequireUsableSize(const SurfaceView& surface)
   }
 }
 
-/// Repair would take long and find no inside.
+/// Repair would be slow and find no inside.
 void RequireThickness(const SurfaceView& surface)
 {
   Bounds3 box{ surface.Points.front(), surface.Points.front() };
@@ -450,7 +450,7 @@ void AddPieces(const std::vector<Point3>& points, Triangle t, std::array<std::in
       { { t[0], m[0], m[2] }, { m[0], t[1], m[1] }, { m[2], m[1], t[2] }, { m[0], m[1], m[2] } });
     return;
   }
-  // Turn so that edge 0 is the one split (of one), or edge 2 the one whole (of two).
+  // Rotates the numbering so that edge 0 is the only split edge, or edge 2 the only unsplit one.
   while (split == 1 ? m[0] < 0 : m[2] >= 0)
   {
     std::rotate(t.begin(), t.begin() + 1, t.end());
@@ -663,12 +663,12 @@ TriangleMesh FirstSamples(
   }
   // Edges of a good mesh vary around their mean: those up to 1.7 times the mean are not split.
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
-  // Needles take far more points than their area suggests. If everything is thinner than refined
+  // Needles require far more points than their area suggests. If everything is thinner than refined
   // samples could resolve, refinement is useless.
   const double share = ComputeThickness(surface) < Telling * spacing ? 1.0 : 5.0;
   const std::size_t most =
     4 * surface.Points.size() + static_cast<std::size_t>(share * UsualSamples);
-  // Edges are split to this length whatever the area: needles have almost none.
+  // Edges are split to this length for triangles of any area: needles have almost none.
   spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
   const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
   TriangleMesh samples = split(most, still);

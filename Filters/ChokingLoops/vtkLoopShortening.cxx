@@ -121,7 +121,7 @@ std::vector<SimplexId> WalkThrough(const SurfaceAdjacency& s, const std::vector<
   return walk;
 }
 
-/// The surface, and which of its points is nearest to a given one.
+/// The surface, and a search for its nearest point to a given one.
 struct Surface
 {
   explicit Surface(vtkPolyData* data)
@@ -163,7 +163,7 @@ struct Surface
   vtkNew<vtkStaticPointLocator> Locator;
 };
 
-/// The output as it grows.
+/// The output under construction.
 struct ShortenedLoops
 {
   explicit ShortenedLoops(vtkPolyData* output)

@@ -79,7 +79,7 @@ int vtkOffsetSurface::RequestData(
         this->Parameters, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.9));
       const auto values =
         isthmus::NamedArray<vtkDoubleArray>("DistanceToSurface", grid.Values.size());
-      // vtkFlyingEdges3D orients triangles towards lower values, and these are to be outside.
+      // vtkFlyingEdges3D orients triangles towards lower values, and these must be outside.
       const double sign = this->Parameters.Side == isthmus::SideSelection::Inside ? 1.0 : -1.0;
       std::transform(grid.Values.begin(), grid.Values.end(), values->GetPointer(0),
         [sign](double value) { return sign * value; });

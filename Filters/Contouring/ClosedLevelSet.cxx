@@ -105,8 +105,8 @@ template <typename T>
 ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsHigher)
 {
   const auto [low, high] = FiniteRange(grid);
-  // The level mirrors the extreme inside value, so that the surface is closed half way between
-  // nodes.
+  // The outside value is the extreme inside value mirrored at the level, so that the surface is
+  // closed half way between nodes.
   const double outside =
     insideIsHigher ? std::min(low, 2.0 * level - high) : std::max(high, 2.0 * level - low);
   ClosedLevelSet result;

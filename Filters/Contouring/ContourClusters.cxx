@@ -287,7 +287,7 @@ public:
     {
       return;
     }
-    // Folded onto itself: its clusters have to be split again.
+    // Folded onto itself: its clusters must be split again.
     if (count == 4 && (corners[0] == corners[2] || corners[1] == corners[3]))
     {
       this->Result.Folded.push_back(e);

@@ -85,7 +85,7 @@ private:
   mutable std::int64_t Evaluations = 0;
 };
 
-/// Refinement of one surface, in rounds of more and more points to start from.
+/// Refinement of one surface, in rounds with more and more initial points.
 class Refinement
 {
 public:

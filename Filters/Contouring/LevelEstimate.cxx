@@ -72,7 +72,8 @@ double EstimateLevel(std::vector<double>& values)
     // Less than a thousandth of the values differ from the rest: assume that these are the object.
     return values.front() / 2.0 + values.back() / 2.0;
   }
-  // Noise or solvent that fills the box has no two classes: Otsu's threshold would lie within it.
+  // Noise or solvent that fills the box does not form two classes: Otsu's threshold would lie
+  // within it.
   const double background = Quantile(values, 0.5) + 3.0 * LowerDeviation(values);
   const double top = Quantile(values, 0.99);
   // A few hot voxels would raise the threshold to their values.
@@ -81,7 +82,7 @@ double EstimateLevel(std::vector<double>& values)
     value = std::clamp(value, low, high);
   }
   const double level = std::max(OtsuThreshold(values), std::min(background, top));
-  // A few values only, as in a label map: still below the highest, so that something is inside.
+  // Only a few values, as in a label map: still below the highest, so that something is inside.
   const auto below = std::lower_bound(values.begin(), values.end(), values.back());
   return level < values.back() || below == values.begin()
     ? level
@@ -91,7 +92,7 @@ double EstimateLevel(std::vector<double>& values)
 template <typename T>
 std::vector<double> SampleValues(const GridView<const T>& grid, const unsigned char* noData)
 {
-  // An odd step without a common factor with the rows or layers passes over all columns alike.
+  // An odd step without a common factor with the rows or layers visits all columns equally often.
   std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
   if (step > 1)
   {
@@ -134,7 +135,7 @@ MapContrast MeasureContrast(const GridView<const T>& grid, const unsigned char* 
     return contrast;
   }
   contrast.Skewness = cubes / count / (deviation * deviation * deviation);
-  // Dark density stays away from the border; a mask whose outside is set low lies along it.
+  // Dark density stays away from the border; a mask with a low value outside is adjacent to it.
   const double low = mean - 2.0 * deviation;
   contrast.LowShare = static_cast<double>(std::count_if(values.begin(), values.end(),
                         [low](double value) { return value < low; })) /

@@ -304,13 +304,13 @@ private:
       for (std::size_t c = 0; c < 3; ++c)
       {
         const CellEdge& edge = EdgesOfCell[edges[c]];
-        // VTK's cases turn their front to the side of lower values: outwards.
+        // The triangles of VTK's cases face the lower values: outwards.
         corners[c] = (edge.K == 0 ? ids : next)[edge.Along][this->GetNode(i + edge.I, j + edge.J)];
       }
     }
   }
 
-  /// Nothing where `node` lies in the layer around the grid.
+  /// Does nothing if `node` is in the layer around the grid.
   const T* ValueAt(const std::array<std::int64_t, 3>& node) const
   {
     for (std::size_t a = 0; a < 3; ++a)

@@ -17,7 +17,7 @@ double Distance2(const Point3& a, const Point3& b)
   return Dot(d, d);
 }
 
-/// Accepts points that keep their distance from all accepted before.
+/// Accepts points that have a minimum distance from all previously accepted ones.
 class Spacer
 {
 public:

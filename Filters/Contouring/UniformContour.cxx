@@ -16,7 +16,7 @@ DualCells::DualCells(const HermiteGrid& grid)
   , Stride{ 1, grid.Shape.Dimensions[0], grid.Shape.Dimensions[0] * grid.Shape.Dimensions[1] }
 {
   this->FindActive();
-  constexpr int mostRounds = 8; // each pass flips faces of other cells than the one before
+  constexpr int mostRounds = 8; // each pass flips faces of other cells than the previous one
   for (int round = 0; round < mostRounds; ++round)
   {
     this->PieceOfEdge.clear();
@@ -253,7 +253,7 @@ PlacedVertex VertexPlacement::Place(
       place = candidate;
     }
   };
-  // A corner before an edge: the cell has one point only.
+  // A corner takes precedence over an edge: the cell has only one point.
   take(this->Features.NearestCorner(cell, x, fitsBest));
   if (place)
   {

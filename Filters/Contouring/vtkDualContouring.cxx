@@ -96,7 +96,7 @@ double ExpectedCrossings(const isthmus::SurfaceView& surface, double spacing)
   return area / (spacing * spacing);
 }
 
-/// A surface moved to the frame of a grid around it, two layers away.
+/// A surface in the frame of a grid that extends two layers beyond it.
 struct MovedSurface
 {
   std::vector<isthmus::Point3> Points;

@@ -247,7 +247,7 @@ Extent CellsBetween(const Extent& part, const Extent& whole)
   return cells;
 }
 
-/// The elements of `array` in `to`, row by row; those in `from` are all it has.
+/// The elements of `array` in `to`, row by row; it has exactly those in `from`.
 void CopyRows(vtkAbstractArray* array, const Extent& from, const Extent& to, vtkAbstractArray* part)
 {
   const vtkIdType rowOfAll = from[1] - from[0] + 1;

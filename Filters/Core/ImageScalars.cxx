@@ -93,7 +93,7 @@ vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
     RejectMissing(named ? name : nullptr, image);
   }
   RequireOnePerNode(image, scalars, onCells);
-  // The values of a part may be those of the background of a map.
+  // A part may contain only values of the background of a map.
   if (!IsPiece(filter, image) || LargestMagnitude(scalars) >= SmallestPeak)
   {
     RequireUsualValues(scalars);

@@ -21,7 +21,7 @@ vtkInformationStringKey* Failure()
   return key;
 }
 
-/// Listens to an algorithm and its executive as long as it lives.
+/// Listens to an algorithm and its executive for the lifetime of the object.
 class InnerEvents
 {
 public:

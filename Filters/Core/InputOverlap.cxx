@@ -39,7 +39,7 @@ namespace
 constexpr double GrownBy = 0.1;       // of the larger box's diagonal
 constexpr int NodesAlongAnAxis = 16;  // of an image that are sampled
 constexpr double SameRatio = 0.05;    // off 10
-constexpr std::int64_t Grain = 16384; // points or cells of a piece of parallel work
+constexpr std::int64_t Grain = 16384; // number of points or cells in a piece of parallel work
 constexpr double NanometreInAngstrom = 10.0;
 
 /// Nodes of an image, at most NodesAlongAnAxis along each axis.
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkPoints> CollectNodes(vtkImageData* image)
   return nodes;
 }
 
-/// Marks of points, which threads may set at the same time.
+/// Marks of points, which threads may set concurrently.
 using Marks = std::vector<std::atomic<bool>>;
 
 void MarkCorners(vtkCellArray* cells, Marks& marks)

@@ -19,7 +19,7 @@ namespace
 
 constexpr double Unknown = std::numeric_limits<double>::infinity();
 
-/// More bytes than any machine has, and few enough for std::size_t.
+/// More bytes than any machine has, within the range of std::size_t.
 constexpr double Most = 1e18;
 
 /// The number after `key` in a file of lines "key number", or of a file that is one number.

@@ -109,7 +109,7 @@ private:
 void RunRound(std::int64_t begin, std::int64_t end, std::int64_t grain, const RangeBody& body)
 {
   FirstException failure;
-  // Orders what the threads have done before what comes after the loop, as VTK does, too; from 9.3
+  // Orders the work of the threads before the code after the loop, as VTK does; from 9.3
   // on by a std::future in its own library, which ThreadSanitizer does not see.
   std::atomic<int> done{ 0 };
   auto guarded = [&](vtkIdType first, vtkIdType last)

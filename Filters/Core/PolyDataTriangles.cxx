@@ -37,7 +37,7 @@ void ForEachCell(vtkCellArray* cells, vtkIdType first, Visit&& visit)
   }
 }
 
-constexpr std::int64_t grain = 16384; // points or triangles of a piece of parallel work
+constexpr std::int64_t grain = 16384; // number of points or triangles in a piece of parallel work
 
 /// The least of several numbers, for ParallelReduce.
 struct Least

@@ -11,7 +11,7 @@ namespace isthmus
 namespace
 {
 
-/// Powers of two within which coordinates are left alone.
+/// Powers of two within which coordinates are not scaled.
 constexpr int UsualExponent = 20;
 
 bool IsFinite(const Point3& p)

@@ -157,7 +157,7 @@ NodeBox GetNodeBox(vtkImageData* image, const Extent& extent)
   return nodes;
 }
 
-/// Values of an array in the point data, where there are any.
+/// Values of an array in the point data, if it exists.
 template <typename T>
 T* FindValues(vtkDataSet* output, const char* name)
 {

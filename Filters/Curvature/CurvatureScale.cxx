@@ -651,8 +651,8 @@ void Search::FitBackground(const std::vector<double>& measured)
 
 /// Noise as estimated from the edges: how the Laplacians there change from scale to scale. Smooth
 /// data add to the change, so it is an upper bound of the noise: what exceeds it in the background
-/// is structure of the background. White noise that the edges have beyond the background's falls
-/// from one change to the next as only white noise does.
+/// is structure of the background. Additional white noise at the edges decreases from one change to
+/// the next as only white noise does.
 void Search::AdaptNoiseToEdges()
 {
   const double perGradient = this->MeanOverEdges(edgeIndex,
@@ -798,7 +798,7 @@ void Search::Measure(std::size_t k)
   const double noise = perGradient / 4.0 * laplacianOfBias;
   this->Since.push_back(this->BiasSinceFinerScales(k));
   const double since = this->Since.back();
-  // Negative: hidden by noise, and by how much at most.
+  // If negative, the bias is hidden by noise; the magnitude is its upper bound.
   const double bias =
     square > significance * noise ? square - noise : -std::max(square, 2.0 * noise - square);
   this->Bias.push_back(since > 0.0 ? std::max(bias, since) : bias);
@@ -896,7 +896,7 @@ template <typename T>
 CurvatureScale ChooseCurvatureScale(const GridPart<T>& given, int accuracy,
   const MaximumOverRanks& combine, const ProgressCallback& progress)
 {
-  // In the unit u: powers of tiny and huge spacings would overflow.
+  // In the unit u, since powers of tiny and huge spacings would overflow.
   const double unit = MeanSpacing(given.Values.Spacing);
   GridPart<T> part = given;
   for (double& length : part.Values.Spacing)

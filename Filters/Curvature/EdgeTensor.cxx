@@ -187,7 +187,7 @@ EdgeTensorIntegrator::EdgeTensorIntegrator(const SurfaceView& mesh, const Triang
 {
 }
 
-/// Stamps make a new neighbourhood without clearing the marks of all triangles.
+/// Stamps allow a new neighbourhood without clearing the marks of all triangles.
 bool EdgeTensorIntegrator::Visit(MeshTriangle triangle)
 {
   unsigned int& stamp = this->TriangleStamps[triangle];
@@ -326,7 +326,7 @@ void EdgeTensorIntegrator::AddDiscTriangle(MeshTriangle triangle, TensorSums& su
     beyond[i] = this->Distance(id[i]) - this->Radius;
     inside += beyond[i] < 0.0;
   }
-  // The corner alone on its side of the rim cuts off the fraction s t of the area (Fig. 4.1).
+  // The single corner on one side of the rim cuts off the fraction s t of the area (Fig. 4.1).
   double fraction = inside == 3 ? 1.0 : 0.0;
   for (std::size_t i = 0; i < 3 && (inside == 1 || inside == 2); ++i)
   {

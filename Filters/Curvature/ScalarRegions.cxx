@@ -32,7 +32,7 @@ ClippedCorner Between(const ClippedCorner& a, const ClippedCorner& b, double t)
     { a.Value[0] + t * (b.Value[0] - a.Value[0]), a.Value[1] + t * (b.Value[1] - a.Value[1]) } };
 }
 
-/// Cuts `polygon` where `scalar` passes `threshold`; what is at it or above goes to `above`.
+/// Cuts `polygon` where `scalar` passes `threshold`; the part at or above it goes to `above`.
 void Cut(const Polygon& polygon, int scalar, double threshold, Polygon& below, Polygon& above)
 {
   below.clear();

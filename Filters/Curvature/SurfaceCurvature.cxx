@@ -103,7 +103,7 @@ double ComputeOrientation(
   const auto open = [](StarKind kind)
   { return kind == StarKind::Boundary || kind == StarKind::Irregular; };
   if (orientation != SurfaceOrientation::Automatic ||
-    // An open surface has no inside: it faces as its triangles do.
+    // An open surface has no inside: its triangles define its orientation.
     std::any_of(kinds.begin(), kinds.end(), open) || mesh.NumberOfTriangles() == 0)
   {
     return orientation == SurfaceOrientation::Reversed ? -1.0 : 1.0;

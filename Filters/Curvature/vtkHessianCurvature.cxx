@@ -128,7 +128,7 @@ void ShareGeometry(isthmus::Extent& whole, std::array<double, 3>& spacing)
   }
 }
 
-/// Removes what was requested beyond the piece. A volume that its source has not split (all of it
+/// Removes the nodes requested beyond the piece. A volume that its source has not split (all of it
 /// on one rank, or parts by another rule) stays whole: all of it is this rank's.
 void CropToPiece(vtkImageData* image, vtkInformation* outInfo, bool allHere)
 {

@@ -122,7 +122,7 @@ BoundaryForces ForcesOnBoundary(const GridPotential& solution, const SurfaceMoti
   {
     const auto axis = static_cast<std::size_t>(solution.GetCrossings()[i].Axis);
     const Point3& normal = field.Normal[i];
-    // Crossings with grid lines sample the surface: each stands for the part of a face that it
+    // Crossings with grid lines sample the surface: each represents the part of a face that it
     // projects to (thesis 5.26).
     const double area =
       std::abs(normal[axis]) * box.Spacing[(axis + 1) % 3] * box.Spacing[(axis + 2) % 3];
@@ -285,7 +285,7 @@ void SurfaceMotion::GaussianShares(const Point3& x, std::vector<SurfaceShare>& s
 std::size_t SurfaceMotion::Owner(const Point3& x) const
 {
   const auto middle = this->FindCell(x);
-  // Where x lies beyond the cells, those of ring n are farther away than this still.
+  // If x lies beyond the cells, those of ring n are even farther away than this.
   double beyond = 0.0;
   for (std::size_t a = 0; a < 3; ++a)
   {

@@ -227,7 +227,7 @@ RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box)
 }
 
 // End corrections of Gregory's rule are of fourth order at the edges; inside a face the error falls
-// as exp(-2 pi d / stride), d the distance between range and border. Each node gives a pair of
+// as exp(-2 pi d / stride), d the distance between range and border. Each node yields a pair of
 // charges for source and dipole.
 PotentialFunction RadiatedPotential(
   const SolverBox& box, const std::vector<double>& u, const RadiatingBox& range, double kappa)

@@ -31,7 +31,7 @@ Points ChebyshevPoints(double low, double high)
   return points;
 }
 
-/// How much a charge at x contributes to the equivalent charges at `points` along one axis.
+/// The contribution of a charge at x to the equivalent charges at `points` along one axis.
 Points LagrangeWeights(const Points& points, double x)
 {
   Points weights;
@@ -116,7 +116,7 @@ std::int64_t ChargeTree::Build(
   const auto& x = Coordinate(charges, longest);
   const std::size_t middle = first + (last - first) / 2;
   const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
-  // Ties by index: the tree depends on the charges only.
+  // Ties are decided by index: the tree depends only on the charges.
   std::nth_element(at(first), at(middle), at(last),
     [&](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
   const std::int64_t low = this->Build(charges, order, first, middle);
@@ -182,7 +182,7 @@ void ChargeTree::Gather(
   const Box& box = this->Boxes[static_cast<std::size_t>(id)];
   const bool leaf = box.Children[0] < 0;
   const bool far = !leaf && IsFar(box, center, radius);
-  // Leaves give their charges themselves; their range of Sorted is consecutive.
+  // Leaves use their charges directly; their range of Sorted is consecutive.
   if (leaf || far)
   {
     const ChargeList& from = far ? box.StandIns : this->Sorted;

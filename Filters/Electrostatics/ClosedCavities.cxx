@@ -142,7 +142,7 @@ std::vector<std::vector<std::int64_t>> FindCavityWalls(const SolverBox& box,
 namespace
 {
 
-/// A sum over nodes under construction: columns may come more than once.
+/// A sum over nodes under construction: columns may occur more than once.
 struct FluxSum
 {
   std::vector<std::pair<std::int64_t, double>> Entries;

@@ -167,7 +167,7 @@ void GridPotential::Assemble(std::vector<SurfaceIons> ions, const ProgressCallba
   this->Matrix->SetRows(std::move(rows));
 }
 
-/// One byte an edge, the part of it in the solute, looked up in a table of permittivities.
+/// One byte per edge, the part of it in the solute, looked up in a table of permittivities.
 EdgePermittivity GridPotential::Permittivities() const
 {
   EdgePermittivity edges;
@@ -369,7 +369,7 @@ SurfaceIons GridPotential::IonsAt(double phi) const
   const double length = this->Medium.Length;
   // A quadratic cannot represent a layer of ions that is thinner than the spacing.
   const double most = std::max(1.0 / (length * length), this->Medium.KappaSquared) * solvent;
-  // The tangent at phi, or as near to it as the slope allows.
+  // The tangent at phi, or the nearest one that the slope allows.
   double part = 1.0;
   for (double step = 0.5; step > 1e-9 && this->DerivativeAtSurface(phi) > most; step *= 0.5)
   {
@@ -435,7 +435,7 @@ double GridPotential::IonEnergyOfCutCells() const
 double GridPotential::NonlinearResidual(
   const std::vector<double>& u, std::vector<double>& out) const
 {
-  // The ions' term is nonlinear here, so the linearised one in the diagonal is left out meanwhile.
+  // The ions' term is nonlinear here, so the linearised one in the diagonal is omitted here.
   this->Matrix->SetDiagonal(nullptr);
   this->Matrix->Residual(u, out);
   const double h2 = this->Spacing * this->Spacing;

@@ -15,7 +15,7 @@ Point3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
   return y;
 }
 
-/// Turns a functional of total potentials into one of u: the charges' part becomes a constant.
+/// Converts a functional of total potentials into one of u: the charges' part becomes a constant.
 Continuation ExpressByU(const FitFunctional& functional, const FitNodes& nodes,
   const SecondOrderTaylor& charges, bool insideFunction, const Point3& target)
 {

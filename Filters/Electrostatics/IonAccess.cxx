@@ -28,7 +28,7 @@ double DistanceFrom(const InterfaceCrossing& c, const Point3& y)
   return focus > 0.3 ? std::clamp(s + 0.5 * bend / focus, 0.0, length) : length;
 }
 
-/// Which crossing is nearest to each node of a band outside, found front by front.
+/// The nearest crossing of each node of a band outside, found front by front.
 class NearestCrossings
 {
 public:

@@ -163,7 +163,7 @@ float CoarseEdge(const MultigridLevel& fine, const Edges& edges, std::size_t axi
         return first;
       }
       const float second = edges(axis, p[axis] < lastEdge ? node + step[axis] : node);
-      // Two in a row, over twice the length: a quarter of their harmonic mean.
+      // Two consecutive ones, over twice the length: a quarter of their harmonic mean.
       return 0.25F * 2.0F * first * second / (first + second);
     });
 }

@@ -86,8 +86,8 @@ std::vector<Ball> MakeBalls(const std::vector<ChargedAtom>& atoms)
 }
 
 /// Fourth differences of S and of log S across the level, over its slopes: the polynomial through
-/// six nodes follows the one with the smaller ones better. Also whether S is clipped near the
-/// level.
+/// six nodes follows the one with the smaller ones better. Also determines whether S is clipped
+/// near the level.
 struct Straightness
 {
   double Plain = 0.0, Logarithm = 0.0;
@@ -165,8 +165,8 @@ double ContinueLogarithm(double next, double second, double third)
 
 /// Sums of Gaussians end where their terms were neglected, and their logarithm would jump there.
 /// Nodes with the value `cut` near the level get that of a quadratic continuation of the logarithm
-/// along the axes, so a mask, whose values do not fall before they end, stays as it is. Returns all
-/// values, or none if nothing changed.
+/// along the axes, so a mask, whose values do not decrease before they end, is unchanged. Returns
+/// all values, or none if nothing changed.
 std::vector<double> ContinueTails(const LevelFunction& level, double cut)
 {
   constexpr double largestTail = 0.05; // of the level, before the cut

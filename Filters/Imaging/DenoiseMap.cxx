@@ -68,7 +68,7 @@ double ClearBackground(
   return count[0] / nodes;
 }
 
-/// `change` becomes what the diffusion changes in `values`, which may be overwritten.
+/// `change` becomes the change of `values` by the diffusion; `values` may be overwritten.
 template <typename T>
 DiffusionReport FindChange(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
   const T* values, T* change, const ProgressCallback& progress)
@@ -106,7 +106,8 @@ double MeasuredNoise(const DiffusionGrid<T>& grid, const T* noise)
 }
 
 /// The noise that the choice is made for, in units of the sample. `known`: its standard deviation
-/// if it is known to be white, or 0; `estimate`: for volumes too small to measure a spectrum in.
+/// if it is known to be white, or 0; `estimate`: for volumes that are too small for measuring a
+/// spectrum.
 NoiseSpectrum ChooseSpectrum(const VolumeSample& sample, double known,
   const NoiseEstimate& estimate, const std::array<double, 3>& spacing)
 {
@@ -115,7 +116,7 @@ NoiseSpectrum ChooseSpectrum(const VolumeSample& sample, double known,
     return WhiteNoise(known / sample.Scale);
   }
   NoiseSpectrum noise = EstimateNoiseSpectrum(sample, spacing);
-  // Rounded, since its last bits may depend on how many ranks there are.
+  // Rounded, since its last bits may depend on the number of ranks.
   const double white = static_cast<double>(static_cast<float>(estimate.Noise)) / sample.Scale;
   if (!(white > 0.0))
   {

@@ -776,7 +776,7 @@ struct EdgeBest
 /**
  * Searches Sigma, order and presmoothing one after the other.
  *
- * The first runs decide whether it is worth while: where none comes near `linearValue`, the risk of
+ * The first runs decide whether it is worthwhile: if none comes near `linearValue`, the risk of
  * the best linear diffusion without the noise's power, the search ends.
  */
 class EdgeSearch

@@ -81,7 +81,7 @@ struct StageSum
 };
 
 /**
- * Stages of a time step that follow each other in one pass over memory, each
+ * Consecutive stages of a time step in one pass over memory, each
  *
  *     out = update of (current, previous, first, rate of current, first rate),
  *

@@ -81,7 +81,7 @@ void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& sl
 template <typename T>
 struct RowUpdate
 {
-  T CurrentFactor = 1; ///< `current` is what the rate was evaluated for.
+  T CurrentFactor = 1; ///< Factor of `current`, the values for which the rate was evaluated.
   T PreviousFactor = 0;
   T RateFactor = 0;
   T FirstRateFactor = 0;

@@ -27,7 +27,7 @@ void ForRows(const Extent& local, const Extent& box, Body&& body)
   }
 }
 
-/// Cuts from `mine` what `other` has, if that is a slab across all of it; false if it is not.
+/// Cuts from `mine` its overlap with `other`, if that is a slab across all of it; otherwise false.
 bool CutSlab(Extent& mine, const Extent& other)
 {
   const Extent shared = Intersection(mine, other);

@@ -79,7 +79,8 @@ struct MapPair
   /// Moments of a sample of about `sampled` nodes, the other map read at a distance of `shift`.
   Moments Compare(const Indices& shift, std::int64_t sampled) const
   {
-    // An odd step that has no factor in common with rows or layers visits all columns alike.
+    // An odd step that has no factor in common with rows or layers visits all columns equally
+    // often.
     std::int64_t step = this->Count() / sampled + 1;
     while (step > 1 && (step % 2 == 0 || std::gcd(step, std::int64_t{ Size[0] } * Size[1]) > 1))
     {
@@ -189,7 +190,7 @@ MapPair AverageBlocks(const MapPair& nodes)
   return blocks;
 }
 
-/// The shift of highest correlation: among the shifts by whole blocks, then up the hill by nodes.
+/// The shift of highest correlation: among the shifts by whole blocks, then uphill by single nodes.
 Indices FindShift(const MapPair& nodes, const MapPair& blocks)
 {
   Indices best{ 0, 0, 0 };
@@ -251,7 +252,7 @@ std::string Correlations(double value)
 HalfMapAgreement CompareHalfMaps(
   const std::array<int, 3>& dimensions, vtkDataArray* one, vtkDataArray* other)
 {
-  // Less their means, so that no digits are lost where values are squared.
+  // Minus their means, so that no digits are lost when values are squared.
   const double oneMean = FindMean(one), otherMean = FindMean(other);
   const auto read = [one, other](vtkDataArray* from, double mean)
   {

@@ -57,11 +57,11 @@ DiffusionOperator<T> MakeOperator(const Parameters& parameters)
   return diffusion;
 }
 
-/// Volumes of T that steps go through; the values and the result of a step change places.
+/// Volumes of T that steps go through; the values and the result of a step are exchanged.
 enum Volume : std::size_t
 {
   Now,   ///< the values
-  Stage, ///< this and the next ones: the last two stages, and where the next two are written
+  Stage, ///< this and the next ones: the last two stages, and the memory of the next two
   OtherStage,
   ThirdStage, ///< where several stages are done in one pass
   FourthStage,
@@ -69,7 +69,7 @@ enum Volume : std::size_t
   NumberOfVolumes
 };
 
-/// A diffusion between two steps.
+/// The state of a diffusion between two steps.
 template <typename T>
 class Solver
 {
@@ -204,8 +204,8 @@ Volume Solver<T>::SuperStep(
     std::find(this->Volumes.begin(), this->Volumes.end(), result) - this->Volumes.begin());
 }
 
-/// Stores the coefficient of Volumes[values]; the two scratch volumes are overwritten. Returns for
-/// how many evaluations this counts.
+/// Stores the coefficient of Volumes[values]; the two scratch volumes are overwritten. Returns the
+/// number of evaluations that this is equivalent to.
 template <typename T>
 int Solver<T>::FillCoefficient(Volume values, Volume scratch, Volume moreScratch)
 {
@@ -340,7 +340,7 @@ void Check(const Parameters& parameters)
 int HaloWidth(const Parameters& parameters)
 {
   const int reach = MakeOperator<float>(parameters).Reach();
-  // At the image's ends a window lies to one side of a node; gradients look a node further.
+  // At the image's ends a window lies to one side of a node; gradients need one more node.
   const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
   return std::max(reach, local ? parameters.Window + 1 : 0);
 }

@@ -128,7 +128,7 @@ private:
     }
   }
 
-  /// By a power of two: squares are of single precision.
+  /// Scaled by a power of two: squares have single precision.
   static void ScaleToOne(std::vector<Complex>& block)
   {
     float largest = 0.0f;

@@ -99,7 +99,7 @@ struct Whitened
   double Length = 0.0, Variance = 0.0;       ///< of noise of density 1
   std::vector<double> Expected;              ///< squares of a block's waves
   BinValues Floor{}, Power{};                ///< logarithm of the floor; sum of Expected
-  std::array<bool, waveBins> Seen{}, Even{}; ///< could be seen; is the same everywhere
+  std::array<bool, waveBins> Seen{}, Even{}; ///< could be detected; is the same everywhere
 };
 
 /// The fit of length and level, in four steps.
@@ -111,7 +111,8 @@ struct Whitened
 ///    same everywhere and do not count.
 /// 3. Fit: floors that agree are explained. The largest number of them is chosen, among equals the
 /// least variance.
-/// 4. Doubt: the fit is refused if the explained bins are few or have gaps, if their waves are not
+/// 4. Rejection: the fit is refused if the explained bins are few or have gaps, if their waves are
+/// not
 ///    normally distributed (a texture), or if the noise had nearly all of the variance of the
 ///    volume: then a map that is full of detail looks the same.
 class SmoothedNoiseFit

@@ -341,7 +341,7 @@ std::vector<TrialBlock> ChooseTrials(const Coarse& coarse, const Index3& whole)
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(
     order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] < sizes[b]; });
-  // Tiles without structure count, too, since noise is everywhere.
+  // Tiles without structure count as well, since noise is everywhere.
   auto measure = [&](std::size_t tile) { return sizes[tile] + 0.3 * mean + 1e-30; };
   double total = 0.0;
   for (const std::size_t tile : order)

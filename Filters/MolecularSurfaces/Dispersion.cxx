@@ -38,7 +38,7 @@ ISTHMUS_VECTOR_CLONES void AddRow(
   }
 }
 
-/// Adds the energy of one pair to the nodes of a brick. Lengths in angstrom but for the ball.
+/// Adds the energy of one pair to the nodes of a brick. Lengths in angstrom, except for the ball.
 void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair, const Brick& brick,
   std::vector<float>& energy)
 {
@@ -206,7 +206,7 @@ struct Block
   }
 };
 
-/// `part(node)` is the part of its cell that a node stands for.
+/// `part(node)` is the part of its cell that a node represents.
 template <typename Part>
 Block BlockAt(const DensityGrid& grid, Part&& part, const std::array<std::int64_t, 3>& first)
 {

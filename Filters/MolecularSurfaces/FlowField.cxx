@@ -25,7 +25,7 @@ FlowGrid::FlowGrid(const DensityGrid& inner)
   {
     this->Size[axis] = inner.Dimensions[axis] + 2 * Margin[axis];
   }
-  // Rows of whole chunks, so that loops over chunks have no rest.
+  // Rows of whole chunks, so that loops over chunks have no remainder.
   this->Size[0] = RoundedUp(this->Size[0], Chunk);
 }
 

@@ -61,7 +61,7 @@ inline float MixedDifference(float belowBelow, float belowAbove, float aboveBelo
   return 0.25F * (aboveAbove - aboveBelow - belowAbove + belowBelow);
 }
 
-/// Stands for Factor * Values[n] + Shift.
+/// Represents Factor * Values[n] + Shift.
 struct ScaledRow
 {
   const float* Values;

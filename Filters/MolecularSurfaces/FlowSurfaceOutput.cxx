@@ -23,7 +23,7 @@ namespace isthmus
 namespace
 {
 
-/// `value`, or `least` to the side of `level` that it is on.
+/// `value`, but at a distance of at least `least` from `level`, on its side.
 float KeepFromLevel(float value, float level, float least)
 {
   const float by = value - level;

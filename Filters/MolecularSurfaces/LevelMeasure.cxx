@@ -11,7 +11,7 @@ namespace isthmus
 namespace
 {
 
-/// Adds a triangle, turned so that it faces along `outward`.
+/// Adds a triangle, oriented along `outward`.
 void Add(
   LevelMeasure& sum, const Point3& a, const Point3& b, const Point3& c, const Point3& outward)
 {

@@ -39,7 +39,7 @@ float Higher(float a, float b)
   return std::max(a, b);
 }
 
-/// Where along a coarse axis each fine node lies: the node below and the part of the way.
+/// The position of each fine node along a coarse axis: the node below and the fraction.
 struct AxisPlaces
 {
   AxisPlaces(const FlowGrid& coarse, const FlowGrid& fine, std::size_t axis)
@@ -99,8 +99,9 @@ FlowField StartField(const std::vector<Ball>& balls, const SurfaceFlowParameters
 namespace
 {
 
-/// How many times the spacing can be doubled before the grid no longer shows the atoms: a coarse
-/// cell is at most twice a mean radius wide, and 16 of them go along the grid's shortest side.
+/// The number of times that the spacing can be doubled until the grid no longer resolves the atoms:
+/// a coarse cell is at most twice a mean radius wide, and 16 of them go along the grid's shortest
+/// side.
 int NumberOfCoarserLevels(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
 {
   constexpr double leastNodes = 16.0;
@@ -118,8 +119,8 @@ int NumberOfCoarserLevels(const std::vector<Ball>& balls, const SurfaceFlowParam
   return most < 1.0 ? 0 : static_cast<int>(std::floor(std::log2(most)));
 }
 
-/// Makes the inside of `fine` what is inside of it or of `coarse`, whose distances are interpolated
-/// linearly along each axis.
+/// Makes the inside of `fine` the union of its own and that of `coarse`, whose distances are
+/// interpolated linearly along each axis.
 void AddCoarseField(const FlowField& coarse, FlowField& fine)
 {
   const AxisPlaces x(coarse.Grid, fine.Grid, 0);
@@ -168,7 +169,7 @@ constexpr int MostSteps = 20000;        // on one grid, or on the coarsest of se
 constexpr int FinerSteps =
   4 * StepsToMeasure;              // at least, on finer grids, where only details remain
 constexpr double Slow = 1.5e-4;    // relative change of the volume in a square angstrom
-constexpr double StartAgain = 1.3; // enlargement of what is added on finer levels
+constexpr double StartAgain = 1.3; // enlargement of the atoms added on finer levels
 
 /// The time of a running flow, and the record of its measures.
 struct FlowHistory

@@ -18,7 +18,7 @@ namespace isthmus
 namespace
 {
 
-/// The surface keeps this distance from the border, in spacings, so that it is closed.
+/// The surface has this distance from the border, in spacings, so that it is closed.
 constexpr double LeastPadding = 2.0;
 
 std::vector<Ball> EnlargeBalls(const std::vector<Ball>& balls, double factor)

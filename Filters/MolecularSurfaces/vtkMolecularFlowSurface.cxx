@@ -104,7 +104,7 @@ public:
   void Warn(const MoleculeAtoms& atoms, const SurfaceFlowResult& result) const;
   void Surface(vtkImageData* image, bool ofS, vtkPolyData* surface) const;
 
-  /// How far outside of the flow's surface the Level lies, in angstrom.
+  /// The distance of the Level outside of the flow's surface, in angstrom.
   double Offset() const
   {
     const isthmus::MolecularFlowParameters& p = this->Self->Parameters;

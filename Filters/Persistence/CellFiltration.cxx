@@ -383,7 +383,8 @@ namespace
 {
 
 constexpr std::size_t CellsOfPiece = 1 << 14;
-constexpr std::ptrdiff_t FewEdges = 24; ///< counting them is faster than mispredicted bisection
+constexpr std::ptrdiff_t FewEdges =
+  24; ///< counting them is faster than bisection with mispredicted branches
 
 /// Calls visit(cell, corner) for the faces that are triangles of the cells of piece `p`: of two
 /// tetrahedra the one with the smaller id has it.
@@ -456,7 +457,7 @@ std::vector<SimplexId> FindTriangleBlocks(const CellFiltration& f)
 }
 
 /// `begin` to the end returned: the ids of [begin, end) in ascending order, each once. A point's
-/// neighbours come about five times each, and are few: they are put in their places one by one.
+/// neighbours come about five times each, and are few: they are inserted one by one.
 SimplexId* SortOnce(SimplexId* begin, SimplexId* end)
 {
   constexpr std::ptrdiff_t few = 128;

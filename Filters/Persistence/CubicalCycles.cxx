@@ -189,8 +189,8 @@ private:
 
 /**
  * The edges that join components are a spanning tree of the grid: gradient paths down to minima,
- * and critical edges between these. What is missing from a column is the only set of them that
- * makes its ends meet, and it lies below the column.
+ * and critical edges between these. The missing part of a column is the only set of them that
+ * closes it, and it lies below the column.
  */
 template <typename Gradient>
 class LoopCompletion
@@ -564,7 +564,8 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
       keep(found->second, loop);
       continue;
     }
-    // Another tunnel was in the way. As long as this one lives, what is filled can be passed.
+    // Another tunnel was in the way. As long as this one exists, loops that are filled can be
+    // crossed.
     std::vector<Nodes> parts = completion.Close(reduction.BuildColumn(edge));
     reduction.SetUsed(edge, false);
     for (Nodes& part : parts)

@@ -35,8 +35,8 @@ std::vector<std::int64_t> EulerNumbers(
   {
     return {};
   }
-  // At [i + 1], what enters at the i-th level (sublevels: or since the one before it); the last and
-  // first entries count what lies beyond all levels.
+  // At [i + 1], the cells that enter at the i-th level (sublevels: or since the one before it); the
+  // last and first entries count those beyond all levels.
   const Histogram none{ std::vector<std::int64_t>(levels.size() + 1, 0) };
   const std::int64_t block = std::max<std::int64_t>(65536, volume.NodeCount() / 64);
   Histogram total = ParallelReduce(volume.NodeCount(), block, none,

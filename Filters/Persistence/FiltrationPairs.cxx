@@ -326,7 +326,7 @@ TriangleChain FiltrationPairs::Filling(TriangleId triangle) const
 
 TriangleChain FiltrationPairs::Filling(TriangleRank triangle) const
 {
-  // A triangle may be reached on many ways: latest first, each is expanded once, with its parity.
+  // A triangle may be reached on many paths: latest first, each is expanded once, with its parity.
   RankHeap<TriangleRank> pending;
   pending.Add(triangle);
   TriangleChain filling;

@@ -42,7 +42,7 @@ struct Spread
   Point3 Normal{ 0.0, 0.0, 0.0 };
 };
 
-/// The member of `points` with the greatest `measure`, and that.
+/// The member of `points` with the greatest `measure`, and that measure.
 template <typename Measure>
 std::pair<Point3, double> Farthest(const std::vector<Point3>& points, Measure&& measure)
 {
@@ -80,10 +80,10 @@ Spread ComputeSpread(const std::vector<Point3>& points)
   return spread;
 }
 
-/// Relative to the size: how far rounded coordinates deviate from a line or a plane.
+/// Relative to the size: the deviation of rounded coordinates from a line or a plane.
 constexpr double Flat = 1e-12;
 
-/// Atoms on one circle or sphere make bars that have no length but for the rounding of radii, whose
+/// Atoms on one circle or sphere cause bars whose length is only the rounding of radii, whose
 /// relative error is at most this (DelaunayFiltration.h): they are omitted.
 constexpr double Rounding = 1e-9;
 

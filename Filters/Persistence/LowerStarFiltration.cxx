@@ -63,7 +63,7 @@ std::vector<Face> FacesByPoint(const CellFiltration& f, std::vector<std::size_t>
   return faces;
 }
 
-/// Where three cells are on one face, counted from `begin`; -1: nowhere.
+/// The position, from `begin`, where three cells share one face; -1 if there is none.
 std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
 {
   std::sort(begin, end);

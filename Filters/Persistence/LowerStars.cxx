@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  /// All bits but those of cells that step to `side` along x.
+  /// All bits except those of cells that step to `side` along x.
   static std::uint32_t Without(int side)
   {
     std::uint32_t bits = ~0U;

@@ -44,7 +44,8 @@ public:
   RankedSet(const RankedSet&) = delete;
   RankedSet& operator=(const RankedSet&) = delete;
 
-  /// By any number of threads. Threads write only new numbers, of which there are soon none.
+  /// May be called by any number of threads. Threads write only new numbers, of which there are
+  /// soon none.
   void Add(std::int64_t number)
   {
     auto& word = this->GetPage(number).Words[WordIndex(number)];

@@ -176,7 +176,7 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
   }
 }
 
-/// Computes the values of all ids of a kind. Blocks are so small that progress moves where each
+/// Calls `body` for all ids of a kind. Blocks are so small that progress moves where each
 /// body needs exact arithmetic, as that of flat simplices does.
 template <typename Id>
 void ForEachId(
@@ -266,7 +266,8 @@ void ValueEdges(RegularFiltration& f, const ProgressCallback& progress)
   }
 }
 
-/// A vertex is attached where a neighbour's ball, shrunk as much, still holds its center.
+/// A vertex is attached if a neighbour's ball, shrunk by the same amount, still contains its
+/// center.
 void ValueVertices(RegularFiltration& f)
 {
   const CellFiltration& c = f.Complex;

@@ -54,7 +54,7 @@ bool IsBefore(const ScalarFeature& a, const ScalarFeature& b)
   return place(a) < place(b);
 }
 
-/// The least persistence above the widest gap between two that follow each other (0 is one).
+/// The least persistence above the widest gap between consecutive ones, 0 included.
 double AboveLargestGap(const std::vector<ScalarFeature>& features)
 {
   double threshold = 0.0;
@@ -72,7 +72,7 @@ double AboveLargestGap(const std::vector<ScalarFeature>& features)
   return threshold;
 }
 
-/// How many of `sorted places` are at or before each level, and the sum of (level - place) of
+/// The number of `sorted places` at or before each level, and the sum of (level - place) of
 /// those.
 struct CountsBelow
 {

@@ -17,7 +17,7 @@
 namespace isthmus
 {
 
-/// Which of the features count.
+/// The features that count.
 struct FeatureParameters
 {
   enum Unit

@@ -187,7 +187,7 @@ StarMatching MatchStar(std::uint32_t mask)
   }
   if ((mask & 63U) == 0)
   {
-    // Nothing lower: a minimum, alone in its star.
+    // No lower neighbour: a minimum, alone in its star.
     matching.Partner[Star::Node] = Star::Node;
     matching.Critical = 1U << Star::Node;
     return matching;

@@ -7,7 +7,7 @@ namespace isthmus
 namespace
 {
 
-/// Rows and columns count from 1; 0 is where the search for a row's column begins.
+/// Rows and columns count from 1; 0 is the start of the search for a row's column.
 class Matching
 {
 public:

@@ -74,7 +74,7 @@ public:
           this->JoinWith(point, found->second, sets);
         }
       }
-      // After the search, so that each pair is looked at once.
+      // After the search, so that each pair is processed once.
       this->Cells[home].push_back(point);
       if (++done % 4096 == 0)
       {
@@ -104,7 +104,7 @@ private:
     Cell cell{};
     for (std::size_t a = 0; a < 3; ++a)
     {
-      // Far away, cells are merely larger than necessary.
+      // Far away, cells are only larger than necessary.
       cell[a] = static_cast<std::int64_t>(
         std::clamp(std::floor(this->Mesh.Point(point)[a] / this->Distance), -1e15, 1e15));
     }

@@ -25,7 +25,7 @@ double Clearance(
   return std::sqrt(std::max(0.0, value + largest * largest)) - (largest - probe);
 }
 
-/// The order in which triangles enter, by (value, id), as CellFiltration::Order() has it.
+/// The order in which triangles enter, by (value, id), as in CellFiltration::Order().
 using TriangleEntry = std::pair<double, TriangleId>;
 
 /// A path that has reached `Cell` through `Triangle`.
@@ -69,7 +69,7 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
   for (const TriangleId t : c.Triangles())
   {
     access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
-    // Triangles with one side only are the ways out: paths start there.
+    // Triangles with only one side are the exits: paths start there.
     const auto sides = c.TriangleSides(t);
     if (!sides[0].Exists() || !sides[1].Exists())
     {

@@ -417,7 +417,7 @@ UnionMeasure MeasureFlatUnion(
   }
   const Point3 middle = 0.5 * (box.Min + box.Max);
   // Atoms in a plane have no tetrahedra. Six points of radius 0, too far away to change a simplex
-  // of the atoms, make some, and the sum over the dual complex is that of whole balls.
+  // of the atoms, create some, and the sum over the dual complex is that of whole balls.
   const double outside = 1.0 + box.Diagonal() + 2.0 * *std::max_element(radii.begin(), radii.end());
   for (const double along : { -outside, outside })
   {

@@ -17,7 +17,7 @@ namespace
 /// Two features with a higher total cost of distance, radii and residues are not the same.
 constexpr double Alone = 2.0;
 
-/// With this share of common residues they are the same wherever they are.
+/// Features with this share of common residues are the same, independent of their positions.
 constexpr double Alike = 1.0 / 3.0;
 
 /// Number of last features by which a track is recognised, so that it survives a merge or split of

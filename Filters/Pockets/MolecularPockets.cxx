@@ -447,7 +447,7 @@ std::vector<CellPlace> CollectPlaces(const PocketByCell& labels, const std::vect
   return places;
 }
 
-/// The likelier tetrahedra of a site: at least a quarter of its likeliest.
+/// The more probable tetrahedra of a site: at least a quarter of its most probable one.
 std::vector<std::size_t> LikelyPlaces(
   const PocketSite& site, const std::vector<double>& probabilities)
 {
@@ -479,8 +479,8 @@ PocketNumber FindParent(const std::vector<CellPlace>& places, const PocketByCell
 }
 
 /**
- * The sites, the likeliest first. `labels`: the region of the site model that each tetrahedron is
- * in, which `regions` are made of; becomes the site. `pockets`: the pocket of each tetrahedron.
+ * The sites, the most probable first. `labels`: the region of the site model that each tetrahedron
+ * is in, which `regions` are made of; becomes the site. `pockets`: the pocket of each tetrahedron.
  * `judged` becomes all places with their probabilities.
  */
 std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions& options,

@@ -77,7 +77,7 @@ struct Pocket
   std::int64_t Parent =
     0; ///< of a site: its pocket, numbered from 1 by the rank of the best site in it; 0: none
   std::int64_t Group = 0;         ///< of a site: number shared with its copies (SiteCopies.h)
-  int Chain = -1;                 ///< of a site: the chain at which it lies
+  int Chain = -1;                 ///< of a site: the nearest chain
   double Volume = 0.0;            ///< of a site: PocketScore.h
   double Area = 0.0;              ///< of a site: the sum over its lining
   double Radius = 0.0;            ///< the largest clearance

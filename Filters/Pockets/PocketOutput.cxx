@@ -106,7 +106,7 @@ vtkIdType NumberOfCells(const PocketReport& report)
   return count;
 }
 
-/// Of the places, if they were kept: with their descriptors, for training.
+/// The descriptors of the places, for training, if they were kept.
 vtkSmartPointer<vtkFloatArray> MakeDescriptorArray(const std::vector<SitePlace>& places)
 {
   std::vector<std::string> names = SiteDescriptorNames();

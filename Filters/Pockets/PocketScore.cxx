@@ -40,7 +40,7 @@ void ScorePocket(Pocket& pocket)
     return;
   }
   // Only if the mouths take more volume than there is among many atoms: then the volume without
-  // them counts.
+  // them is used.
   double weights = 0.0;
   pocket.Score = 0.0;
   for (const PocketCell& cell : pocket.Cells)

@@ -11,7 +11,7 @@ namespace isthmus
 namespace
 {
 
-/// Density and the mean of the places around, by their part of it.
+/// Density and the mean of the places around, by their share of it.
 struct Mean
 {
   double Density = 0.0;
@@ -137,7 +137,7 @@ private:
   PointBins Bins;
 };
 
-/// Each place to the nearest site within SiteSpacing. O(places x sites near).
+/// Assigns each place to the nearest site within SiteSpacing. O(places x sites near).
 void AddPlaces(const std::vector<Point3>& places, std::vector<PocketSite>& sites)
 {
   std::vector<Point3> centers;
@@ -199,7 +199,7 @@ std::vector<PocketSite> FindSites(
       continue;
     }
     const Mean mode = density.Mode(places[i], sites);
-    // A shoulder of an existing site climbs to its mode.
+    // A shoulder of an existing site converges to its mode.
     const bool isNew = std::none_of(sites.begin(), sites.end(),
       [&](const PocketSite& site)
       {

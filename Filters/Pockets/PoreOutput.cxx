@@ -27,7 +27,8 @@ namespace isthmus
 namespace
 {
 
-/// HOLE's limits, in angstrom: no water passes; two side by side.
+/// HOLE's limits, in angstrom: below the first no water passes, above the second two waters side by
+/// side.
 constexpr double OneWater = 1.15;
 constexpr double TwoWaters = 2.30;
 

@@ -82,8 +82,8 @@ std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
   return points;
 }
 
-/// The same, both ways from the `start`-th point, so that one plane passes exactly through the
-/// narrowest place.
+/// The same, in both directions from the `start`-th point, so that one plane passes exactly through
+/// the narrowest place.
 std::vector<Point3> ResampleFrom(const std::vector<Point3>& path, std::size_t start, double spacing)
 {
   const auto at = path.begin() + static_cast<std::ptrdiff_t>(start);

@@ -237,7 +237,7 @@ PlaneBall ClimbInPlane(
   Point3 place = start - Dot(start - plane.Origin, plane.Normal) * plane.Normal;
   const Point3 first = place;
   double radius = field.At(place, climb.Clearance - Length(place - start)).Radius;
-  // In a wide channel, all steps would cross a small part of it, and each looks at many atoms.
+  // In a wide channel, all steps would cross a small part of it, and each searches many atoms.
   const double largest = std::max(0.5, radius / 16.0);
   double size = largest;
   // Atoms fetched once suffice while the place moves by at most `fetched`.
@@ -283,8 +283,8 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   const PlaneBall first = best;
   const auto offer = [&](const Point3& start)
   {
-    // Climbs that end in one place differ by less: the first of them stays. A center outside of the
-    // first ball belongs to another place: a wider vestibule or another pore.
+    // Searches that end in the same place differ by less: the first of them is kept. A center
+    // outside of the first ball belongs to another place: a wider vestibule or another pore.
     rough.Clearance = first.Radius - Length(start - first.Center);
     const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
     const bool here = Length(ball.Center - first.Center) <= std::max(first.Radius, 1.0);

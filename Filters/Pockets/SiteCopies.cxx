@@ -88,7 +88,7 @@ struct Surroundings
   }
 };
 
-/// Numbers of the groups, each with its densest site in front.
+/// Numbers of the groups, each with its densest site first.
 std::vector<std::vector<std::size_t>> FindGroups(const std::vector<Surroundings>& around)
 {
   std::vector<std::vector<std::size_t>> groups;

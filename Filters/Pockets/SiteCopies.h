@@ -33,7 +33,7 @@ struct CopiedSite
   int Chain = -1;         ///< the chain with the most weight around it; -1: no atom is nearby
 };
 
-/// By descending density; copies of a site follow each other, ordered by chain. `sites`: the
+/// By descending density; copies of a site are consecutive, ordered by chain. `sites`: the
 /// densest first. O(sites x residues around x sites with the same residues around).
 std::vector<CopiedSite> GroupCopies(
   const std::vector<SiteAtom>& atoms, std::vector<PocketSite> sites);

@@ -239,7 +239,7 @@ RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const SurfaceRemeshParam
   {
     throw std::invalid_argument(defects.Message() + " Repair the surface before remeshing it.");
   }
-  Check(parameters); // after the mesh, which the edge length may be derived from
+  Check(parameters); // after the mesh, from which the edge length may be derived
   if (mesh.Triangles.empty())
   {
     return {};

@@ -114,7 +114,7 @@ private:
     "remove it.");
 }
 
-/// The edges that one triangle has.
+/// The edges that only one triangle has.
 std::vector<std::array<std::int64_t, 2>> BoundaryEdges(const SurfaceView& part)
 {
   std::set<std::pair<std::int64_t, std::int64_t>> once;

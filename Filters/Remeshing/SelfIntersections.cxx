@@ -70,12 +70,12 @@ Point3 Bisector(const Point3& a, const Point3& b)
   return 1.0 / Length(sum) * sum;
 }
 
-/// Triangles (0, a, b) and (0, c, d) surely meet in the origin only.
+/// Triangles (0, a, b) and (0, c, d) surely meet only in the origin.
 bool MeetInOriginOnly(const std::array<Point3, 4>& p)
 {
   const auto& [a, b, c, d] = p;
   const double reach = std::max({ Largest(a), Largest(b), Largest(c), Largest(d) });
-  // The quickest first: between triangles of about the same size it is nearly always enough.
+  // The fastest test first: between triangles of about the same size it is nearly always enough.
   if (HasOnOneSide(a + b - (c + d), p, reach) || OnSameSide(a, b, c, d) || OnSameSide(c, d, a, b))
   {
     return true;
@@ -143,7 +143,7 @@ public:
       CGAL::collinear(this->Exact(a), this->Exact(b), this->Exact(c));
   }
 
-  /// Whether two triangles with area meet in more than what they share.
+  /// Whether two triangles with area intersect beyond their shared corners.
   bool Meet(std::int64_t first, std::int64_t second) const
   {
     Triangle a = this->Mesh.Triangles[At(first)];
@@ -218,7 +218,7 @@ private:
   SurfaceView Mesh;
 };
 
-/// Those of the triangles in [0, count) that have no area: a flag each.
+/// A flag for each of the triangles in [0, count): it has no area.
 std::vector<char> FindDegenerate(const TrianglePairs& pairs, std::int64_t count)
 {
   std::vector<char> flat(At(count), 0);

@@ -67,7 +67,7 @@ private:
   int Current = 0;
 };
 
-/// The origins of the faces of `mesh`, added where it has none. CGAL's search for a property
+/// The origins of the faces of `mesh`, added if it has none. CGAL's search for a property
 /// returns a pair before CGAL 6 and an optional since; adding an existing one returns it in all
 /// versions.
 Origins GetOrigins(SurfaceMesh& mesh)

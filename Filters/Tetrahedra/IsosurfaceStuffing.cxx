@@ -118,7 +118,7 @@ bool StartsAtFirst(const LatticePoint& a, const LatticePoint& b, const LatticePo
   return IsLongEdge(a, b) ? IsEven(a, c) : IsLongEdge(b, c);
 }
 
-/// The four corners of a tetrahedron sorted by side, the one looked at first.
+/// The four corners of a tetrahedron sorted by side, the one in question first.
 struct Parts
 {
   std::array<LatticePoint, 4> Own, Zero, Other;

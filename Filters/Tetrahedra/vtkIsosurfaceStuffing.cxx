@@ -64,8 +64,8 @@ isthmus::IsosurfaceStuffingResult Stuff(const isthmus::GridView<const T>& grid, 
   isthmus::RequireRange("Level", level, -largest, largest);
   isthmus::RequireRange("The smallest value of the volume", low, -largest, largest);
   isthmus::RequireRange("The largest value of the volume", high, -largest, largest);
-  // The level mirrors the extreme inside value, so that the surface is closed half way between
-  // nodes.
+  // The outside value is the extreme inside value mirrored at the level, so that the surface is
+  // closed half way between nodes.
   const double outside =
     insideIsHigher ? std::min(low, 2.0 * level - high) : std::max(high, 2.0 * level - low);
   isthmus::Bounds3 bounds;

@@ -304,7 +304,7 @@ std::size_t CountMissing(AtomTable& table, const Axes& axes)
   return missing;
 }
 
-/// Whether there are such coordinates, and of any row at all.
+/// Whether the columns of such coordinates exist and any row has values.
 bool HasAny(AtomTable& table, const Axes& axes)
 {
   return table.Has(axes) && CountMissing(table, axes) < table.Rows();

@@ -87,8 +87,8 @@ double NumberOrUnknown(
 constexpr const char* OddResidueNumbers = "Residue numbers that are not integers, taken as 0";
 constexpr const char* OddCharges = "Charges that are not numbers, dropped";
 
-/// An invalid bond does not discard its atoms. `a` and `b` are places of atoms, -1 for those that
-/// are not there.
+/// An invalid bond does not discard its atoms. `a` and `b` are indices of atoms, -1 for missing
+/// ones.
 void AddBond(Macromolecule& molecule, std::optional<std::int64_t> a, std::optional<std::int64_t> b,
   const TextLines& lines, ReadingReport& report)
 {

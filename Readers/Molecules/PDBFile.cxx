@@ -588,10 +588,10 @@ private:
     return static_cast<std::size_t>(after - this->Model.begin()) - 1;
   }
 
-  /// The index of the atom with this serial number; -1 if there are several.
+  /// From a serial number to the index of its atom; -1 if there are several.
   using Places = std::unordered_map<int, std::int64_t>;
 
-  /// Those of a part, whose atoms follow each other, or of all.
+  /// Those of a part, whose atoms are consecutive, or of all.
   Places IndexAtoms(std::optional<std::size_t> part) const
   {
     std::size_t first = 0;

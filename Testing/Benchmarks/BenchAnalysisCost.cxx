@@ -155,7 +155,7 @@ bool IsAtBorder(double x, double y, double z)
   return std::max({ std::abs(x), std::abs(y), std::abs(z) }) > 0.93;
 }
 
-/// A shape in a cube of side 2, on n cells a side, its nodes with normal noise of deviation
+/// A shape in a cube of side 2, on n cells per side, with normal noise at its nodes of deviation
 /// `noise`.
 void OfNoise(benchmark::State& state, Shape shape, double noise, int n, unsigned seed = 7)
 {

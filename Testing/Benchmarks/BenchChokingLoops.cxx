@@ -45,7 +45,7 @@ double Seconds(const std::function<void()>& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
 }
 
-/// Everything for a surface; seconds by stage, microseconds a sample, peak memory.
+/// Everything for a surface; seconds by stage, microseconds per sample, peak memory.
 void MakeWhole(benchmark::State& state, const TriangleMesh& mesh)
 {
   for (auto _ : state)

@@ -185,7 +185,7 @@ BENCHMARK(FanVTK)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 // --- dart to edge: the number of the edge of each dart
 
-/// By one of our tables.
+/// With one of our tables.
 template <typename Edges>
 void SweepDartToEdge(benchmark::State& state, const Edges& edges)
 {

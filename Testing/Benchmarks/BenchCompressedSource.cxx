@@ -1,5 +1,5 @@
-// A bzip2 file of 32 MB of floats, unpacked by our source on all threads and by libbz2 alone, in
-// turn.
+// A bzip2 file of 32 MB of floats, decompressed by our source on all threads and by libbz2 alone,
+// alternately.
 
 #include "Core/ParallelFor.h"
 #include "Core/Stopwatch.h"

@@ -106,7 +106,7 @@ void VTKAnisotropicDiffusion(benchmark::State& state)
 }
 
 #ifdef ISTHMUS_HAS_ITK
-/// A filter of ITK with as many threads as it takes, for five steps.
+/// A filter of ITK with its default number of threads, for five steps.
 template <typename MakeFilter>
 void ByITK(benchmark::State& state, MakeFilter makeFilter)
 {
@@ -143,7 +143,7 @@ void ITKGeometricFlow(benchmark::State& state)
 }
 #endif
 
-/// Steps of one kind, on the algorithm: no allocation but that of the volumes of a run.
+/// Steps of one kind, on the algorithm: the only allocation is that of the volumes of a run.
 void Steps(benchmark::State& state, DiffusionParameters parameters)
 {
   const int n = static_cast<int>(state.range(0));

@@ -12,7 +12,7 @@ using namespace isthmus;
 namespace
 {
 
-/// A ball of radius 1 in cells of 1/n, with as many levels of grading as asked for.
+/// A ball of radius 1 in cells of 1/n, with the requested number of levels of grading.
 void Ball(benchmark::State& state, MeshedSide side)
 {
   StuffingParameters parameters;

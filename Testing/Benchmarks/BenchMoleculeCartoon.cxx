@@ -13,7 +13,7 @@ namespace
 {
 
 /// Backbone of an ideal alpha helix: radius and angle of N, CA, C and O, 1.5 angstrom and 100
-/// degrees a residue.
+/// degrees per residue.
 std::vector<isthmus::NamedAtom> Helix(int residues)
 {
   struct Place

@@ -83,7 +83,7 @@ Point3 BoundsCenter(const std::vector<ChargedAtom>& atoms)
 
 struct Run
 {
-  double Energy = 0.0, Cpu = 0.0, Bytes = 0.0; ///< kcal/mol, seconds, of the whole process' growth
+  double Energy = 0.0, Cpu = 0.0, Bytes = 0.0; ///< kcal/mol, seconds, growth of the whole process
 };
 
 std::map<std::int64_t, Run> Ours;

@@ -4,7 +4,7 @@
 //
 // Times are CPU seconds on one thread each, which depend least on other load. GUDHI is found as in
 // the tests; ISTHMUS_PEERS names the folder of the other two (PeerPrograms.h), and each row says
-// which of them is missing. TTK's grid is split into six tetrahedra a cell (Freudenthal), where
+// which of them is missing. TTK's grid is split into six tetrahedra per cell (Freudenthal), where
 // nodes are also adjacent along diagonals: its pairs are those of another complex, close to ours on
 // a smooth field, so they are counted instead of compared individually.
 //
@@ -88,8 +88,8 @@ double PeakOver(double before)
   return PeakMemory() - before;
 }
 
-/// Resident now, as the peak just after it was reset. Freed memory is returned to the system first,
-/// since reuse of it would not be measured.
+/// Memory resident now, measured as the peak just after its reset. Freed memory is returned to the
+/// system first, since reuse of it would not be measured.
 double MemoryNow()
 {
   malloc_trim(0);
@@ -123,7 +123,7 @@ double RunOurs(benchmark::State& state, const Volume<float>& volume, bool superl
   return seconds;
 }
 
-/// The columns of a peer that is a program; false where it is missing.
+/// Fills the columns of a peer that is a program; false if it is missing.
 bool RunBeside(benchmark::State& state, PeerProgram peer, const Volume<float>& volume,
   bool superlevel, double ours, const Bars& expected)
 {
@@ -229,7 +229,7 @@ void FeaturesBesidePeers(benchmark::State& state)
   }
 }
 
-/// All shared maps of at most 128^3, both signs: how many have equal pairs, of how many.
+/// All shared maps of at most 128^3, both signs: the number with equal pairs, and the total.
 void SharedMapsBesideGudhi(benchmark::State& state)
 {
   for (auto _ : state)

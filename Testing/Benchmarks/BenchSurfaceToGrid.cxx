@@ -11,7 +11,7 @@ namespace
 
 using namespace isthmus;
 
-/// 1,003,520 triangles of a ball, or of a flat one (half as high), which no node is the center of.
+/// 1,003,520 triangles of a ball, or of a flattened one (half as high); no node is at its center.
 struct Case
 {
   explicit Case(double height)

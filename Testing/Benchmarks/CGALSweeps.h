@@ -35,7 +35,7 @@ NumberedCGAL& CGAL()
   return map;
 }
 
-/// Times one query for each item; the sum of of(item) must equal ours.
+/// Times one query for each item; the sum of of(item) must equal that of our map.
 template <typename Items, typename Of>
 void SweepCGAL(benchmark::State& state, const Items& items, Of&& of)
 {

@@ -17,7 +17,7 @@
 namespace isthmus::testing
 {
 
-/// Bytes a second, read plus written, of the best of several parallel copies of 256 MB.
+/// Bytes per second, read plus written, of the best of several parallel copies of 256 MB.
 inline double CopyBandwidth()
 {
   static const double bandwidth = []()

@@ -32,7 +32,7 @@ inline ITKImage::Pointer ITKView(float* values, int n)
   return import->GetOutput();
 }
 
-/// Perona and Malik's diffusion, as edge stopping of order 0 is.
+/// Perona and Malik's diffusion, which edge stopping of order 0 is.
 inline itk::GradientAnisotropicDiffusionImageFilter<ITKImage, ITKImage>::Pointer ITKEdgeStopping()
 {
   const auto filter = itk::GradientAnisotropicDiffusionImageFilter<ITKImage, ITKImage>::New();
@@ -40,7 +40,7 @@ inline itk::GradientAnisotropicDiffusionImageFilter<ITKImage, ITKImage>::Pointer
   return filter;
 }
 
-/// Levels move by their mean curvature, as geometric flow of order 0 lets them.
+/// Levels move by their mean curvature, as in geometric flow of order 0.
 inline itk::CurvatureFlowImageFilter<ITKImage, ITKImage>::Pointer ITKGeometricFlow()
 {
   return itk::CurvatureFlowImageFilter<ITKImage, ITKImage>::New();

@@ -1,6 +1,6 @@
 // libFuzzer target: the bytes as a molecule in one of the formats (the first byte says which, the
-// second which atoms are wanted). The result must have finite positions and bonds between existing
-// atoms.
+// second which atoms are selected). The result must have finite positions and bonds between
+// existing atoms.
 //
 // Seeds come from LLVMFuzzerCustomMutator, which occasionally starts from a valid file.
 

@@ -1,5 +1,5 @@
 // A failed filter reports one message, once, without VTK's description of its request, and
-// downstream outputs are emptied, too.
+// downstream outputs are emptied as well.
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/ChildProcess.h"
@@ -68,7 +68,7 @@ private:
 
 vtkStandardNewMacro(Failing);
 
-/// Fills both outputs, then fails with Sentence, or is aborted where there is none.
+/// Fills both outputs, then fails with Sentence, or is aborted if there is no Sentence.
 class FailingTwice : public vtkPolyDataAlgorithm
 {
 public:

@@ -1,5 +1,5 @@
-// Cracks between facets, patches turned over, cavities that face the wrong way: repaired where the
-// repair is certain, and nowhere else.
+// Cracks between facets, patches turned over, cavities that face the wrong way: repaired only where
+// the repair is certain.
 
 #include "Core/PolyDataTriangles.h"
 #include "SharedData.h"
@@ -73,7 +73,7 @@ TriangleMesh Together(const std::vector<TriangleMesh>& parts)
   return all;
 }
 
-/// Each triangle with corners of its own, which lie up to `noise` beside their places.
+/// Each triangle with corners of its own, displaced by up to `noise`.
 TriangleMesh Facets(const TriangleMesh& mesh, double noise)
 {
   std::mt19937 random(3);

@@ -128,7 +128,7 @@ const std::vector<double> Odd{ 0.0, 1e-300, 1e-38, 1e-12, 1e12, 1e38, 1e99, 1e15
 const std::vector<double> Traces{ 0.0, 1e-14, 1e-15, 1e-16, 1e-17, 1e-18, 1e-20, 1e-22, 1e-24,
   1e-26, 1e-30, 1e-28, 1e-34 };
 
-/// Some coordinates of a sound surface, most of them along one axis, become one of `values`.
+/// Some coordinates of a valid surface, most of them along one axis, become one of `values`.
 TriangleMesh WithCoordinates(std::uint64_t seed, const std::vector<double>& values)
 {
   Chance chance(seed);
@@ -200,7 +200,7 @@ TEST(SurfaceRepair, OddCoordinatesGiveASurfaceOrAMessage)
       EXPECT_TRUE(FindDefects(mesh).BoundaryTriangles.empty());
       return mesh.Points;
     });
-  EXPECT_GE(4 * static_cast<std::size_t>(made), seeds.size()); // the others reach too far
+  EXPECT_GE(4 * static_cast<std::size_t>(made), seeds.size()); // the others extend too far
 }
 
 /// Stars of flat triangles, for which CGAL's relaxation accessed edges that do not exist:

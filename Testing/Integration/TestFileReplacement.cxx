@@ -137,7 +137,7 @@ Prepare AsText()
   { vtkCombinatorialMeshWriter::SafeDownCast(writer)->SetBinary(false); };
 }
 
-/// Each writer, the file it is given, and all files that it writes.
+/// Each writer, the file name that it is given, and all files that it writes.
 struct Trial
 {
   std::function<Outcome(const std::string&, const Prepare&)> Write;
@@ -459,7 +459,7 @@ TEST(FileReplacement, OldCellFilesAreRemovedWithTheOldPoints)
   {
     vtkSmartPointer<vtkUnstructuredGrid> Mesh;
     const char* Name;
-    const char* Other; ///< the partner that the mesh does not have
+    const char* Other; ///< the second file, which the mesh does not need
     std::string Content;
     bool IsRemoved;
   };

@@ -127,8 +127,9 @@ TEST(ReaderLimits, FoldersAreReportedAsFolders)
     std::string::npos);
 }
 
-/// ParaView asks the readers of a name one after another, and then offers those that do not examine
-/// files: of ParaView 5.11's, one never ends on an empty file, and GDAL's waits for pipes.
+/// ParaView queries the readers for a file name one after another, and then offers those that do
+/// not examine files: in ParaView 5.11, one of them never returns for an empty file, and GDAL's
+/// waits for pipes.
 TEST(ReaderLimits, EmptyFilesAreJudgedByTheirName)
 {
   const std::string empty = Folder() / "empty.any";

@@ -230,7 +230,7 @@ TEST(ShellCrossings, CavitiesThatTouchTheirWallCountAlike)
 
 TEST(ShellCrossings, NestedShellsCountAlikeWhicheverWayTheyFace)
 {
-  // A solid with a cavity with a solid in it: each by turns inside out.
+  // A solid with a cavity with a solid in it: each of them inverted once.
   const double radii[] = { 5.0, 3.5, 2.0 };
   double volumes[3];
   for (int k = 0; k < 3; ++k)

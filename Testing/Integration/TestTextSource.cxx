@@ -170,7 +170,7 @@ const std::vector<Text>& Texts()
   return texts;
 }
 
-/// Writes the files of `text` as `change` makes them, and reads the first one.
+/// Writes the files of `text` after `change` has modified them, and reads the first one.
 Result Written(const Text& text, const std::function<std::string(const std::string&)>& change)
 {
   const TemporaryFile file(change(text.Files[0].second), text.Files[0].first);

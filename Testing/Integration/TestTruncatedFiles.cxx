@@ -121,7 +121,7 @@ struct Format
   std::string PartnerText{};
 };
 
-/// Where the last number that is read begins; the file may have text behind it.
+/// Where the last number that is read begins; the file may have text after it.
 std::size_t FindLastNumber(const std::string& text, std::size_t end)
 {
   return text.find_last_of(" \n\t", end - 1) + 1;
@@ -289,7 +289,7 @@ TEST(TruncatedFiles, AreErrorsOrWholeOrAsDocumented)
     const Outcome whole = read(format.Text);
     ASSERT_EQ(whole.Error, "");
     ASSERT_EQ(whole.Warning, "");
-    Outcome records; // of the whole lines before the cut
+    Outcome records; // from the whole lines before the cut
     std::size_t errors = 0, halves = 0, shorter = 0;
     for (std::size_t size = 1; size < format.Text.size(); ++size)
     {

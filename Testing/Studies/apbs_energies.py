@@ -161,7 +161,7 @@ def main():
     chosen = [case for case in cases() if (options.large or not case.large) and
               (not options.only or any(word.lower() in case.name.lower() for word in options.only))]
     if not chosen:
-        sys.exit("No row has one of these words in its name. There are: " + ", ".join(case.name for case in cases()))
+        sys.exit("No row has one of these words in its name. The rows are: " + ", ".join(case.name for case in cases()))
     print("| molecule | surface | APBS, published | APBS here | ours | ours, Gaussian | other |")
     print("|---|---|---|---|---|---|---|")
     for case in chosen:

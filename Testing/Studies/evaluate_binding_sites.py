@@ -193,7 +193,7 @@ def main():
     complexes = load(options.folder, output_folder(options.work), "apbs" in options.potentials)
     for kind in itertools.product(options.surfaces, options.potentials):
         compare(complexes, kind)
-    if options.sweep:  # on Gaussian surfaces, whose decay it varies
+    if options.sweep:  # on Gaussian surfaces, for several decay rates
         for c in complexes:
             c.kind = ("gaussian", options.potentials[-1])
         sweep(complexes)

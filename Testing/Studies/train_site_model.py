@@ -231,7 +231,7 @@ def likeness(a, b):
 
 
 def with_copies(one, density, centers):
-    """Copies of a site follow each other in the order of their chains, with the mean of their densities
+    """Copies of a site are consecutive, in the order of their chains, with the mean of their densities
     (SiteCopies.h)."""
     around = [weights_around(one, center) for center in centers]
     groups = []

@@ -2,7 +2,7 @@
 // explicit triangulation: ttk_mesh_persistence IN.tetrahedra OUT.diagram OUT.seconds [THREADS] The
 // mesh as TetrahedraFiles.h says, the pairs in DIPHA's format (DiphaFiles.h); the last file gets
 // two numbers, the CPU and the wall seconds of preconditioning, gradient and pairing, files not
-// among them. One thread unless more are asked for.
+// among them. One thread by default.
 //
 // Not part of Isthmus: it needs TTK's base layer.
 

@@ -20,7 +20,7 @@ namespace isthmus::digests
 
 using ArrayTable = std::vector<OutputArray>;
 
-/// The table of a class, null if it has none.
+/// The table of a class; null if it has none.
 template <typename Filter, typename = void>
 struct TableOf
 {

@@ -129,8 +129,8 @@ TEST(MolecularDensity, VolumeOfTwoBallsLessTheirLens)
   const std::vector<Ball> balls{ { { 0.1, 0.2, 0.3 }, r }, { { 0.1 + d, 0.2, 0.3 }, r } };
   const double lens = Pi * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
   const double exact = 2.0 * 4.0 / 3.0 * Pi * r * r * r - lens;
-  // Paddings that place the centers between nodes; on nodes, symmetric nodes would change sides
-  // together.
+  // Paddings that place the centers between nodes; with centers on nodes, symmetric nodes would
+  // change sides together.
   const double found = Make(balls, Form::Union, 0.05, { 0.31, 0.17, 0.23 }).Integral();
   EXPECT_NEAR(found / exact, 1.0, 1e-3);
 }

@@ -30,7 +30,7 @@ void SetsAgree()
   {
     ours.Clear();
     std::set<Id> expected;
-    // Few ids many times, and in some rounds more than the initial buffer holds.
+    // A few ids, each many times, and in some rounds more than the initial buffer holds.
     const int count = round % 20 == 0 ? 5000 : 60;
     std::uniform_int_distribution<Id> any(0, static_cast<Id>(count));
     for (int i = 0; i < 2 * count; ++i)

@@ -69,8 +69,9 @@ TEST(TetCutaway, RemovesTheRequestedNumber)
   }
 }
 
-// Cubes beside each other by a face: removed in breadth-first order from a corner, by number of
-// steps; so the removed part is connected, and the first n + 1 cells are the first n and another.
+// Cubes that share a face are neighbours: removed in breadth-first order from a corner, by number
+// of steps; so the removed part is connected, and the first n + 1 cells are the first n and
+// another.
 TEST(TetCutaway, RemovesTheNearestFirst)
 {
   constexpr int side = 5;

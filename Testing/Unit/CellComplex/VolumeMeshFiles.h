@@ -1,7 +1,7 @@
 /**
  * @file VolumeMeshFiles.h
  * @brief Reads the shared volume meshes for the tests: VTK, Medit, MFEM, Gmsh, Netgen, TetGen, OVM
- * and HEDRA files, as far as these files go.
+ * and HEDRA files, as far as these files require.
  */
 #ifndef isthmus_VolumeMeshFiles_h
 #define isthmus_VolumeMeshFiles_h
@@ -110,7 +110,7 @@ private:
     }
   }
 
-  /// A cell whose vertices are the next words, counted from `base`.
+  /// A cell whose vertices are the next words, numbered from `base`.
   void Cell(int type, vtkIdType size, vtkIdType base)
   {
     Ids ids;
@@ -325,7 +325,7 @@ private:
     Ids starts;
     for (vtkIdType left = 2 * this->Next(); left > 0; --left)
     {
-      starts.push_back(this->Next()); // of half edges 2e and 2e + 1
+      starts.push_back(this->Next()); // for half edges 2e and 2e + 1
     }
     this->SkipTo("Faces");
     std::vector<Ids> faces(static_cast<std::size_t>(this->Next()));

@@ -162,7 +162,7 @@ inline BeadShape Lattice(int n, double neck)
   return shape;
 }
 
-/// A row of n beads, and a tooth on each.
+/// A row of n beads, each with a protruding tooth.
 inline BeadShape Comb(int n, double neck)
 {
   BeadShape shape;
@@ -228,7 +228,7 @@ struct Tube
   }
 };
 
-/// Point v (of `across`) round point u (of `along`) of a tube: rings turned without twist.
+/// Point v (of `across`) round point u (of `along`) of a tube: in frames without twist.
 inline TriangleMesh TubeSurface(const Tube& tube, int along, int across)
 {
   TriangleMesh mesh;

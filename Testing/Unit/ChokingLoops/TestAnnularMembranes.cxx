@@ -121,7 +121,7 @@ private:
 
 constexpr double NeckRadius = 0.4;
 constexpr double WireRadius = 0.12;
-constexpr double OffAxis = 0.05; ///< so that the ball can pass at one place only
+constexpr double OffAxis = 0.05; ///< so that the ball can pass only at one place
 
 /// Widest at 1.2 beside the waist at 0, closed at 1.9.
 double WireAt(double z)

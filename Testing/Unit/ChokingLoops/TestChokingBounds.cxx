@@ -135,7 +135,7 @@ public:
     }
   }
 
-  /// The largest at the edges that pass `p`, and at those that end where these do.
+  /// The largest at the edges that pass `p`, and at those that share an end with them.
   double SharpestAt(const Point3& p, double reach) const
   {
     std::set<SimplexId> ends;

@@ -271,7 +271,7 @@ TEST(ChokingInput, DoesNotDependOnThreads)
     { TangleCube(30), 0.0 } } };
   for (const auto& [mesh, spacing] : cases)
   {
-    const TriangleMesh& surface = mesh; // what a lambda can capture
+    const TriangleMesh& surface = mesh; // structured bindings cannot be captured by a lambda
     const double size = spacing;
     std::vector<std::vector<double>> results;
     for (const int threads : { 1, 4 })

@@ -304,7 +304,7 @@ TEST(ChokingLoopsFilter, StopsWhileTetGenRuns)
   ExpectStops(steered);
 }
 
-// At any progress. By the fraction: how many reports there are depends on their time.
+// At any progress. By the fraction, since the number of reports depends on the time.
 TEST(ChokingLoopsFilter, StopsAnywhere)
 {
   const TriangleMesh torus = Torus(1.0, 0.3, 60, 20);

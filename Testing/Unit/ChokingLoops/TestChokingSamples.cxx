@@ -33,7 +33,7 @@ double LongestEdge(const TriangleMesh& mesh, const Point3& center = {}, double r
   return longest;
 }
 
-/// The given number of places round a torus that require edges of `length`.
+/// The given number of places around a torus that require edges of `length`.
 std::vector<Refinement> Places(std::size_t count, double length)
 {
   std::vector<Refinement> places;
@@ -119,7 +119,7 @@ TEST(ChokingSamples, ManyUnresolvedPlacesAreLeft)
   const double finest = 0.216 * 0.08;
   std::vector<Refinement> places = Places(ManyPlaces + 2, 0.5 * finest);
   EXPECT_TRUE(Refined(samples, places, 0.08, finest).Points.empty());
-  // Half of them can be refined; then one fewer.
+  // If half of them can be refined, refinement is tried; with one fewer it is not.
   for (std::size_t i = 0; i < places.size() / 2; ++i)
   {
     places[i].EdgeLength = 1.01 * finest;
@@ -127,7 +127,7 @@ TEST(ChokingSamples, ManyUnresolvedPlacesAreLeft)
   EXPECT_FALSE(Refined(samples, places, 0.08, finest).Points.empty());
   places.front().EdgeLength = 0.5 * finest;
   EXPECT_TRUE(Refined(samples, places, 0.08, finest).Points.empty());
-  // Few are tried all the same.
+  // A few places are refined nevertheless.
   places.resize(1);
   EXPECT_FALSE(Refined(samples, places, 0.08, finest).Points.empty());
 }
@@ -162,7 +162,7 @@ TriangleMesh Noise(int n)
     1.0, n);
 }
 
-/// How many samples each round of an analysis has.
+/// The number of samples in each round of an analysis.
 std::vector<std::size_t> SamplesOfRounds(const TriangleMesh& surface)
 {
   std::vector<std::size_t> samples;

@@ -121,7 +121,7 @@ TriangleMesh AddJitter(TriangleMesh mesh, std::mt19937& random)
   return mesh;
 }
 
-/// Every triangle in four.
+/// Each triangle divided into four.
 TriangleMesh Subdivide(const TriangleMesh& mesh)
 {
   TriangleMesh fine{ mesh.Points, {} };
@@ -195,7 +195,7 @@ struct Tally
 {
   int Runs = 0;
   int Same = 0;          ///< each diagram split at its own largest gap
-  int SameThreshold = 0; ///< all at that of the undisturbed one
+  int SameThreshold = 0; ///< all split at the gap of the undisturbed one
   int Redrawn = 0;       ///< perturbed surfaces that intersect themselves
 };
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr int ManyRounds = 5000; ///< until nothing gets shorter
 
-/// A cylinder of radius 1 round z with flat ends at z = -3 and 3, 2 n points to a ring. Points of
+/// A cylinder of radius 1 round z with flat ends at z = -3 and 3, 2 n points per ring. Points of
 /// even rings lie at multiples of pi / n, those of odd ones between.
 class Cylinder
 {
@@ -165,14 +165,14 @@ TEST(CornerCutting, MeasuresWithoutCutting)
     EXPECT_EQ(measured.Crossings[i].HalfEdge, stair.Curve.Crossings[i].HalfEdge);
     EXPECT_EQ(measured.Crossings[i].Fraction, stair.Curve.Crossings[i].Fraction);
   }
-  // No cut either where the corners are not sharp.
+  // No cut where the corners are not sharp, either.
   const SurfaceCurve kept = CutCorners(stair.Surface, stair.Curve, stair.Turn() + 0.1, 0.3);
   EXPECT_EQ(kept.Length, stair.Curve.Length);
   EXPECT_EQ(kept.Pins.size(), 2U);
 }
 
-// Of two sides of length r, turning by t, the third is 2 r cos(t / 2), and there are two corners
-// of t / 2 each in place of the one.
+// The third side of a triangle with two sides of length r and a turning angle t is 2 r cos(t / 2),
+// and there are two corners of t / 2 each in place of the one.
 TEST(CornerCutting, CutsOffATriangle)
 {
   double before = HUGE_VAL;
@@ -229,7 +229,7 @@ TEST(CornerCutting, CutsMoreTheFartherItMayReach)
 
 TEST(CornerCutting, DoesNotDependOnUnitOrDirection)
 {
-  const HeldStair stair(64, 0.2); // points shifted: no two crossings coincide
+  const HeldStair stair(64, 0.2); // shifted points: no two crossings coincide
   const double allowed = 0.6 * stair.Turn();
   const SurfaceCurve cut = CutCorners(stair.Surface, stair.Curve, allowed, 0.4);
   EXPECT_LT(cut.Length, stair.Curve.Length);

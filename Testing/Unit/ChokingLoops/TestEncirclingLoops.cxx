@@ -103,8 +103,8 @@ double ShortestWinding(const RoughTorus& torus, SimplexId base, std::size_t axis
     };
     return std::abs(angle(a) - angle(b)) > M_PI ? 1U : 0U;
   };
-  using State =
-    std::pair<SimplexId, unsigned>; // a point, and which cuts were crossed an odd number of times
+  using State = std::pair<SimplexId,
+    unsigned>; // a point, and the cuts that were crossed an odd number of times
   std::map<State, double> known;
   std::priority_queue<std::pair<double, State>, std::vector<std::pair<double, State>>,
     std::greater<>>

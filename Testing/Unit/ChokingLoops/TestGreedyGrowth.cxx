@@ -1,5 +1,5 @@
-// The membrane that grows greedily from a choke triangle: its path and cost in one ring, and beside
-// the minimum cut and the automatic membrane on shapes whose necks are known.
+// The membrane that grows greedily from a choke triangle: its path and cost in one ring, and
+// compared with the minimum cut and the automatic membrane on shapes whose necks are known.
 
 #include "BeadShapes.h"
 #include "ChokingLoops/GreedyMembrane.h"
@@ -92,7 +92,7 @@ TEST(GreedyGrowth, PathIsTheCheapestByLengthAndDistance)
   EXPECT_EQ(byLength->Steps, 1U);
   EXPECT_NEAR(byLength->Cost, 0.5 * Way(Q), 1e-12); // q is nearer than p
   EXPECT_LT(Way(Q), Way(P));
-  // The path over p is longer by 0.9, so q may be deeper by as much.
+  // The path over p is longer by 0.9, so q may be deeper by the same amount.
   const double detour = Way(P) - Way(Q);
   EXPECT_NEAR(GrowthInOneRing(0.0, 0.99 * detour)->Cost, 0.5 * (Way(Q) + 0.99 * detour), 1e-12);
   EXPECT_NEAR(GrowthInOneRing(0.0, 1.01 * detour)->Cost, 0.5 * Way(P), 1e-12);

@@ -55,7 +55,7 @@ struct TorusGrid
     return loop;
   }
 
-  /// Edges the long way round, on top of the tube.
+  /// Edges the long way around, on top of the tube.
   std::vector<SimplexId> Top() const
   {
     std::vector<SimplexId> loop;

@@ -43,7 +43,7 @@ std::vector<LoopTolerances> Ends()
 void ExpectSameLoops(TriangleMesh mesh, double spacing = 1e3)
 {
   ChokingLoopParameters parameters;
-  parameters.SampleSpacing = spacing; // the points that there are, where it is that large
+  parameters.SampleSpacing = spacing; // all points, if it is that large
   ChokingLoops loops(std::move(mesh), parameters);
   const std::vector<LoopTolerances> ends = Ends();
   int held = 0;

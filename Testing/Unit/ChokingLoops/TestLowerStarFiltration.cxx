@@ -284,7 +284,7 @@ protected:
     return { found[0].Radius, found[1].Radius };
   }
 
-  /// Of the polyhedron: the cross-section's polygon of 24 sides, and the 48 sides round the hole.
+  /// Values of the polyhedron: the cross-section is a polygon of 24 sides, and the hole one of 48.
   const std::array<double, 2> Polyhedron{ 0.3 * std::cos(M_PI / 24.0),
     0.7 * std::cos(M_PI / 48.0) };
 
@@ -342,7 +342,7 @@ TEST_F(MorseFunctions, AgreeWhereTheyAreTheSameFunction)
     EXPECT_LE(edge[k], exact[k] + excess);
     // A distance is 1-Lipschitz, and the nodes of a trilinear mean are at most a diagonal away.
     EXPECT_NEAR(grid[k], exact[k], std::sqrt(3.0) * cell);
-    EXPECT_NEAR(marched[k], exact[k], 2.0 * std::sqrt(3.0) * cell); // first order: a cell more
+    EXPECT_NEAR(marched[k], exact[k], 2.0 * std::sqrt(3.0) * cell); // first order: one cell more
   }
 }
 
@@ -372,12 +372,12 @@ TEST_F(MorseFunctions, MeshMadeInside)
   EXPECT_GE(number("LargestSamplingError"), found[1].Uncertainty);
 }
 
-// Beside the faces of a cube, two triangles each, tetrahedra would be as large as these.
+// Next to the faces of a cube, two triangles each, tetrahedra would be as large as the faces.
 TEST(MorseFunctionsInside, TheyDifferWhereTheNearestPointIsNoPointOfTheMesh)
 {
   Blocks cube(
     { 2, 2, 2 }, [](auto, auto, auto) { return true; }, true);
-  // The cube's surface by hand: faces that one tetrahedron has.
+  // The cube's surface computed here: faces that only one tetrahedron has.
   std::map<std::set<std::int64_t>, std::pair<int, Triangle>> faces;
   for (const Tetrahedron& t : cube.Mesh.Tetrahedra)
   {

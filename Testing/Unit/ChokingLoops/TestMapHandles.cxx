@@ -197,7 +197,7 @@ TEST(MapHandles, SevenFoldGroupsOfGroEL)
   const double* h = image->GetSpacing();
   double center[3];
   image->GetCenter(center);
-  // density from, to, how many
+  // density from, density to, number
   const double groups[5][3] = { { 5.38, 5.53, 14 }, { 3.42, 3.57, 14 }, { 2.96, 3.13, 7 },
     { 2.22, 2.31, 14 }, { 0.78, 0.965, 7 } };
   for (const auto& group : groups)
@@ -249,7 +249,7 @@ TEST(MapHandles, AxesAndShiftsOfGroELChangeNoBridge)
   reader->SetFileName(
     (isthmus::testing::SharedDataFolder() / "maps/emd_5043.map").string().c_str());
   reader->Update();
-  // Level, then the place in nodes of the map as it is.
+  // Level, then the position in nodes of the unchanged map.
   using Bridge = std::array<double, 4>;
   const auto bridgesOf = [](vtkImageData* image, const std::array<int, 3>& axis, const Place& zero)
   {
@@ -457,7 +457,7 @@ TEST(MapHandles, BootstrapSeparatesABridgeFromNoise)
     noiseBridges += gap < 1.0 ? 1 : 0;
     wrong += gap < 0.05 ? 1 : 0;
   }
-  EXPECT_GE(noiseBridges, 4); // else nothing was tried
+  EXPECT_GE(noiseBridges, 4); // otherwise nothing was tested
   EXPECT_LE(wrong, 1);
 }
 

@@ -146,7 +146,7 @@ TEST(OffsetSurface, BothSidesAreInsideAndOutside)
   EXPECT_EQ(choked.Error(), "");
 }
 
-// Outward from what the offset encloses, so that its volume is positive, and normals likewise.
+// Outward from the enclosed region, so that its volume is positive, and normals likewise.
 TEST(OffsetSurface, FacesOutward)
 {
   const TriangleMesh sphere =
@@ -267,7 +267,7 @@ TEST(OffsetSurface, StopsOnRequestAtAnyTime)
     });
   EXPECT_EQ(last, 1.0);
   ASSERT_GT(calls, 5);
-  // By the fraction: how many reports there are depends on the time that they take.
+  // By the fraction, since the number of reports depends on the time.
   for (int stop = 0; stop <= 20; ++stop)
   {
     EXPECT_THROW(OffsetDistances(torus, { 0.2, SideSelection::Inside, 60 },

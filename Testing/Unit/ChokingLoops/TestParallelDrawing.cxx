@@ -1,5 +1,5 @@
-// Loops are drawn on several threads: bitwise the same on any number, and as one by one; an abort
-// ends the drawing and keeps what is done.
+// Loops are drawn on several threads: bitwise the same on any number of threads, and when drawn one
+// by one; an abort ends the drawing and keeps the finished ones.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/LoopDrawing.h"
@@ -78,7 +78,7 @@ TEST(ParallelDrawing, IdenticalOnAnyNumberOfThreads)
   }
 }
 
-TEST(ParallelDrawing, AsOneByOne)
+TEST(ParallelDrawing, MatchesDrawingOneByOne)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/genus3.off");
   const TriangleMesh mesh = ReadSurface("genus3.off");

@@ -1,5 +1,5 @@
 // Damaged surfaces: each gives loops and a report of the repairs, or an error message. About two
-// dozen cases in ctest; ISTHMUS_FUZZ_CASES=2000 in the environment asks for more.
+// dozen cases in ctest; ISTHMUS_FUZZ_CASES=2000 in the environment runs more.
 
 #include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
@@ -80,7 +80,7 @@ void SplitEdge(TriangleMesh& mesh, std::size_t t, const Point3& middle)
   }
 }
 
-/// A needle: an edge split right beside its end. `area` is that of the two triangles there.
+/// A needle: an edge split very close to its end. `area` is that of the two triangles there.
 void AddNeedle(TriangleMesh& mesh, std::size_t t, double area)
 {
   const Point3 a = GetPoint(mesh, mesh.Triangles[t][1]);
@@ -145,7 +145,7 @@ TEST(RepairReport, CapsAndPointsOnEdges)
 {
   TriangleMesh mesh = Torus(1.0, 0.3, 30, 20);
   const Triangle t = mesh.Triangles[100];
-  // The corner opposite to an edge moved onto it: two flat triangles, or next to.
+  // The corner opposite to an edge moved onto it: two flat triangles, or almost flat ones.
   GetPoint(mesh, t[0]) = 0.5 * (GetPoint(mesh, t[1]) + GetPoint(mesh, t[2]));
   ExpectCorrected(mesh, 1.0, 1.0);
 }

@@ -19,7 +19,7 @@ const Point3& At(const TriangleMesh& mesh, SimplexId p)
   return mesh.Points[static_cast<std::size_t>(p)];
 }
 
-/// A torus whose points were moved at random: no two paths are of one length.
+/// A torus whose points were moved at random: no two paths have the same length.
 TriangleMesh RoughTorus(int around, int across)
 {
   TriangleMesh mesh = Torus(1.0, 0.3, around, across);
@@ -211,7 +211,7 @@ TEST(SurfacePaths, StayOnTheirPartAndAvoidUnusedPoints)
   const SurfaceAdjacency surface(mesh);
   const SurfacePaths paths(surface, 0, HUGE_VAL, part);
   EXPECT_EQ(paths.Points().size(), static_cast<std::size_t>(part));
-  EXPECT_FALSE(paths.Has(part)); // where it was to end
+  EXPECT_FALSE(paths.Has(part)); // where it should end
   EXPECT_FALSE(paths.Has(lonely));
   const SurfacePaths none(surface, lonely, HUGE_VAL);
   ASSERT_EQ(none.Points().size(), 1U);

@@ -75,7 +75,7 @@ inline TriangleMesh Octahedron(double r)
   return mesh;
 }
 
-/// A turned copy, so that nothing is along the grid.
+/// A turned copy, so that nothing is aligned with the grid.
 inline TriangleMesh Rotate(TriangleMesh mesh)
 {
   const double c = std::cos(0.4), s = std::sin(0.4);

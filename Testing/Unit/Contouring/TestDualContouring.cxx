@@ -41,7 +41,7 @@ TriangleMesh OnGrid(const TriangleMesh& mesh, double spacing, double reach)
     });
 }
 
-/// How far the points of `mesh` are from `surface`.
+/// The distances of the points of `mesh` from `surface`.
 std::vector<double> DistancesFrom(const TriangleMesh& mesh, const TriangleMesh& surface)
 {
   std::vector<double> distances;
@@ -190,7 +190,7 @@ TEST(DualContouring, SurfacesThatCrossAreRefusedWithTheirPlace)
   const std::size_t start = std::min(message.find("cross at ("), message.size());
   ASSERT_EQ(std::sscanf(message.c_str() + start, "cross at (%lf, %lf, %lf)", p, p + 1, p + 2), 3)
     << message;
-  for (int a = 0; a < 3; ++a) // where both cubes are
+  for (int a = 0; a < 3; ++a) // where the two cubes are
   {
     EXPECT_GE(p[a], 10.0 * (a + 1) + 1.0) << message;
     EXPECT_LE(p[a], 10.0 * (a + 1) + 2.0) << message;

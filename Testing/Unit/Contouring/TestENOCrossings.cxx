@@ -213,7 +213,7 @@ TEST(ENOCrossings, SmoothSetsKeepTheirOrders)
   }
 }
 
-/// A ball with noise: normals against the true ones, by both ways.
+/// A ball with noise: normals compared with the true ones, by both methods.
 TEST(ENOCrossings, NoiseTurnsNormalsNoMore)
 {
   for (const double noise : { 0.02, 0.1, 0.3, 1.0 })
@@ -232,7 +232,8 @@ TEST(ENOCrossings, NoiseTurnsNormalsNoMore)
   }
 }
 
-/// Maps with noise of a tenth of their deviation, drawn twice: how far normals then disagree.
+/// Maps with noise of a tenth of their deviation, drawn twice: the angles between the resulting
+/// normals.
 TEST(ENOCrossings, NoiseOnMapsTurnsNormalsNoMore)
 {
   ISTHMUS_NEEDS_SHARED_DATA("maps");

@@ -327,7 +327,7 @@ TEST(VTKMapSurface, ReportsErrorsWithAnEmptyOutput)
 }
 
 // Density darker than the background: in synthetic maps with noise of each size, and in real ones
-// turned over; the same maps as they are get no warning.
+// turned over; the unchanged maps cause no warning.
 TEST(VTKMapSurface, InvertedContrastIsSuspected)
 {
   const auto warning = [](vtkImageData* image, double sign, bool higher)

@@ -48,7 +48,7 @@ std::vector<TangentPlane> OfFloor(int count, std::mt19937& random)
   return planes;
 }
 
-/// How far `x` is from the circle in which that sphere meets the floor z = 0.
+/// The distance of `x` from the circle in which that sphere meets the plane z = 0.
 double OffCircle(const Point3& x, double radius)
 {
   const Point3 toSphere = x + radius * Point3{ 0.0, std::sqrt(0.75), 0.5 };
@@ -71,7 +71,7 @@ QuadricError Tangent(const std::vector<TangentPlane>& planes)
 }
 
 /// Crossings of the solid f < 0 with the lines of n^3 nodes from -1 to 1 by bisection, with its
-/// gradient there: nothing of them is interpolated.
+/// gradient there: nothing is interpolated.
 template <typename Function>
 HermiteGrid ExactGrid(int n, Function&& f)
 {

@@ -1,6 +1,6 @@
 /**
  * @file ExtremeInputs.h
- * @brief Volumes and surfaces of any scale, and how a filter that receives them ends.
+ * @brief Volumes and surfaces of any scale, and the outcome of a filter that receives them.
  */
 #ifndef isthmus_ExtremeInputs_h
 #define isthmus_ExtremeInputs_h

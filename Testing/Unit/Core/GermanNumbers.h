@@ -29,7 +29,8 @@
 namespace isthmus::testing
 {
 
-/// Numbers are written "1.234,5" by the functions of C and the streams of C++ as long as it lives.
+/// Numbers are written "1.234,5" by the functions of C and the streams of C++ for the lifetime of
+/// the object.
 class GermanNumbers
 {
 public:

@@ -2,9 +2,10 @@
  * @file HeldBytes.h
  * @brief Counts the heap memory of a program and its peak (glibc).
  *
- * Replaces malloc and its kin for the whole program (glibc's manual, "Replacing malloc"), so that
- * operator new and calloc of every library in it are counted as well. Requested bytes count,
- * touched or not: the same on every kernel, at any load. Include it in one source of a program.
+ * Replaces malloc and related functions for the whole program (glibc's manual, "Replacing malloc"),
+ * so that operator new and calloc of every library in it are counted as well. Requested bytes
+ * count, touched or not: the same on every kernel, at any load. Include it in one source of a
+ * program.
  */
 #ifndef isthmus_HeldBytes_h
 #define isthmus_HeldBytes_h
@@ -18,7 +19,7 @@
 
 #ifdef __has_feature
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ISTHMUS_COUNTS_BYTES 0 // sanitizers bring a malloc of their own
+#define ISTHMUS_COUNTS_BYTES 0 // sanitizers have a malloc of their own
 #endif
 #endif
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)

@@ -1,6 +1,6 @@
 /**
  * @file LongTests.h
- * @brief Which of the long cases of a test run now.
+ * @brief Decides which of the long cases of a test are run.
  *
  * All of them with ISTHMUS_LONG_TESTS=1. Otherwise one of `hands` shares, selected by the hash of
  * the test's name and the number ISTHMUS_TURN. Testing/run.sh sets it to the number of merges, so
@@ -21,7 +21,7 @@ namespace isthmus::testing
 class LongCases
 {
 public:
-  /// `name` decides at which turn a case runs and is printed by ReportCases(). After `hands`
+  /// `name` decides in which run a case is done, and is printed by ReportCases(). After `hands`
   /// consecutive merges all cases have run.
   LongCases(std::string name, std::uint64_t hands)
     : Name(std::move(name))
@@ -39,7 +39,7 @@ public:
     this->Turn = this->Some ? (std::strtoull(turn, nullptr, 10) + hash) % hands : 0;
   }
 
-  /// Whether case `index`, counted from 0, runs now.
+  /// Whether case `index`, counted from 0, is run.
   bool Has(std::uint64_t index) const
   {
     return this->All || (this->Some && index % this->Hands == this->Turn);
@@ -51,7 +51,7 @@ public:
     return this->Some ? 1000 + this->Turn * count : 0;
   }
 
-  /// Prints how many of how many cases were done.
+  /// Prints the number of cases done and the total.
   void ReportCases(std::size_t done, std::size_t of) const
   {
     std::printf("%s: %zu of %zu cases done (%s)\n", this->Name.c_str(), done, of,

@@ -1,6 +1,6 @@
 /**
  * @file TemporaryFile.h
- * @brief Files that tests make, plain or compressed.
+ * @brief Files written by tests, plain or compressed.
  */
 #ifndef isthmus_TemporaryFile_h
 #define isthmus_TemporaryFile_h
@@ -44,7 +44,7 @@ inline std::string Bzip2(const std::string& content, int level = 9)
   return packed;
 }
 
-/// A file of this content, in a folder of its own, as long as it lives.
+/// A file of this content, in a folder of its own, for the lifetime of the object.
 class TemporaryFile
 {
 public:

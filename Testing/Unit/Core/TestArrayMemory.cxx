@@ -63,7 +63,7 @@ TEST(ArrayMemory, ReservedCellsAreEmptyAndTakeCells)
   EXPECT_EQ(cells->GetNumberOfCells(), 0);
   cells->InsertNextCell({ 0, 1, 2, 3 });
   cells->InsertNextCell({ 4, 5, 6, 7 });
-  cells->InsertNextCell({ 1, 2, 3, 4 }); // one more than was reserved
+  cells->InsertNextCell({ 1, 2, 3, 4 }); // one more than reserved
   ASSERT_EQ(cells->GetNumberOfCells(), 3);
   vtkNew<vtkIdList> corners;
   cells->GetCellAtId(1, corners);

@@ -1,6 +1,6 @@
 /**
  * @file TopologyFilterRun.h
- * @brief One run of a filter with its messages caught.
+ * @brief One run of a filter whose messages are collected.
  */
 #ifndef isthmus_TopologyFilterRun_h
 #define isthmus_TopologyFilterRun_h

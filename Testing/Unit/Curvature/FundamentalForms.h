@@ -1,6 +1,6 @@
 /**
  * @file FundamentalForms.h
- * @brief The thesis' first route to the curvature of level sets, as a reference for the
+ * @brief The thesis' first method for the curvature of level sets, as a reference for the
  * implementation.
  *
  * Gaussian and mean curvature from the two fundamental forms of the level set z = f(x, y) (thesis

@@ -90,7 +90,7 @@ TEST(CurvatureDescriptors, SurfaceTypesOfTable21)
 
 TEST(CurvatureDescriptors, ImpossibleSignsHaveNoType)
 {
-  // K > 0 with H = 0 takes a tolerance for H that swallows every H.
+  // K > 0 with H = 0 requires a tolerance that treats every H as zero.
   SurfaceTypeTolerance tolerance;
   tolerance.MeanTolerance = 10.0;
   EXPECT_EQ(ClassifySurface(1.0, 0.0, 1.0, tolerance), SurfaceType::None);

@@ -1,5 +1,4 @@
-// The automatic scale: its kernels, the noise it measures, what it chooses, and the errors it
-// states.
+// The automatic scale: its kernels, the measured noise, the chosen scale, and the stated errors.
 
 #include "Curvature/CurvatureScale.h"
 #include "Curvature/FiniteDifference.h"

@@ -197,7 +197,7 @@ TEST(DifferentialForms, OfATorusMesh)
     ASSERT_NEAR(FromForms(filter, id)[1], One(filter, "MeanCurvature", id), 1e-9);
     const auto [e, f, g, a1, a2, a3] = Tuple(filter, "FirstFundamentalForm", id);
     ASSERT_NEAR(One(filter, "AreaElement", id), std::sqrt(e * g - f * f), 1e-9);
-    // Along the axis a torus bends as its tube does.
+    // Along the axis a torus has the curvature of its tube.
     const double* p = torus->GetPoint(id);
     const double rise = p[2] / 0.7;
     if (std::abs(rise) < 0.9)

@@ -1,5 +1,5 @@
-// The algorithm without VTK's data model: against the other route, at umbilics, under symmetries,
-// on any number of threads.
+// The algorithm without VTK's data model: compared with the other method, at umbilics, under
+// symmetries, on any number of threads.
 
 #include "Curvature/HessianCurvature.h"
 #include "FundamentalForms.h"
@@ -24,7 +24,7 @@ using isthmus::testing::FundamentalForms;
 
 using isthmus::testing::Jet;
 
-/// Random quadratic polynomials have exact differences: both routes get the same derivatives.
+/// Random quadratic polynomials have exact differences: both methods use the same derivatives.
 TEST(HessianCurvature, AgreesWithTheFundamentalForms)
 {
   std::mt19937 random(11);

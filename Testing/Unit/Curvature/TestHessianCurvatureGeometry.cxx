@@ -245,8 +245,8 @@ TEST(HessianCurvatureFilter, CurvednessMarksEdgesAndCorners)
   std::array<int, 3> count{};
   for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); ++id)
   {
-    // How many coordinates are as far out as those of the cube's edges: of edges two, of corners
-    // all; near the middles of sides the other two are small.
+    // The number of coordinates as large as those of the cube's edges: two at edges, all at
+    // corners; near the centers of sides the other two are small.
     std::array<double, 3> p;
     surface->GetPoint(id, p.data());
     std::for_each(p.begin(), p.end(), [](double& v) { v = std::abs(v); });

@@ -56,7 +56,7 @@ double Sum(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Area below `threshold` by Fig. 4.1, written down as the thesis does.
+/// Area below `threshold` by Fig. 4.1, written as in the thesis.
 double AreaBelow(const Model& mesh, const std::vector<double>& values, double threshold)
 {
   double total = 0.0;
@@ -279,7 +279,8 @@ TEST(vtkScalarRegions, TablesLabelsAndColors)
   double fractions = 0.0;
   for (vtkIdType row = 0; row < 10; ++row)
   {
-    // A bin is what lies below its upper end and not below its lower one (Fig. 4.1 twice).
+    // The area of a bin is the area below its upper end minus that below its lower end (Fig. 4.1
+    // twice).
     const double from = *lowest + width * static_cast<double>(row);
     const double below = row == 9 ? total : AreaBelow(torus, kappa, from + width);
     const double area = below - AreaBelow(torus, kappa, from);

@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageData> DistanceImage(int n)
   return image;
 }
 
-/// Its isosurface at 2, wound inwards as VTK winds it.
+/// Its isosurface at 2, oriented inwards, as VTK creates it.
 vtkSmartPointer<vtkPolyData> DistanceSphere(int n)
 {
   vtkNew<vtkFlyingEdges3D> contour;
@@ -205,7 +205,7 @@ TEST(vtkSurfaceCurvature, OpenCylinderOfQuads)
   }
 }
 
-// Defect: of quads and polygons the first three points are taken for a triangle.
+// Defect: only the first three points of quads and polygons are used, as a triangle.
 TEST(vtkSurfaceCurvature, QuadsArePartsOfTheSurface)
 {
   const Model torus = Torus(60, 30, 2.0, 0.5);

@@ -119,7 +119,7 @@ private:
     return j;
   }
 
-  /// One charge's potential at x over C: the outside's or the reaction field inside.
+  /// One charge's potential at x over C: the total outside, the reaction field inside.
   double Sum(const Point3& charge, const Point3& x, bool outside) const
   {
     const double rq = this->Distance(charge);
@@ -156,7 +156,7 @@ private:
       rl *= r / R;
       there.Up();
       here.Up();
-      // Only ratios of the two matter, and both grow beyond what a double holds.
+      // Only ratios of the two matter, and both exceed the range of a double.
       if (there.now > 1e200)
       {
         for (double* k : { &there.now, &there.next, &here.now, &here.next })

@@ -1,6 +1,6 @@
 /**
  * @file ManufacturedInterface.h
- * @brief The solver with a solution that is chosen first, on any surface.
+ * @brief The solver with a manufactured solution, on any surface.
  *
  * u = A inside and u = B outside, both harmonic. The scheme takes jumps from the charges' potential
  * G alone, by its value and two derivatives at each crossing. So G is made such that the total
@@ -26,7 +26,7 @@
 namespace isthmus::testing
 {
 
-/// strength / |x - Source|: harmonic off the source.
+/// strength / |x - Source|: harmonic away from the source.
 struct PointSource
 {
   Point3 Source;

@@ -1,6 +1,6 @@
 /**
  * @file SphereProblem.h
- * @brief Kirkwood's spheres on grids, and how far a solution is from the series.
+ * @brief Kirkwood's spheres on grids, and the deviation of a solution from the series.
  */
 #ifndef isthmus_SphereProblem_h
 #define isthmus_SphereProblem_h
@@ -14,7 +14,7 @@ namespace isthmus::testing
 {
 
 /// K1: Born's ion. K2: three charges off the center; K3 the same with kappa 0.1; K4: charges one
-/// angstrom under the surface. Centers off the nodes.
+/// angstrom under the surface. Centers are not at nodes.
 inline KirkwoodSphere Kirkwood(int number)
 {
   KirkwoodSphere s;

@@ -1,5 +1,5 @@
-// The whole force on each atom beside the slope of the solvation energy when the atom moves and the
-// surface with it; the ions' part in strong salt; shares of atoms in a surface's motion.
+// The total force on each atom compared with the slope of the solvation energy when the atom and
+// the surface move; the ions' part in strong salt; shares of atoms in a surface's motion.
 
 #include "Electrostatics/BoundaryForces.h"
 
@@ -144,7 +144,8 @@ TEST(BoundaryForces, TheNetForceIsZero)
   }
 }
 
-/// The dielectric of water inside, too, and much salt: the surface is felt by the ions alone.
+/// The dielectric constant of water inside as well, and a high ionic strength: the surface only
+/// affects the ions.
 void ExpectIonsForce(double radius, bool nonlinear, double tolerance)
 {
   PoissonBoltzmannParameters parameters = Water();
@@ -200,7 +201,7 @@ TEST(BoundaryForces, CutCellsSumToTheVolume)
     cells -= cell.Excess;
   }
   const double exact = 4.0 / 3.0 * Pi * std::pow(radius / h, 3);
-  // A border of the width h has h^2 / (4 R^2) more than a sphere.
+  // A border of width h has an excess of h^2 / (4 R^2) over a sphere.
   EXPECT_NEAR((whole + cells) / exact, 1.0 + 0.25 * h * h / (radius * radius), 2e-4);
 }
 

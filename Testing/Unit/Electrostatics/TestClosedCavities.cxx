@@ -1,4 +1,4 @@
-// Which cavities are closed: against a plain flood from the border, on sides drawn by lot.
+// Which cavities are closed: compared with a plain flood fill from the border, on random sides.
 
 #include "Electrostatics/ClosedCavities.h"
 
@@ -65,7 +65,7 @@ void ForTouching(const Sides& sides, std::int64_t node, Each&& each)
     });
 }
 
-/// Nodes inside with the chance `share`, but for the border.
+/// Nodes are inside with probability `share`, except on the border.
 Sides RandomSides(double share, unsigned int seed)
 {
   Sides sides;

@@ -1,6 +1,6 @@
-// The error that is stated with the solvation energy, against the true one of 200 random cases with
-// exact energies: it covers the truth, and is not much larger. With --gtest_filter='EnergyError*'
-// the program prints the table of the guide's page "How far to trust it".
+// The stated error of the solvation energy compared with the true one in 200 random cases with
+// exact energies: it is an upper bound, and not much larger. With --gtest_filter='EnergyError*' the
+// program prints the table of the guide's page "How far to trust it".
 
 #include "KirkwoodSphere.h"
 #include "SphereProblem.h"
@@ -180,7 +180,7 @@ Outcome Solve(Trial trial, double padding)
     EstimateEnergyError(level, *solution) / std::abs(trial.Exact) };
 }
 
-/// How estimates relate to errors. Ratios of errors below a thousandth are not counted.
+/// The ratios of estimates to errors. Ratios of errors below a thousandth are not counted.
 struct Coverage
 {
   explicit Coverage(const std::vector<Outcome>& outcomes)

@@ -51,8 +51,8 @@ vtkSmartPointer<vtkPolyData> Glycine()
   return atoms;
 }
 
-/// A pdb2pqr of the test's own: each atom with charge 0.25 and radius 1.5. PATH leads to it
-/// meanwhile, and to the shell's commands.
+/// A substitute for pdb2pqr: each atom with charge 0.25 and radius 1.5. Meanwhile, PATH has its
+/// folder and those of the shell's commands.
 class Program
 {
 public:

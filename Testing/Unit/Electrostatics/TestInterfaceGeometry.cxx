@@ -1,5 +1,5 @@
 // Crossings, normals and curvature of level sets that are known: a turned ellipsoid, whose level
-// function is a polynomial that the differences reproduce, and which side nodes are on.
+// function is a polynomial that the differences reproduce, and the sides of nodes.
 
 #include "Core/Geometry.h"
 #include "Electrostatics/InterfaceGeometry.h"

@@ -1,4 +1,4 @@
-// Solutions that are chosen first, on a torus, a sum of fourteen Gaussians and a surface by
+// Manufactured solutions on a torus, a sum of fourteen Gaussians and a surface by
 // curvature flow: the errors fall by the square of the spacing.
 
 #include "ManufacturedInterface.h"
@@ -71,9 +71,9 @@ double Slope(const std::array<double, N>& x, const std::array<double, N>& y)
 }
 
 /// Errors at five spacings, on average over three places of the surface between the nodes (`shift`,
-/// in spacings). Demands orders, slopes of their logarithms, of 1.8 for the mean square, and of 1.7
-/// for the largest, which depend on the worst of some thousand crossings. The number of iterations,
-/// 8 to 13, does not grow with that of nodes.
+/// in spacings). Requires orders, slopes of their logarithms, of 1.8 for the mean square, and of
+/// 1.7 for the largest, which depend on the worst of some thousand crossings. The number of
+/// iterations, 8 to 13, does not grow with that of nodes.
 void ExpectSecondOrder(
   const char* name, const std::function<ManufacturedErrors(double h, double shift)>& solve)
 {
@@ -241,7 +241,7 @@ TEST(ManufacturedInterface, FlowSurface)
       SurfaceFlowParameters parameters;
       parameters.Spacing = h;
       parameters.Padding = 4.0 + shift * h;
-      // Before it rests on the atoms: where it touches them, its curvature jumps.
+      // At a time before it touches the atoms, where its curvature would jump.
       parameters.Enlargement = 2.0;
       parameters.EvolutionTime = 1.0;
       const SurfaceFlowResult flow = SurfaceFlow(balls, parameters);

@@ -21,7 +21,7 @@ namespace
 
 using Dimensions = std::array<std::int64_t, 3>;
 
-/// A box of 80 around a ball of 2, with a right side of random numbers.
+/// A box of 80 around a ball of 2, with random numbers as right-hand side.
 struct Problem
 {
   Dimensions n;
@@ -322,7 +322,7 @@ TEST(ChargeTree, ScreenedSumsAreTheSameByTreeAndByVectorInstructions)
         absolute += std::abs(charges.Charge[i]) * std::exp(-kappa * r) / r;
       }
       EXPECT_NEAR(ScreenedSum(charges, kappa, x), sum, 1e-12 * absolute + 1e-290);
-      // Where boxes are many Debye lengths large, all there is to see is nothing.
+      // Where boxes are many Debye lengths large, all values are practically zero.
       EXPECT_NEAR(tree.ScreenedSum(x, kappa), sum, 1e-4 * absolute + 1e-12) << kappa;
     }
   }

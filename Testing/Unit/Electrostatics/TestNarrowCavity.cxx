@@ -17,8 +17,8 @@ constexpr double Solute = 2.0, Solvent = 80.0, Outer = 6.0, Source = 3.2;
 class Shell
 {
 public:
-  /// By degrees l, with the shell's potential G_l + A r^l + B r^-(l+1), the cavity's D r^l, the
-  /// solvent's E r^-(l+1), and potential and displacement going through at both radii.
+  /// For each degree l, with the shell's potential G_l + A r^l + B r^-(l+1), the cavity's D r^l,
+  /// the solvent's E r^-(l+1), and continuous potential and displacement at both radii.
   explicit Shell(double inner)
   {
     const double c = units::CoulombLength(298.15) / Solute;

@@ -191,7 +191,7 @@ void CheckDNA(double phosphate, double layer, double demand)
   const auto solution =
     SolvePoissonBoltzmann(level, BoxAround(level, parameters.Padding), atoms, parameters, ions);
   EXPECT_LE(solution->GetReport().NewtonSteps, 8);
-  // Half-way along, four angstrom and more off the rod, the grooves have been averaged out.
+  // Halfway along the rod, at four angstrom and more from it, the grooves have been averaged out.
   const CylinderSolution exact(-2.0 / rise, radius + layer, ions);
   for (const double r : { 15.0, 17.0, 20.0 })
   {
@@ -216,7 +216,7 @@ void CheckDNA(double phosphate, double layer, double demand)
 
 TEST(NonlinearPoissonBoltzmann, StretchOfDNA)
 {
-  // Near the axis they are as good as a line of charge; in the helix they hold a few more ions.
+  // Near the axis they act like a line of charge; as a helix they attract a few more ions.
   CheckDNA(2.0, 2.0, 0.02);
   CheckDNA(2.0, 0.0, 0.02);
   CheckDNA(8.91, 2.0, 0.1);

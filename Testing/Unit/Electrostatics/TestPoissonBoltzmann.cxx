@@ -1,5 +1,5 @@
-// Kirkwood's spheres against their series, within the errors that the design demands; salts and
-// layers; the border that the solution makes for itself; invariances; refusals.
+// Kirkwood's spheres against their series, within the required errors; salts and layers; the
+// self-consistent border; invariances; refusals.
 
 #include "SphereProblem.h"
 
@@ -64,10 +64,10 @@ TEST(PoissonBoltzmann, IonLayerMatchesKirkwood)
   const double bare = EnergyWithLayer(0.0, 1.0, none);
   EXPECT_LT(fine.Energy, 1e-3);
   EXPECT_LT(fine.Outside, 0.1);
-  EXPECT_GT(layered, bare); // ions that come nearer bind more
+  EXPECT_GT(layered, bare); // ions that approach closer are bound more strongly
 }
 
-/// By how much the largest error outside falls with a halving of the spacing, on the mean.
+/// The mean factor by which halving the spacing reduces the largest error outside.
 double OrderOutside(int number, double half, double coarse, double fine)
 {
   double errors[2];
@@ -155,7 +155,8 @@ TEST(PoissonBoltzmann, ResolvingMatchesAFreshStart)
   SphereProblem problem(Kirkwood(3), 10, 0.5);
   const auto first = problem.Solve();
   first->Release();
-  // The surface moves on one side only: there, crossings and what charges are at them change.
+  // The surface moves only on one side: there, crossings and the potentials of charges at them
+  // change.
   for (std::size_t node = 0; node < problem.Distance.size(); ++node)
   {
     const Point3 x = problem.World(first->GetBox().Position(static_cast<std::int64_t>(node)));
@@ -235,7 +236,7 @@ TEST(PoissonBoltzmann, IterationsOfTheBorderAreCounted)
   problem.Parameters.BoundaryCondition = BoundaryCondition::SelfConsistent;
   problem.Parameters.Padding = 8.0;
   problem.Parameters.Tolerance = 1e-3;
-  const auto same = problem.Solve(); // the border by the same grid
+  const auto same = problem.Solve(); // the border from the same grid
   EXPECT_EQ(same->GetReport().BorderIterations, 0);
   EXPECT_GT(same->GetReport().Iterations, static_cast<int>(same->GetReport().Residuals.size()));
   SphereProblem fine(Kirkwood(2), 12, 0.5);
@@ -252,7 +253,7 @@ TEST(PoissonBoltzmann, NoJumpNoReaction)
   sphere.Solvent = sphere.Solute;
   SphereProblem problem(sphere, 8, 0.5);
   const auto solution = problem.Solve();
-  // u is 0 inside but for the truncation of G outside, which is the potential there.
+  // u is 0 inside, except for the truncation error of G outside, which is the potential there.
   EXPECT_LT(std::abs(solution->GetReport().SolvationEnergy), 0.05);
 }
 

@@ -84,7 +84,7 @@ vtkSmartPointer<vtkImageData> Volume(
   for (int a = 0; a < 3; ++a)
   {
     const double h = choice.Spacing[static_cast<std::size_t>(a)];
-    extent[2 * a] = 3 - 4 * a; // no grid needs to begin at 0
+    extent[2 * a] = 3 - 4 * a; // extents need not begin at 0
     extent[2 * a + 1] = extent[2 * a] + static_cast<int>(2.0 * choice.Half / h);
   }
   image->SetExtent(extent);
@@ -268,7 +268,7 @@ TEST(PoissonBoltzmannFilter, Polygons)
 
 TEST(PoissonBoltzmannFilter, BornIonWithoutASurface)
 {
-  // An atom alone: the level of its Gaussian is its sphere, and defaults are 2 and 80.
+  // A single atom: the level of its Gaussian is its sphere, and defaults are 2 and 80.
   KirkwoodSphere ion;
   ion.Radius = 2.5;
   ion.Charges.push_back({ { 0.2, 0.1, -0.3 }, 1.0, 2.5 });
@@ -400,7 +400,7 @@ TEST(PoissonBoltzmannFilter, FocusingTakesTheBorderFromInput2)
   EXPECT_LT(RecordErrors(inner, sphere).Outside, 0.15);
 }
 
-/// Runs a changed filter that has to fail with a sentence that holds `words`.
+/// Runs a changed filter that must fail with an error message that contains `words`.
 void ExpectError(
   const std::function<void(vtkPoissonBoltzmann*, vtkPolyData*)>& change, const char* words)
 {

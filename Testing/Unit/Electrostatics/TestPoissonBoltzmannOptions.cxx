@@ -21,7 +21,7 @@
 namespace
 {
 
-/// A dipole and a bystander, in two molecules that do not touch with `gap` between them.
+/// A dipole and a second molecule, `gap` apart.
 vtkSmartPointer<vtkPolyData> Atoms(double gap = 0.0)
 {
   auto atoms = vtkSmartPointer<vtkPolyData>::New();
@@ -116,7 +116,7 @@ TEST(PoissonBoltzmannOptions, NothingIsAddedByDefault)
   EXPECT_EQ(filter->GetAtoms()->GetPointData()->GetArray("PolarForce"), nullptr);
 }
 
-/// The sum of a force over the atoms, and the largest.
+/// The sum of a force over the atoms, and the largest force.
 double NetForce(vtkPointSet* atoms, const char* name, double& largest)
 {
   double net[3] = { 0.0, 0.0, 0.0 };
@@ -181,7 +181,8 @@ TEST(PoissonBoltzmannOptions, IonsMayHaveIndividualRadii)
   const double two =
     Energy(Solve(Atoms(), [](vtkPoissonBoltzmann* f) { f->SetIonicStrength(0.5); }));
   EXPECT_NEAR(energy(2.0, 2.0), two, 1e-12 * std::abs(two));
-  // The nearer ions get, the more they lower the energy; of the linear equation both kinds alike.
+  // The closer ions approach, the more they lower the energy; in the linear equation both kinds
+  // alike.
   EXPECT_LT(energy(1.0, 2.0), two - 1e-3);
   EXPECT_GT(energy(3.0, 2.0), two + 1e-3);
   EXPECT_NEAR(energy(1.0, 2.0), energy(2.0, 1.0), 1e-6 * std::abs(two));

@@ -31,7 +31,7 @@ using namespace isthmus;
 namespace
 {
 
-/// PATH leads to one folder meanwhile, where `script`, if any, is pdb2pqr.
+/// Meanwhile, PATH has one folder, where `script`, if any, is pdb2pqr.
 class OnlyProgram
 {
 public:
@@ -140,7 +140,7 @@ TEST(ProteinCharges, OutputIsMatchedResidueByResidue)
 
 TEST(ProteinCharges, InputOfTheProgramFitsItsColumns)
 {
-  // The program's answer is the atoms it was given, with charges by their order.
+  // The program returns the given atoms, with charges by their order.
   const std::string script = "for last in \"$@\"; do before=$file; file=$last; done\n"
                              "while read -r a b c d e f g h i j; do [ \"$a\" = END ] || "
                              "echo \"$a $b $c $d $e $f $g $h $i 0.5 1.5\"; done <\"$before\" "
@@ -436,7 +436,7 @@ vtkSmartPointer<vtkPolyData> Points(const std::vector<NamedAtom>& atoms)
   return data;
 }
 
-/// pdb2pqr gets coordinates and answers with charges that do not depend on the host's locale.
+/// Coordinates written for pdb2pqr and charges read from it do not depend on the host's locale.
 TEST(ProteinCharges, AreTheSameInAGermanLocale)
 {
   if (std::system("command -v pdb2pqr >/dev/null") != 0)

@@ -1,5 +1,5 @@
-// The smooth mode (a permittivity for each edge): ions beside Born's formula, with the order of
-// convergence; Kirkwood's spheres in salt; the field's flux; the filter.
+// The smooth mode (a permittivity for each edge): ions compared with Born's formula, with the order
+// of convergence; Kirkwood's spheres in salt; the field's flux; the filter.
 
 #include "SphereProblem.h"
 #include "vtkPoissonBoltzmann.h"

@@ -1,5 +1,5 @@
-// Two charged spheres that feel each other, against their multipoles: the narrow of solvent between
-// them, energies and potentials; far apart they are Kirkwood's.
+// Two interacting charged spheres, compared with their multipoles: the narrow solvent between them,
+// energies and potentials; far apart they are Kirkwood's.
 
 #include "Electrostatics/PoissonBoltzmann.h"
 #include "KirkwoodSphere.h"
@@ -59,7 +59,7 @@ PairErrors SolvePair(const TwoSpheres& pair, double half, double h)
   }
   level.Doubles = { distance.data(), { n, n, n }, { h, h, h } };
   level.InsideIsHigher = false;
-  /// On the axis' own coordinates: z along it, x the distance from it.
+  /// In cylindrical coordinates: z along the axis, x the distance from it.
   const auto onAxis = [&](const Point3& x)
   {
     const Point3 y{ x[0] - middle[0], x[1] - middle[1], x[2] - middle[2] };
@@ -104,7 +104,7 @@ TEST(TwoSpheres, ReferenceKeepsChargeAndMirrors)
   const TwoSpheres pair = Pair(2.0);
   const double far = 1e4;
   EXPECT_NEAR(pair.Outside({ far, 0.0, 0.0 }) * far, 0.0, 0.05); // charges cancel
-  // Mirrored along the axis, the same numbers.
+  // Mirrored along the axis: the same values.
   const TwoSpheres mirror{ { -1.0 - 2.5, 2.5, -1.0, 0.8 }, { 1.0 + 3.0, 3.0, 1.0, -1.2 }, 2.0,
     80.0 };
   EXPECT_NEAR(mirror.Energy() / pair.Energy(), 1.0, 1e-12);

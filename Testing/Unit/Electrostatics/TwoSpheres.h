@@ -100,7 +100,7 @@ public:
   }
 
   /// From a medium with the spheres' dielectric constant everywhere into the solvent, kT: 1/2 sum
-  /// q u, less what the charges have of each other there.
+  /// q u, less the energy of the charges with each other there.
   double Energy() const
   {
     const auto place = [&](int s) { return this->Spheres[s].Z + this->Spheres[s].Offset; };

@@ -1,6 +1,6 @@
 /**
  * @file DiffusionFilterTest.h
- * @brief Images for the tests of the vtk classes, and an ear for their errors.
+ * @brief Images for the tests of the vtk classes, and an observer of their errors.
  */
 #ifndef isthmus_DiffusionFilterTest_h
 #define isthmus_DiffusionFilterTest_h
@@ -56,7 +56,7 @@ public:
   {
     this->Object->SetInputData(input);
     this->Object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
-    // The pipeline adds a sentence of its own when a request fails.
+    // The pipeline adds a message of its own when a request fails.
     this->Object->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->PipelineObserver);
   }
 

@@ -1,6 +1,6 @@
 /**
  * @file DiffusionReference.h
- * @brief The equations of the diffusion flows written down plainly, node by node, in double.
+ * @brief A plain implementation of the diffusion flows, node by node, in double.
  */
 #ifndef isthmus_DiffusionReference_h
 #define isthmus_DiffusionReference_h

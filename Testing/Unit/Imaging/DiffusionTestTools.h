@@ -32,7 +32,7 @@ std::vector<T> Noise(const DiffusionGrid<T>& grid, double deviation = 1.0, unsig
   std::vector<T> values(static_cast<std::size_t>(grid.Size()));
   for (T& value : values)
   {
-    // Sum of twelve uniform numbers: near enough to normal, and defined by the standard.
+    // Sum of twelve uniform numbers: sufficiently close to normal, and defined by the standard.
     double sum = -6.0;
     for (int n = 0; n < 12; ++n)
     {

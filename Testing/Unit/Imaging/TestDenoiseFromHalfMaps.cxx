@@ -90,7 +90,7 @@ TEST(DenoiseFromHalfMaps, KnowsTheNoiseOfTheMeanAndComesCloserToTheTruth)
     EXPECT_NEAR(noise, 0.4 / std::sqrt(2.0), 0.01) << mask;
     if (mask > 50.0)
     {
-      // The mean itself is off by its noise.
+      // The error of the mean itself is its noise.
       EXPECT_LT(Distance(filter->GetOutput(), truth), 0.4 * noise);
     }
   }

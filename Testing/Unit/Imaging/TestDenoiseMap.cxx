@@ -1,5 +1,5 @@
-// The choice by risk: its estimates beside the truth, its result beside a tuned Gaussian, noise of
-// all kinds, the same bits on any number of threads.
+// The choice by risk: its estimates compared with the truth, its result with a tuned Gaussian,
+// noise of all kinds, the same bits on any number of threads.
 
 #include "Core/Geometry.h"
 #include "DiffusionTestTools.h"
@@ -68,7 +68,7 @@ DenoiseMapResult Denoised(const DiffusionGrid<float>& grid, const DenoiseMapPara
   return DenoiseMap<float>(grid, parameters, values.data(), nullptr);
 }
 
-/// Without the errors of time steps where it is linear.
+/// Without the errors of time steps if it is linear.
 std::vector<float> DiffusedExactly(const DiffusionGrid<float>& grid,
   const DiffusionParameters& parameters, const std::vector<float>& values)
 {
@@ -121,14 +121,14 @@ TEST(VolumeSample, BlocksForTheNoiseAreSpreadOverTheVolume)
       ++taken[static_cast<std::size_t>(std::lround(first)) / 8];
     }
     EXPECT_EQ(std::accumulate(taken.begin(), taken.end(), 0), 512);
-    // 32 of each layer, were they spread perfectly.
+    // 32 of each layer if they were spread perfectly.
     EXPECT_GT(*std::min_element(taken.begin(), taken.end()), 20) << axis;
     EXPECT_LT(*std::max_element(taken.begin(), taken.end()), 44) << axis;
   }
 }
 
 // Flat is a node that shares its value with three neighbours, as where a map was enlarged by
-// repeating its nodes along three axes; along two axes the blocks have noise still.
+// repeating its nodes along three axes; along two axes the blocks still have noise.
 TEST(VolumeSample, FlatBlocksAreNotUsedForTheNoise)
 {
   const auto grid = Grid<float>(32, 32, 32);

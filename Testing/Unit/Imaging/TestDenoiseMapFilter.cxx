@@ -1,5 +1,4 @@
-// vtkDenoiseMap: its outputs, what it warns about, what it refuses. TestDenoiseMap.cxx has the
-// choice.
+// vtkDenoiseMap: its outputs, warnings and refusals. The choice is tested in TestDenoiseMap.cxx.
 
 #include "DiffusionFilterTest.h"
 #include "DiffusionTestTools.h"

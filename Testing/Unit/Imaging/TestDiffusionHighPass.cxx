@@ -49,7 +49,7 @@ TEST(DiffusionHighPass, WithoutCouplingBothAreDiffusionsOfTheirOwn)
 }
 
 // Without diffusion u' = a (v - u) and v' = b (u - v): the difference decays by exp(-(a + b) t),
-// and b u + a v stays, so that each field moves to the other by its own coupling's share.
+// and b u + a v is constant, so that each field moves to the other by its own coupling's share.
 TEST(DiffusionHighPass, CouplingPullsEachFieldByItsOwnRate)
 {
   const auto grid = Grid<double>(5, 4, 3);

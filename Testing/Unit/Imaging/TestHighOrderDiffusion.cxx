@@ -1,4 +1,4 @@
-// The equations themselves: against a plain reference, by Fourier modes, by what must not change.
+// The equations themselves: compared with a plain reference, by Fourier modes, by invariants.
 // Residual smoothing: long waves are those of the input again, short ones are not.
 
 #include "DiffusionReference.h"
@@ -71,7 +71,7 @@ Mode NeumannMode(const DiffusionGrid<double>& grid, const std::array<int, 3>& wa
   return mode;
 }
 
-/// By how much the mode has been multiplied; fails if it is no longer the same mode.
+/// The factor by which the mode was multiplied; fails if it is no longer the same mode.
 double Decay(const std::vector<double>& after, const std::vector<double>& before)
 {
   const double factor = std::inner_product(after.begin(), after.end(), before.begin(), 0.0) /
@@ -160,7 +160,7 @@ TEST(HighOrderDiffusion, FourierModesDecayBySymbol)
 namespace
 {
 
-/// Order in time seen between `few` and four times as many super steps.
+/// Order in time between `few` and four times as many super steps.
 double TimeOrder(const DiffusionParameters& start, const DiffusionGrid<double>& grid,
   const std::vector<double>& values, int few)
 {
@@ -221,8 +221,8 @@ TEST(HighOrderDiffusion, TimeOrderIsTwoUnderPreSmoothing)
 
 TEST(HighOrderDiffusion, EvaluationsAreThoseOfTheStages)
 {
-  // s stages reach (s^2 + s - 2) / 4 explicit steps; those of the first order, which look half a
-  // step ahead, (s^2 + s) / 2. Odd numbers of stages, three and one at least.
+  // s stages are as long as (s^2 + s - 2) / 4 explicit steps; those of the first order, as (s^2 +
+  // s) / 2. Odd numbers of stages, three and one at least.
   const auto grid = Grid<double>(6, 5, 4);
   DiffusionParameters parameters;
   parameters.Order = 0;
@@ -315,7 +315,7 @@ std::vector<double> LinearField(const DiffusionGrid<double>& grid)
   return values;
 }
 
-/// How many nodes from the boundary the two fields differ; exactly.
+/// The number of nodes from the boundary within which the two fields differ at all.
 std::int64_t LayersChanged(const DiffusionGrid<double>& grid, const std::vector<double>& before,
   const std::vector<double>& after)
 {
@@ -368,7 +368,7 @@ TEST(HighOrderDiffusion, LinearFieldsStayBeyondTheReachOfTheBoundary)
       EXPECT_LE(first, order + 1);
       // The gradient has no variance, and of order 1 to 3 this stops everything.
       EXPECT_EQ(first, local && order > 0 ? 0 : order + 1);
-      // Then the field is bent, and the coefficient of a node looks at its neighbours.
+      // Then the field is curved, and the coefficient of a node depends on its neighbours.
       const bool stepsFarther = order == 0 && parameters.EdgeStopping != Edge::None;
       steps.Time *= 2;
       steps.Steps = 2;

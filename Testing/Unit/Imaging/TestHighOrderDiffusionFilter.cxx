@@ -186,7 +186,7 @@ TEST(HighOrderDiffusionFilter, NamesTheFirstInvalidValueOrMasksIt)
 
 TEST(HighOrderDiffusionFilter, MaskedValuesAreTheMeanOfTheirNeighbours)
 {
-  // A row: the first has one neighbour, the fourth two, the next to last none that is a number.
+  // A row: the first has one neighbour, the fourth two, the last but one none that is a number.
   const auto row = BumpImage(VTK_DOUBLE, 14, 1, 1);
   vtkDataArray* const scalars = row->GetPointData()->GetScalars();
   double sum = 0.0;

@@ -104,8 +104,8 @@ TEST(PDETransform, HalvesTheRequestedWavelength)
   }
 }
 
-// Neumann's waves are eigenvectors of the discrete Laplacian, so that what each low-pass leaves of
-// them is known in closed form: no time stepping, no other implementation.
+// Neumann's waves are eigenvectors of the discrete Laplacian, so that their damping by each
+// low-pass is known in closed form: no time stepping, no other implementation.
 TEST(PDETransform, LowPassesAreExactExponentials)
 {
   auto grid = Grid<double>(18, 15, 12);

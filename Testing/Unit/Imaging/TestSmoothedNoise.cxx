@@ -1,5 +1,5 @@
-// Noise that a Gaussian has smoothed: its length and its variance, alone and under signal; textures
-// and clean densities are not taken for it.
+// Noise smoothed by a Gaussian: its length and its variance, alone and under signal; textures and
+// clean densities are not mistaken for it.
 
 #include "DiffusionTestTools.h"
 #include "Imaging/SmoothedNoise.h"
@@ -118,8 +118,8 @@ SmoothedNoise Found(const std::vector<double>& values, std::int64_t blockSide = 
 
 }
 
-// Noise that is all of a volume is refused, since a texture might be, so it lies on something: here
-// on a few strong waves of the whole volume.
+// Noise that fills a volume is refused, since it might be a texture, so it is added to a few strong
+// waves of the whole volume.
 TEST(SmoothedNoise, HasItsLengthAndVariance)
 {
   const std::vector<double> wave =
@@ -202,7 +202,7 @@ TEST(SmoothedNoise, IsNotSeenInSignal)
       })).Found);
 }
 
-// Smooth noise is all that there is: a texture may look the same.
+// The volume is nothing but smooth noise: a texture may look the same.
 TEST(SmoothedNoise, IsNotTheWholeVolume)
 {
   EXPECT_FALSE(Found(Smoothed({ 1.0, 1.0, 1.0 }, 10)).Found);

@@ -1,4 +1,4 @@
-// How long steps may be, what is refused, what is reported, and that nothing hangs on threads.
+// Lengths of steps, refusals, reports, and independence of the number of threads.
 
 #include "DiffusionTestTools.h"
 #include "Imaging/SuperTimeStepping.h"
@@ -42,7 +42,7 @@ TEST(SuperTimeStepping, SuperStepsDoubleUpToTheirLastLength)
     const std::vector<TimeStep> steps = SuperSteps(time, limit, 0);
     const double last =
       std::max(7.0 * limit, time / std::max(12.0, 0.19 * std::sqrt(time / limit)));
-    // As from one explicit step on, and all shortened alike to end at `time`.
+    // Steps that begin with an explicit one, all shortened alike to end at `time`.
     double length = limit, sum = 0.0, made = 0.0;
     std::size_t count = 0;
     for (; sum < time; ++count, length = std::min(last, 2.0 * length))
@@ -180,7 +180,8 @@ TEST(DiffusionSteps, ResultsDoNotDependOnThreads)
 }
 
 // Where halos must be exchanged each stage is a pass of its own, here with nothing to exchange;
-// else several stages share one, tile by tile with what lies around a tile worked out again.
+// otherwise several stages share one, tile by tile, with the surroundings of each tile computed
+// again.
 TEST(DiffusionSteps, StagesSharingAPassGiveTheBitsOfStagesAlone)
 {
   for (const auto& n : std::vector<std::array<std::int64_t, 3>>{

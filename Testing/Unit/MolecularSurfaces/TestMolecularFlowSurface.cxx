@@ -1,4 +1,4 @@
-// vtkMolecularFlowSurface as a user has it: surfaces, image, table, progress and stop.
+// vtkMolecularFlowSurface as users run it: surfaces, image, table, progress and stop.
 
 #include "vtkMolecularFlowSurface.h"
 

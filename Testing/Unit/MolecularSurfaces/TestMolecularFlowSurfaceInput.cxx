@@ -146,7 +146,7 @@ TEST(MolecularFlowSurface, ElementsBeyondTheAtomsAreNotRead)
   EXPECT_EQ(pointsWith(count - 1), 0);
 }
 
-TEST(MolecularFlowSurface, InputStaysAsItWasAndFloatsWork)
+TEST(MolecularFlowSurface, InputIsUnchangedAndFloatsWork)
 {
   const auto doubles = MakeAtoms(Catenoid().Balls());
   const auto floats = MakeAtoms(Catenoid().Balls(), VTK_FLOAT);
@@ -280,7 +280,7 @@ TEST(MolecularFlowSurface, ReportsBadAtoms)
   EXPECT_NE(errors.Of(MakeAtoms({ sound[0], { { 2.0, 0.0, 0.0 }, nan } })).find("1 of 2 atoms"),
     std::string::npos);
   EXPECT_FALSE(errors.IsEmpty());
-  // Atoms of radius 0 leave no trace, and atoms in the same place none but a warning.
+  // Atoms of radius 0 have no effect, and coincident atoms none but a warning.
   errors.Of(MakeAtoms(sound));
   const double area = MeasureFlowSurface(filter->GetOutput()).Whole.Area;
   EXPECT_NE(errors.Of(MakeAtoms({ sound[0], sound[1], sound[1], { { 1.0, 0.0, 0.0 }, 0.0 } }))

@@ -95,7 +95,7 @@ TEST(NonpolarEnergy, WellIsContinuousAndIntegrates)
 TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatSumUp)
 {
   const Ball ball{ { 0.0, 0.0, 0.0 }, 3.0 };
-  // No node is as near to one atom as to the other.
+  // No node has the same distance from both atoms.
   const DensityGrid grid = GridAroundBalls({ ball }, 0.5, { 1.75, 1.5, 1.5 });
   const std::vector<float> distance = BallDistances(grid, ball);
   SolventParameters solvent;

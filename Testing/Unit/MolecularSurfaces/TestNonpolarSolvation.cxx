@@ -68,7 +68,7 @@ TEST(NonpolarSolvation, ArraysSumToTheTable)
   EXPECT_EQ(atoms->GetPointData()->GetArray("Area"), nullptr); // the input stays as it was
 }
 
-// A volume in nanometres or moved lies where the atoms are, but it is not theirs.
+// A volume in nanometres, or a moved one, overlaps with the atoms, but does not belong to them.
 TEST(NonpolarSolvation, AtomsOutsideTheVolumeAreErrorsOrWarnings)
 {
   const std::vector<Ball> balls = RandomBalls(40, 9.0);

@@ -116,7 +116,7 @@ TEST(SurfaceFlow, DoesNotDependOnPlaceTurnAndOrder)
     parameters);
   EXPECT_NEAR(Last(turned).Area / Last(plain).Area, 1.0, 5e-3);
   EXPECT_NEAR(Last(turned).Volume / Last(plain).Volume, 1.0, 5e-3);
-  // Axes exchanged: the same numbers but for rounding in another order.
+  // Axes exchanged: the same values up to rounding in another order.
   const SurfaceFlowResult exchanged = SurfaceFlow(
     Translate(balls, { { { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 } } }, { 0, 0, 0 }), parameters);
   EXPECT_NEAR(Last(exchanged).Area / Last(plain).Area, 1.0, 1e-4);

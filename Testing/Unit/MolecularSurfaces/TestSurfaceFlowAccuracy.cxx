@@ -1,4 +1,5 @@
-// How exact flow surfaces are: minimal surfaces, early times and lysozyme beside what is known.
+// How exact flow surfaces are: minimal surfaces, early times and lysozyme compared with known
+// values.
 
 #include "FlowCases.h"
 #include "SharedData.h"
@@ -92,7 +93,7 @@ vtkSmartPointer<vtkPolyData> SurfaceAt(
 /// Balls in a row: the flow around them is one of curves r(x, t) that stay outside of the balls,
 ///   r_t = r_xx / (1 + r_x^2) - 1 / r,
 /// between the centers of the outer balls, whose other halves do not move. Solved by explicit
-/// steps, with a step of x that is a hundredth of what grids of nodes have here.
+/// steps, with a step of x that is a hundredth of the grids' spacing here.
 struct Row
 {
   double Radius = 1.7;
@@ -219,8 +220,8 @@ TEST(SurfaceFlowAccuracy, EarlyTimesMatchTheCurveAroundARow)
   }
 }
 
-// The two tests below show why areas before T = 2.5 are not asked to be those of the table in
-// ../shared/flows.md: its figures are those of a grid of 0.5 angstrom, which no surface has there.
+// The two tests below show why areas before T = 2.5 are not required to be those of the table in
+// ../shared/flows.md: its values are those of a grid of 0.5 angstrom, and belong to no surface.
 
 TEST(SurfaceFlowAccuracy, LysozymeStartsAsTheUnionOfItsBalls)
 {

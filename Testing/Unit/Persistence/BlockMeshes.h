@@ -113,7 +113,7 @@ private:
     } while (std::next_permutation(axes.begin(), axes.end()));
   }
 
-  /// The mesh of the solid alone has no use for the points of the rest.
+  /// The mesh of the solid alone does not use the points of the rest.
   void DropUnused()
   {
     std::map<std::int64_t, std::int64_t> kept;
@@ -137,7 +137,7 @@ private:
 /// A pair as (dimension, birth, death); handles and tunnels are born with the surface, at 0.
 using Pair = std::tuple<int, double, double>;
 
-/// Reduces the boundary matrix of the whole complex, column by column, nothing clever.
+/// Reduces the boundary matrix of the whole complex, column by column, without optimizations.
 inline std::multiset<Pair> PairsByReduction(const Blocks& blocks, const std::vector<double>& values)
 {
   using Simplex = std::vector<std::int64_t>;

@@ -57,14 +57,14 @@ Volume<T> Fill(const Size& n, Function&& f)
   return volume;
 }
 
-/// Smooth, with pits, tunnels and hollows some ten nodes apart.
+/// Smooth, with pits, tunnels and hollows about ten nodes apart.
 inline double Wave(double x, double y, double z)
 {
   return std::sin(0.31 * x) * std::cos(0.23 * y) + std::sin(0.17 * y + 1.0) * std::cos(0.29 * z) +
     std::sin(0.27 * z) * std::cos(0.19 * x + 0.5);
 }
 
-/// Some five nodes apart, for small volumes.
+/// About five nodes apart, for small volumes.
 inline double ShortWave(double x, double y, double z)
 {
   return Wave(2.0 * x, 2.0 * y, 2.0 * z);
@@ -147,7 +147,7 @@ inline std::vector<std::filesystem::path> SharedMapFiles()
   return files;
 }
 
-/// At most 128 nodes to a side.
+/// At most 128 nodes per side.
 inline bool IsSmall(const Volume<float>& map)
 {
   const Size& n = map.Dimensions;

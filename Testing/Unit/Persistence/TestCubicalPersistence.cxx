@@ -83,7 +83,7 @@ TEST(CubicalPersistence, SmallImageByHand)
   shell[13] = 5.0;
   EXPECT_EQ(
     CollectBars(VolumeView(shell.data(), { 3, 3, 3 })), (Bars{ { 0, 1, Infinity }, { 2, 1, 5 } }));
-  // Nodes that meet at a corner only do not touch (6), the two nodes between them do (26).
+  // Nodes that meet only at a corner do not touch (6), the two nodes between them do (26).
   const std::vector<int> corner{ 0, 1, 1, 0 };
   EXPECT_EQ(
     CollectBars(VolumeView(corner.data(), { 2, 2, 1 })), (Bars{ { 0, 0, 1 }, { 0, 0, Infinity } }));
@@ -183,7 +183,7 @@ TEST(CubicalPersistence, DoesNotDependOnAxesSignsOrThreads)
 
 TEST(CubicalPersistence, WideKeysGiveTheSamePairs)
 {
-  // Doubles take keys of 128 bits; the same values as floats those of 64.
+  // Doubles need keys of 128 bits; the same values as floats need 64.
   const Volume<float> narrow = Fill<float>({ 33, 34, 35 }, ShortWave);
   Volume<double> wide{ narrow.Dimensions, { narrow.Values.begin(), narrow.Values.end() } };
   EXPECT_EQ(CubicalPersistence(narrow.View()).Pairs, CubicalPersistence(wide.View()).Pairs);

@@ -67,14 +67,14 @@ TEST(FiltrationPairs, AFillingIsBoundedByALoopThatItsEdgeCloses)
       const EdgeId closed = pairs.LoopClosed(t);
       if (!closed.Exists())
       {
-        EXPECT_TRUE(pairs.VoidFilled(t).Exists()); // nothing of a convex hull stays
+        EXPECT_TRUE(pairs.VoidFilled(t).Exists()); // no class of a convex hull remains
         continue;
       }
       EXPECT_FALSE(pairs.VoidFilled(t).Exists());
       EXPECT_EQ(pairs.LoopFilled(closed), t);
       const TriangleChain filling = pairs.Filling(t);
       larger += filling.size() > 1 ? 1 : 0;
-      // No triangle comes twice, and none after t.
+      // No triangle occurs twice, and none after t.
       EXPECT_EQ(std::set<TriangleId>(filling.begin(), filling.end()).size(), filling.size());
       for (const TriangleId other : filling)
       {

@@ -133,7 +133,7 @@ TEST(FullereneStability, PolygonsByHand)
     EXPECT_NEAR(bars[0].Birth, radius * std::sin(Pi / corners), 1e-9);
     EXPECT_NEAR(bars[0].Death, radius, 1e-9);
   }
-  // An acute triangle has a short one.
+  // An acute triangle has a short bar.
   const auto bars = AlphaBars(Polygon(3, 2.0));
   ASSERT_EQ(bars.size(), 1u);
   EXPECT_NEAR(bars[0].Length(), 2.0 - 2.0 * std::sin(Pi / 3.0), 1e-9);
@@ -273,7 +273,7 @@ TEST(FullereneStability, ReferenceValuesAndConvergenceOfTheGrid)
 
 TEST(FullereneStability, FastMarchingConverges)
 {
-  // One atom: the distance itself. From a point, first order less a logarithm.
+  // One atom: the distance itself. From a point, first order up to a logarithm.
   double last = 1.0;
   for (const double spacing : { 0.1, 0.05, 0.025 })
   {
@@ -333,7 +333,7 @@ TEST(FullereneStability, TableOfSeveralMolecules)
   auto* bars = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
   ASSERT_EQ(bars->GetNumberOfRows(), 2);
   EXPECT_NEAR(At(bars, "Death", 1), 1.2, 1e-6);
-  // Bars below the filter count in the integral only.
+  // Bars below the filter count only in the integral.
   filter->SetFilterDelta(0.6);
   filter->Update();
   EXPECT_EQ(At(table, "Bars", 1), 0.0);

@@ -12,7 +12,7 @@ using namespace isthmus;
 namespace
 {
 
-/// Walks from every place and its opposite and compares with what is known of the forest.
+/// Walks from every place and its opposite and compares with the known ends of the forest.
 void ExpectPathEnds(const std::vector<std::int64_t>& next)
 {
   const auto places = static_cast<std::int64_t>(next.size());

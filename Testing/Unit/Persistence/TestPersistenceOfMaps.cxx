@@ -27,7 +27,7 @@ namespace
 
 const std::string EMD5043 = "maps/emd_5043.map";
 
-/// The same nodes with axis a of the result running along axis `from[a]`, mirrored where asked.
+/// The same nodes with axis a of the result running along axis `from[a]`, mirrored on request.
 Volume<float> Rotate(
   const Volume<float>& map, const std::array<std::size_t, 3>& from, const std::array<bool, 3>& back)
 {
@@ -53,8 +53,8 @@ Volume<float> Rotate(
   return turned;
 }
 
-/// The map with its first node at `place` in a box that is 8 nodes longer along each axis, in a
-/// world of its least value.
+/// The map with its first node at `place` in a box that is 8 nodes longer along each axis,
+/// surrounded by its least value.
 Volume<float> Moved(const Volume<float>& map, const Size& place)
 {
   const Size& n = map.Dimensions;
@@ -91,7 +91,7 @@ double BytesPerNode(const VolumeView& volume, bool superlevel)
   return each;
 }
 
-/// One of eight parts of the shared maps, so that they run beside each other.
+/// One of eight parts of the shared maps, so that they can run concurrently.
 class SharedMaps : public ::testing::TestWithParam<int>
 {
 };

@@ -1,4 +1,4 @@
-// The points and cycles of vtkScalarPersistence: where they lie, and of which class they are.
+// The points and cycles of vtkScalarPersistence: their positions, and the classes of the cycles.
 
 #include "vtkScalarPersistence.h"
 

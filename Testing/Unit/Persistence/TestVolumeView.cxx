@@ -1,5 +1,5 @@
-// Statistics of volumes whose values are known, of every type, and of values at the end of what
-// doubles hold; the place of a value that is not a number.
+// Statistics of volumes whose values are known, of every type, and of values at the limits of
+// double; the position of a value that is not a number.
 
 #include "Persistence/PersistenceCache.h"
 #include "Persistence/ScalarFeatures.h"
@@ -62,7 +62,7 @@ TEST(VolumeView, StatisticsOfEveryType)
   EXPECT_EQ(Of<std::uint16_t>({ 0, 65535 }).Maximum, 65535.0);
 }
 
-/// One buffer for each component is another layout of the same numbers.
+/// One buffer for each component is another layout of the same values.
 TEST(VolumeView, OfEveryLayout)
 {
   vtkNew<vtkSOADataArrayTemplate<float>> values;

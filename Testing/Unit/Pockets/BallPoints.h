@@ -1,6 +1,6 @@
 /**
  * @file BallPoints.h
- * @brief Balls as the points that filters of molecules take.
+ * @brief Balls as points, the input of filters of molecules.
  */
 #ifndef isthmus_BallPoints_h
 #define isthmus_BallPoints_h

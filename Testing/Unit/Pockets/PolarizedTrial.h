@@ -110,7 +110,7 @@ inline vtkSmartPointer<vtkImageData> Image(double half, int nodes, const Field& 
   return image;
 }
 
-/// A filter with its words kept.
+/// A filter whose messages are kept.
 struct Trial
 {
   Trial(vtkPolyData* surface, vtkImageData* image)

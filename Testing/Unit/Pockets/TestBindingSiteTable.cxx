@@ -1,4 +1,4 @@
-// The residues around a site: who is within 4 angstrom of it, by name, and in what order.
+// The residues around a site: those within 4 angstrom of it, by name, and their order.
 
 #include "vtkBindingSites.h"
 

@@ -113,7 +113,7 @@ TEST(BindingSites, CapsHaveTheirAreasScoresAndMeans)
   Trial trial(Caps(200));
   vtkTable* table = trial.Update();
   EXPECT_EQ(trial.Error() + trial.Warning(), "");
-  ASSERT_EQ(table->GetNumberOfRows(), 2); // the third cap is of a protein's class
+  ASSERT_EQ(table->GetNumberOfRows(), 2); // the third cap has the class of a protein
   const double tolerance = 0.03;          // the rim is a ring of triangles of side 0.16
   EXPECT_NEAR(Entry(table, "Area", 0) / CapArea(4.0), 1.0, tolerance);
   EXPECT_NEAR(Entry(table, "Score", 0) / CapArea(4.0), 2.0, 2.0 * tolerance);
@@ -125,7 +125,7 @@ TEST(BindingSites, CapsHaveTheirAreasScoresAndMeans)
   EXPECT_NEAR(Entry(table, "Area", 1) / CapArea(2.0), 1.0, tolerance);
   EXPECT_NEAR(Entry(table, "Score", 1) / CapArea(2.0), 3.0, 3.0 * tolerance);
   EXPECT_EQ(Entry(table, "SiteClass", 1), 2.0);
-  EXPECT_LT(Entry(table, "MeanDepth", 0), 0.0025 * radius); // convex: nothing is deep
+  EXPECT_LT(Entry(table, "MeanDepth", 0), 0.0025 * radius); // convex: no point is deep
   vtkDataArray* label = trial.Filter->GetOutput()->GetPointData()->GetArray("BindingSite");
   vtkIdType counts[3] = { 0, 0, 0 };
   for (vtkIdType i = 0; i < label->GetNumberOfTuples(); ++i)
@@ -166,7 +166,7 @@ TEST(BindingSites, TheQuantileIsOneOfArea)
   Trial trial(Caps());
   trial.Filter->SetClasses(vtkBindingSites::Ligands);
   trial.Filter->SetAutomaticThreshold(true);
-  trial.Filter->SetQuantile(0.8); // 10 % of area has amplitude 3, the next 20 % 2, the rest none
+  trial.Filter->SetQuantile(0.8); // 10 % of the area has amplitude 3, the next 20 % 2, the rest 0
   vtkTable* table = trial.Update();
   ASSERT_EQ(table->GetNumberOfRows(), 1);
   EXPECT_EQ(
@@ -352,7 +352,7 @@ TEST(BindingSites, NothingToFindIsAWarningNotAnError)
   EXPECT_NE(constant.Warning().find("Is the array constant"), std::string::npos);
   EXPECT_EQ(constant.Filter->GetOutput()->GetNumberOfPoints(), sphere->GetNumberOfPoints());
 
-  values->Fill(std::nan("")); // a surface that the potential misses
+  values->Fill(std::nan("")); // a surface outside of the potential
   Trial missed(sphere);
   EXPECT_EQ(missed.Update()->GetNumberOfRows(), 0);
   EXPECT_NE(missed.Warning(), "");

@@ -1,4 +1,5 @@
-// Overlaps, unions, voids and pockets against Monte Carlo, points on spheres, and each other.
+// Overlaps, unions, voids and pockets, compared with Monte Carlo, points on spheres, and each
+// other.
 
 #include "Atoms/BallOverlap.h"
 #include "Core/Geometry.h"
@@ -192,7 +193,7 @@ TEST(EmptySpace, UnionOfFourBallsThreeOfWhichMeetOutside)
 
 TEST(EmptySpace, SeparateAndNestedBalls)
 {
-  // A tetrahedron of lone balls, and one ball inside of another.
+  // A tetrahedron of separate balls, and one ball inside of another.
   const std::vector<Ball> balls{ { { 0, 0, 0 }, 1.0 }, { { 10, 0, 0 }, 2.0 }, { { 0, 10, 0 }, 1.5 },
     { { 0, 0, 10 }, 1.0 }, { { 10.2, 0, 0 }, 0.5 } };
   PocketOptions options;
@@ -250,7 +251,7 @@ TEST(EmptySpace, UnionOfFewBallsOrOfBallsInALine)
 TEST(EmptySpace, UnionOfBallsInOnePlane)
 {
   // Three that meet pairwise and all together, a ring, and a sheet, in a plane along no axis; balls
-  // within theirs but out of the plane, which add tetrahedra, change nothing.
+  // inside of these but out of the plane add tetrahedra, without any effect.
   std::vector<std::vector<Ball>> flat(3);
   const auto at = [](double u, double v) { return Point3{ u, 0.6 * v, 0.8 * v }; };
   flat[0] = { { at(0, 0), 1.5 }, { at(2, 0), 1.4 }, { at(0.7, 1.6), 1.2 } };
@@ -281,7 +282,7 @@ TEST(EmptySpace, UnionOfBallsInOnePlane)
     const Estimate area = AreaByPoints(balls, 0.0, 4000, [](const Point3&) { return true; });
     EXPECT_NEAR(plane.Area, area.Value, 3.0 * area.Error());
   }
-  // One atom hardly out of the plane.
+  // One atom slightly out of the plane.
   const UnionMeasure ring = MeasureBallUnion(flat[1], 0.0);
   flat[1][0].Center = flat[1][0].Center + Point3{ 0.0, 8e-7, -6e-7 };
   PocketOptions options;
@@ -312,7 +313,8 @@ TEST(EmptySpace, ClosedShellIsOneVoid)
 
 TEST(EmptySpace, PocketsAndTheRestSumToTheWhole)
 {
-  // Wherever mouths cut, what pockets and the rest leave empty is what the balls do not fill.
+  // Wherever mouths cut, the pockets and the rest together have the volume that the balls do not
+  // fill.
   auto balls = Shell(400, 9.0);
   balls.erase(std::remove_if(
                 balls.begin(), balls.end(), [](const Ball& ball) { return ball.Center[2] > 8.0; }),
@@ -345,7 +347,7 @@ std::vector<Ball> CloudInACube()
   return balls;
 }
 
-/// Two rooms, mirror images in z = 0, that a ring of atoms there parts: a narrow way leads through.
+/// Two rooms, mirror images in z = 0, separated there by a ring of atoms with a narrow passage.
 std::vector<Ball> TwoRooms(double neck)
 {
   std::vector<Ball> balls;
@@ -419,17 +421,17 @@ TEST(EmptySpace, AMouthDividesTheVolumeIntoEqualHalves)
     EXPECT_NEAR(whole, empty.Value, 3.0 * empty.Error()) << neck;
     EXPECT_NEAR(result.Pockets[0].Volume, 0.5 * whole, 1e-6 * whole) << neck;
     EXPECT_NEAR(result.Pockets[0].Area, result.Pockets[1].Area, 1e-6 * result.Pockets[0].Area);
-    // As one pocket they are the same room.
+    // As one pocket they are the same space.
     options.InnerRadius = 1.5;
     const PocketResult joined = FindPockets(balls, options);
-    ASSERT_GE(joined.Pockets.size(), 1u) << neck; // small ones outside may be there
+    ASSERT_GE(joined.Pockets.size(), 1u) << neck; // small ones may exist outside
     EXPECT_NEAR(joined.Pockets[0].Volume, whole, 1e-6 * whole) << neck;
   }
 }
 
 TEST(EmptySpace, APocketsVolumeIsNearThatOfItsTetrahedra)
 {
-  // At a mouth balls are cut as their sectors are; how far is that from a cut by its triangles?
+  // At a mouth balls are cut with their sectors; compared with a cut by its triangles.
   const auto balls = CloudInACube();
   const PocketResult result = FindPockets(balls, {});
   ASSERT_FALSE(result.Pockets.empty());

@@ -156,8 +156,8 @@ TEST(ExactSymmetry, TubesOfRingsHaveTheirPore)
   }
 }
 
-/// A channel wider than EndRadius ends at the hull; with jitter, flat tetrahedra there led it as
-/// far as 20 angstrom out.
+/// A channel wider than EndRadius ends at the hull; with jitter, flat tetrahedra there extended it
+/// by up to 20 angstrom.
 TEST(ExactSymmetry, WideTubesEndAtTheHull)
 {
   struct Tube

@@ -64,7 +64,7 @@ TEST(FeatureTracks, TheLastFourFeaturesAreRemembered)
     TrackFeatures({ at(0), at(4), at(8), at(12), at(16), at(-4) }, { 4.0, 5 });
   EXPECT_EQ(fifth.TrackOf[5][0], 1);
   EXPECT_EQ(fifth.NumberOfTracks, 2);
-  // The step is at most MaximumDistance, that included.
+  // The step is at most MaximumDistance, inclusively.
   EXPECT_EQ(TrackFeatures({ at(0), at(4) }, { 4.0, 5 }).NumberOfTracks, 1);
   EXPECT_EQ(TrackFeatures({ at(0), at(4.001) }, { 4.0, 5 }).NumberOfTracks, 2);
 }
@@ -110,7 +110,8 @@ TEST(FeatureTracks, EmptyFramesAndBadOptions)
 
 TEST(FeatureTracks, APocketThatGrowsForATimeStepKeepsItsTrack)
 {
-  // Its center moves by more than MaximumDistance and back; the new room stays alone for a while.
+  // Its center moves by more than MaximumDistance and back; the new pocket stays separate for a
+  // while.
   const TrackedFeature a{ { 0, 0, 0 }, 3.0, { "A|1", "A|2", "A|3", "A|4" } };
   const TrackedFeature room{ { 9, 0, 0 }, 3.0, { "A|6", "A|7", "A|8", "A|9" } };
   const TrackedFeature both{ { 4.5, 0, 0 }, 3.0,
@@ -123,7 +124,7 @@ TEST(FeatureTracks, APocketThatGrowsForATimeStepKeepsItsTrack)
     EXPECT_EQ(t == 5 ? of[1] : of[0], 0) << t;
   }
   EXPECT_EQ(tracks.NumberOfTracks, 2);
-  ASSERT_EQ(tracks.Events.size(), 2u); // the room splits off and merges again
+  ASSERT_EQ(tracks.Events.size(), 2u); // the pocket splits off and merges again
   EXPECT_EQ(tracks.Events[0].Kind, TrackEventKind::Split);
   EXPECT_EQ(tracks.Events[1].Kind, TrackEventKind::Merge);
   EXPECT_EQ(tracks.Events[1].Track, 1);

@@ -147,8 +147,7 @@ TEST(MolecularPockets, AreaOfLysozymeByASecondMethod)
 
 TEST(MolecularPockets, MouthsAreAsOpenAsTheyLook)
 {
-  // A hollow ball of atoms of two sizes with one hole, whose triangles are looked at point by
-  // point.
+  // A hollow ball of atoms of two sizes with one hole, whose triangles are sampled point by point.
   std::vector<Ball> atoms;
   constexpr int count = 150;
   for (int i = 0; i < count; ++i)

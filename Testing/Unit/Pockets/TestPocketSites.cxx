@@ -112,7 +112,7 @@ TEST(PocketSites, TwoCloudsAreTwoSitesAtTheirMiddles)
   }
   const std::vector<PocketSite> sites = FindSites(places, probabilities);
   ASSERT_EQ(sites.size(), 2u);
-  // The likelier one is first; a mode of 2000 places of spread 1 is known to about 0.05.
+  // The more probable one is first; a mode of 2000 places of spread 1 is known to about 0.05.
   EXPECT_LT(Distance(sites[0].Center, middles[1]), 0.1);
   EXPECT_LT(Distance(sites[1].Center, middles[0]), 0.1);
   EXPECT_NEAR(sites[0].Density / sites[1].Density, 3.0, 0.1);
@@ -153,7 +153,7 @@ TEST(PocketSites, TiedOnesAreOrderedByTheirResidues)
 TEST(PocketSites, CopiesHaveOneDensityAndFollowEachOtherByTheirChains)
 {
   // Chains 1 and 0 are copies 50 apart, each with residues 0 to 9 along x and, around a site of its
-  // own, 10 to 19; of chain 2 only the first number is the same.
+  // own, 10 to 19; chain 2 has only the first number in common.
   std::vector<SiteAtom> atoms;
   std::mt19937 random(4);
   std::normal_distribution<double> noise(0.0, 0.2);
@@ -307,7 +307,7 @@ TEST(PocketSites, OnASurfaceAndOff)
   ball->SetRadius(80.0);
   filter->Update();
   EXPECT_EQ(lowest(), 0.0);
-  // Whole pockets as before have no probability.
+  // Whole pockets have no probability.
   filter->SetFindSites(false);
   filter->SetUsePolarizedCurvature(false);
   filter->Update();

@@ -1,5 +1,5 @@
-// Pockets weighed by a surface: means and ranks that are known; the messages of binding sites about
-// them.
+// Pockets weighted by a surface: means and ranks that are known; the messages of binding sites
+// about them.
 
 #include "Core/Geometry.h"
 #include "Pockets/MolecularPockets.h"
@@ -145,10 +145,10 @@ TEST(PocketSurface, MeansAreThoseOfTheSurfaceAndEnterTheScore)
   ASSERT_EQ(plain.size(), 2u);
   EXPECT_NEAR(plain[0].X, 0.0, 0.1); // the larger one
   EXPECT_TRUE(std::isnan(plain[0].MeanPolarized) && std::isnan(plain[0].MeanPotential));
-  // Both spheres have one area, so that the mean over the whole surface is that of two values.
+  // Both spheres have the same area, so that the mean over the whole surface is that of two values.
   const auto weighed = Pockets(Surface({ -1.0, 9.0 }, { 2.5, -4.0 }));
   ASSERT_EQ(weighed.size(), 2u);
-  EXPECT_NEAR(weighed[0].X, Apart, 0.1); // now the other one is first
+  EXPECT_NEAR(weighed[0].X, Apart, 0.1); // then the other one is first
   EXPECT_NEAR(weighed[0].MeanPolarized, 9.0, 1e-9);
   EXPECT_NEAR(weighed[1].MeanPolarized, 1.0, 1e-9); // of the absolute value
   EXPECT_NEAR(weighed[0].MeanPotential, -4.0, 1e-9);
@@ -169,7 +169,7 @@ TEST(PocketSurface, PlacesWithoutAValueDoNotCount)
   EXPECT_TRUE(std::isnan(half[1].MeanPolarized) && std::isnan(half[1].MeanPotential));
   EXPECT_EQ(half[1].Score, plain[1].Score);
   const auto nowhere = Pockets(Surface({ 0.0, 0.0 }, { 0.0, 0.0 }));
-  EXPECT_EQ(nowhere[0].Score, plain[0].Score); // nothing to tell them apart
+  EXPECT_EQ(nowhere[0].Score, plain[0].Score); // no values that distinguish them
 }
 
 TEST(PocketSurface, ASurfaceWithoutPolarizedCurvatureIsReported)
@@ -182,7 +182,7 @@ TEST(PocketSurface, ASurfaceWithoutPolarizedCurvatureIsReported)
   const std::string said = MessagesBy(filter.Get());
   EXPECT_NE(said.find("PolarizedCurvature"), std::string::npos) << said;
   EXPECT_EQ(filter->GetPocketTable()->GetNumberOfRows(), 0);
-  // A potential is not needed: its mean is then not known.
+  // A potential is not needed: its mean is then unknown.
   surface = Surface({ 1.0, 1.0 }, { 1.0, 1.0 });
   surface->GetPointData()->RemoveArray("Potential");
   EXPECT_TRUE(std::isnan(Pockets(surface).at(0).MeanPotential));

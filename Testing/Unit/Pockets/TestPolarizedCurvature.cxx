@@ -1,4 +1,5 @@
-// Potential times curvature: a sphere in a dipole's potential and an ellipsoid, beside formulas.
+// Potential times curvature: a sphere in a dipole's potential and an ellipsoid, compared with
+// formulas.
 
 #include "Pockets/PolarizedCurvature.h"
 #include "PolarizedTrial.h"

@@ -1,4 +1,4 @@
-// Potential times curvature: points off the grid, arrays of any type, threads, what is missing.
+// Potential times curvature: points off the grid, arrays of any type, threads, missing input.
 
 #include "PolarizedTrial.h"
 
@@ -90,7 +90,7 @@ TEST(PolarizedCurvature, ReportsMissingInput)
     EXPECT_NE(run.Error().find("do not overlap"), std::string::npos) << run.Error();
     double box[6], origin[3];
     far->GetBounds(box);
-    far->GetOrigin(origin); // to be moved right beside the sphere
+    far->GetOrigin(origin); // to be moved close to the sphere
     far->SetOrigin(origin[0] + 5.1 - box[0], origin[1] - 8.0 - box[2], origin[2] - 8.0 - box[4]);
     Trial beside(sphere, far);
     EXPECT_EQ(beside.Update()->GetNumberOfPoints(), 0);

@@ -45,7 +45,7 @@ using isthmus::testing::MakeAtoms;
 namespace
 {
 
-constexpr double Throat = 2.2; // of the free room, angstrom
+constexpr double Throat = 2.2; // of the free space, angstrom
 constexpr double Radius = 1.5; // of the atoms
 constexpr double Slope = 0.45;
 
@@ -194,7 +194,7 @@ TEST(PoreProfile, BottlenecksStateTheirErrors)
 TEST(PoreProfile, RadiusInPlanesIsTheHyperboloids)
 {
   // In the plane of a ring the nearest atoms are those of the rings around: the largest ball on the
-  // axis is known by looking at all atoms.
+  // axis is known from a search through all atoms.
   const auto atoms = Hyperboloid(24);
   PoreOptions options;
   options.EndRadius = 4.5;
@@ -256,8 +256,8 @@ TEST(PoreProfile, ClosedShellAndFewAtomsHaveNone)
   EXPECT_TRUE(FindPores({ { { 0, 0, 0 }, 1.0 }, { { 0, 0, 0 }, 1.0 } }, {}).empty());
 }
 
-// Atoms far apart, as in picometres: each search passed millions of empty bins, and Automatic did
-// not end in ten minutes.
+// Atoms far apart, as in picometres: each search visited millions of empty bins, and Automatic took
+// more than ten minutes.
 TEST(PoreProfile, ClearanceAmongAtomsFarApart)
 {
   std::vector<Ball> atoms;
@@ -539,7 +539,7 @@ std::vector<Ball> AtomsInACube(int count)
   return atoms;
 }
 
-/// As Molecular Pockets and Pore Profile enlarge them.
+/// Enlarged as in Molecular Pockets and Pore Profile.
 RegularFiltration BuildFiltration(const std::vector<Ball>& atoms)
 {
   std::vector<Point3> centers;
@@ -574,7 +574,7 @@ std::int64_t ComputeReports(std::size_t cells)
   return static_cast<std::int64_t>((cells + 4095) / 4096);
 }
 
-/// Whichever report a run is aborted at, it is the last.
+/// The report at which a run is aborted is the last.
 void ExpectToStopAtEachReport(const Analysis& run)
 {
   bool isAborted = true;
@@ -605,7 +605,7 @@ TEST(PoreProfile, AnAbortIsNoticedInEachLoopOverCells)
   const Analysis pockets = [&](const ProgressCallback& progress)
   { FindPockets(atoms, options, progress); };
   // Crevices; volumes of cells and of the union, shares of the hull, edges, triangles; burial,
-  // lining, mouths. The others are ends of steps.
+  // lining, mouths. The others are reports at the ends of steps.
   EXPECT_EQ(ReportsBetween(0.8, 1.0, pockets), 9 + 4);
   ExpectToStopAtEachReport(pockets);
 
@@ -649,7 +649,8 @@ TEST(PoreProfile, LoopsOverCellsReportAtEvery4096th)
       inPockets += pocket.Cells.size();
     }
   };
-  // With the ends of steps. In parallel loops, as those before and between, the clock decides.
+  // Including the reports at the ends of steps. In parallel loops, such as those before and
+  // between, reports depend on the time.
   const std::int64_t measures = 2 * cells + ComputeReports(c.Edges.size()) + triangles;
   const std::int64_t before = ReportsBetween(0.8, 0.85, pockets);
   EXPECT_EQ(before, 1 + ComputeReports(inPockets) + cells + measures + 1);
@@ -672,11 +673,11 @@ TEST(PoreProfile, LoopsOverCellsReportAtEvery4096th)
   pores.MinimumRadius = 100.0; // none
   const std::int64_t none = ReportsBetween(0.9, 1.0, channels);
   EXPECT_EQ(none, triangles);
-  pores.MinimumRadius = 1.0; // one report more for each that may be one
+  pores.MinimumRadius = 1.0; // one more report for each possible one
   EXPECT_GT(ReportsBetween(0.9, 1.0, channels), none);
 }
 
-// At whichever event the abort comes, it is the last.
+// The event at which the run is aborted is the last.
 TEST(PoreProfile, AnAbortLeavesAnEmptyOutput)
 {
   const auto atoms = MakeAtoms(AtomsInACube(24));

@@ -100,7 +100,7 @@ TEST(PoresOfSurfaces, APipeHasItsBoreAlongTheAxis)
   for (vtkIdType i = 0; i < pores->GetOutput()->GetNumberOfPoints(); ++i)
   {
     const Point3 p = At(pores->GetOutput(), i);
-    // The nearest place of the wall, from the axis; a mesh has no point just there.
+    // The nearest point of the wall, from the axis; a mesh has no point exactly there.
     double least = HUGE_VAL;
     for (double z = -14.0; z <= 14.0; z += 0.01)
     {

@@ -35,7 +35,7 @@ std::vector<std::int64_t> ByCGAL(const TriangleMesh& mesh)
   return { ids.begin(), ids.end() };
 }
 
-/// How many triangles were found, by both.
+/// The number of triangles found by both.
 std::size_t ExpectSame(const TriangleMesh& mesh)
 {
   const std::vector<std::int64_t> expected = ByCGAL(mesh);

@@ -123,7 +123,7 @@ TEST(SurfaceRemesh, SimplifiesToACount)
   EXPECT_NEAR(SignedVolume(result.Mesh), SignedVolume(sphere), 0.02);
 }
 
-/// Collapses at a point of many triangles take long.
+/// Collapses at a point of many triangles are slow.
 TEST(SurfaceRemesh, SimplifyingFansReportsAndStopsOften)
 {
   constexpr std::int64_t sides = 200;
@@ -297,7 +297,7 @@ std::array<double, 2> LeastAngleAndLargestCircle(const TriangleMesh& mesh, IsFea
 TEST(SurfaceRemesh, DelaunayKeepsItsBounds)
 {
   TriangleMesh spheres = ToTriangleMesh(Sphere());
-  const TriangleMesh second = spheres; // beside the first, small
+  const TriangleMesh second = spheres; // next to the first, small
   const auto shift = static_cast<std::int64_t>(spheres.Points.size());
   for (const Point3& p : second.Points)
   {
@@ -397,7 +397,7 @@ TriangleMesh Rotate(TriangleMesh mesh)
 
 }
 
-/// They have no tetrahedra to refine: CGAL's Mesh_3 went on without end, or failed.
+/// They have no tetrahedra to refine: CGAL's Mesh_3 did not terminate, or failed.
 TEST(SurfaceRemesh, DelaunayOfPartsInAPlane)
 {
   const std::vector<TriangleMesh> sheets{ Squares(1, [](auto, auto) { return true; }),

@@ -1,5 +1,5 @@
 // The Poisson-Nernst-Planck equations for a round pore in radius and height, by a direct solver:
-// the reference for three dimensions. Only the flux's formula is the library's.
+// the reference for three dimensions. Only the formula for the flux is taken from the library.
 #ifndef AxisymmetricPore_h
 #define AxisymmetricPore_h
 

@@ -159,7 +159,7 @@ TEST(IonTransport, ObliqueChannelsHaveAnImageAlongTheAxes)
       straight = current;
       continue;
     }
-    EXPECT_NEAR(current / straight, 1.0, 1e-4); // by as much do sections differ
+    EXPECT_NEAR(current / straight, 1.0, 1e-4); // sections differ by this much
     EXPECT_TRUE(image->GetDirectionMatrix()->IsIdentity());
     int extent[6];
     filter->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
@@ -192,7 +192,7 @@ TEST(IonTransport, ObliqueChannelsHaveAnImageAlongTheAxes)
 
 TEST(IonTransport, CurrentsVanishAtNernstsPotentials)
 {
-  // Whatever the charges of the wall: c exp(z V) is equal in both baths there.
+  // For any charges of the wall: c exp(z V) is equal in both baths there.
   const auto filter = TubeInElectrolyte(-0.05, 0.3, 0.1);
   const double nernst = Thermal * std::log(0.3 / 0.1);
   filter->SetVoltage(-nernst);
@@ -211,7 +211,7 @@ TEST(IonTransport, CurrentsVanishAtNernstsPotentials)
 
 TEST(IonTransport, DiluteElectrolytesRectifyAsPredicted)
 {
-  // With hardly any ions the potential is that of voltage and charges alone, so that the current
+  // With very few ions the potential is that of voltage and charges alone, so that the current
   // is proportional to c_below exp(z V) - c_above.
   const auto current = [](double below, double above, const char* name)
   {
@@ -275,7 +275,7 @@ TEST(IonTransport, SurfacesThatCrossAreRefusedWithTheirPlace)
 }
 
 // The surface of the same tube in nanometres lies within the tube, so the overlap is complete, but
-// the charges are in the water: this gave the current of the membrane's hole.
+// the charges are in the water: this once gave the current of a hole in the membrane.
 TEST(IonTransport, ChargesOutsideTheSurfaceAreErrorsOrWarnings)
 {
   const auto filter = TubeInElectrolyte(-0.05, 0.1, 0.1);
@@ -306,7 +306,7 @@ TEST(IonTransport, ChargesOutsideTheSurfaceAreErrorsOrWarnings)
     << said->GetErrorMessage();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 
-  // Nor were atoms without charges looked at, as those of a pore of carbon.
+  // Atoms without charges, as in a pore of carbon, were once not checked either.
   const auto neutral = TubeInElectrolyte(0.0, 0.1, 0.1);
   vtkNew<vtkTest::ErrorObserver> saidOfNeutral;
   neutral->AddObserver(vtkCommand::ErrorEvent, saidOfNeutral);

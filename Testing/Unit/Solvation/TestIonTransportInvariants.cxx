@@ -92,7 +92,8 @@ TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
     const double back = SolveAndCheck(solution, "back").Mean();
     std::cout << voltage << " mV: " << forth << " pA, " << back << " pA\n";
     EXPECT_GT(forth, least);
-    EXPECT_NEAR(back / forth, -1.0, 1e-3) << voltage; // where cut cubes go is not symmetric
+    EXPECT_NEAR(back / forth, -1.0, 1e-3)
+      << voltage; // the assignment of cut cubes is not symmetric
     least = forth;
   }
   solution.SetVoltage(0.0);
@@ -174,7 +175,7 @@ TEST(IonTransportInvariants, MembranesLieAnywhere)
     const double current = SolveAndCheck(solution, "anywhere").Mean();
     std::cout << "trial " << trial << ": " << current << " pA\n";
     straight = trial == 0 ? current : straight;
-    EXPECT_NEAR(current / straight, 1.0, 0.08) << trial; // the rings stand turned around the axis
+    EXPECT_NEAR(current / straight, 1.0, 0.08) << trial; // the rings are rotated around the axis
   }
 }
 
@@ -224,8 +225,8 @@ TEST(IonTransportInvariants, TurningMoleculeAndMembraneChangesTheCurrentByLessTh
 
 TEST(IonTransportInvariants, OverflowIsReported)
 {
-  // Charges in the water itself: thousands of kT/e between neighbours. There is an answer with one
-  // current in all sections, or a sentence, or a mark that it did not converge.
+  // Charges in the water itself: thousands of kT/e between neighbours. The result has one current
+  // in all sections, or there is an error message, or it is marked as not converged.
   for (const double charge : { 40.0, -4000.0, 4e5 })
   {
     IonTransportParameters p = TubeParameters(2.5);

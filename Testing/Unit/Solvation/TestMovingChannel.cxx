@@ -1,5 +1,6 @@
-// Channels whose wall feels field and ions: the flow of a bare pore on paper, a charged pore's rest
-// beside a radial solution of its own, no force against the surface at rest, and what is told.
+// Channels with a wall moved by field and ions: the flow of a bare pore by a formula, the rest
+// state of a charged pore compared with a radial solution, no force against the surface at rest,
+// and what is told.
 
 #include "ChannelTube.h"
 #include "Electrostatics/ElectrostaticUnits.h"
@@ -66,7 +67,7 @@ std::vector<ChargedAtom> ChargedWall(const MembraneSlab& m, double radius, doubl
 
 /// The pressure on the wall of an infinitely long pore, kT/angstrom^3: Poisson-Boltzmann's equation
 /// in the radius alone (Runge and Kutta, from the axis), the charge of its ions known.
-double RadialPush(const IonTransportParameters& p, double radius, double perAngstrom)
+double WallPressure(const IonTransportParameters& p, double radius, double perAngstrom)
 {
   const double coulomb = 4.0 * Pi * units::CoulombLength(p.Temperature);
   const double ions = units::IonsPerCubicAngstrom * p.Species[0].Below; // symmetric salt
@@ -194,7 +195,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
     channel.Run();
     const WallValues wall = channel.ForceAtWall();
     double sum = 0.0, count = 0.0;
-    const double exact = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
+    const double exact = WallPressure(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     for (std::size_t i = 0; i < wall.Pull.size(); ++i)
     {
       const Point3 at = MovingChannel::Padded(domain).Place(wall.Crossings[i].Node);
@@ -214,7 +215,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
 TEST(MovingChannel, AChargedPoreMovesAsPredicted)
 {
   // In one dimension dr/dT = push / gamma - 1/r, the push that of the start. The ends are too far
-  // off to be felt in this time.
+  // away to have an effect in this time.
   constexpr double charge = -0.06, radius = 4.6;
   for (const double dielectric : { 2.0, 40.0 })
   {
@@ -222,7 +223,7 @@ TEST(MovingChannel, AChargedPoreMovesAsPredicted)
     p.MembraneThickness = 60.0;
     p.SoluteDielectric = dielectric;
     p.Voltage = 0.0;
-    const double push = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
+    const double push = WallPressure(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     const double tension = 3.0 * push * radius; // field and ions are a third as strong
     MovingChannel channel(
       DomainAround({}, p), {}, ChargedWall(p, 7.5, charge), {}, p, Walls(tension, 0.0, 40, 2));
@@ -251,7 +252,8 @@ TEST(MovingChannel, WithoutForcesItIsTheSteadySurface)
   const TransportDomain domain = DomainAround(tube.Balls, p);
   const std::vector<float> obstacle =
     DistanceToAtoms(MovingChannel::Padded(domain), tube.Balls, p.ProbeRadius);
-  // Pressure enough to hold it on the obstacle: the answer is ion transport on that.
+  // Enough pressure to keep it on the obstacle: the result is ion transport with the obstacle's
+  // surface.
   MovingChannel held(domain, obstacle, {}, {}, p, Walls(0.01, 0.05, 20, 10));
   held.Run();
   EXPECT_TRUE(held.HasConverged());
@@ -319,7 +321,8 @@ TEST(MovingChannel, ConservesIonsOnAnyNumberOfThreads)
 
 TEST(MovingChannel, WithoutConvergenceTheSteadiestUpdateIsKept)
 {
-  // Tension alone closes it, faster and faster: the first update after the start changed least.
+  // Tension alone closes it at increasing speed: the first update after the start has the smallest
+  // change.
   const IonTransportParameters p = BarePore(4.0, 1.0);
   MovingChannelParameters m = Walls(0.07, 0.0, 8, 4);
   m.Policy.AdaptiveUpdate = false;

@@ -37,7 +37,7 @@ double LineCurrent(const TransportGrid& line, const PoissonNernstPlanck& solutio
 
 TEST(PoissonNernstPlanck, ConstantFieldIsGoldmanHodgkinKatz)
 {
-  // At 1e-7 mol/l the ions leave the field as it is: D. E. Goldman, J. Gen. Physiol. 27 (1943) 37.
+  // At 1e-7 mol/l the ions do not change the field: D. E. Goldman, J. Gen. Physiol. 27 (1943) 37.
   constexpr double length = 50.0;
   const TransportGrid line = TransportLine(26, length);
   IonTransportParameters p = MakeSalt(1e-7, 5e-8);

@@ -1,5 +1,5 @@
 // Networks of conductors whose values are known: a line, a grid of random conductances with a
-// manufactured answer, and the same in another unit.
+// manufactured solution, and the same in another unit.
 
 #include "Solvation/ResistorNetwork.h"
 

@@ -1,4 +1,5 @@
-// Surface and field in turn: ions beside Born's formula, pairs, policies of updating, the pull.
+// Alternate updates of surface and field: ions compared with Born's formula, pairs, policies of
+// updating, the force of the field.
 
 #include "KirkwoodSphere.h"
 #include "Solvation/CoupledFlow.h"
@@ -110,8 +111,8 @@ TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
   }
 }
 
-// The first field counts whole, later ones by their share: alike until the second has pulled, and
-// then between a share of nothing and the whole.
+// The first field is applied in full, later ones by their share: results agree up to the second
+// field, and then lie between those of shares 0 and 1.
 TEST(SolvationFlow, RelaxationTakesItsShare)
 {
   std::vector<std::vector<SolvationUpdate>> runs;
@@ -143,7 +144,8 @@ TEST(SolvationFlow, RelaxationTakesItsShare)
 
 TEST(CoupledFlow, OfAnIonIsKnown)
 {
-  // E just outside is C / (eps_s r^2), and the energy's derivative by r, over the area, the pull.
+  // E just outside is C / (eps_s r^2), and the force per area is the energy's derivative by r over
+  // the area.
   SolvationFlow flow(Ion(2.0), IonParameters(0.25));
   flow.Run();
   EXPECT_GT(flow.GetUpdates().back().OnObstacle, 0.99);
@@ -159,7 +161,8 @@ TEST(CoupledFlow, OfAnIonIsKnown)
 
 TEST(SolvationFlow, IonPairHasTheEnergyOfTwoSpheres)
 {
-  // Without a probe the field draws the surface onto the two balls: multipoles have that energy.
+  // Without a probe the field draws the surface onto the two balls, whose energy is known from
+  // multipoles.
   SolvationParameters p = IonParameters(0.3);
   p.Flow.ProbeRadius = 0.0;
   SolvationFlow flow(IonPair(6.0), p);
@@ -263,7 +266,7 @@ TEST(SolvationFlow, DoesNotDependOnThreads)
 
 TEST(SolvationFlow, ProbeKeepsTheFieldFromDrawingTheSurfaceIn)
 {
-  // Between two balls, water of radius 1.4 does not get where the bare field would draw it.
+  // Between two balls, water of radius 1.4 does not enter where the field alone would draw it.
   std::array<double, 2> volume{};
   for (const double probe : { 0.0, 1.4 })
   {

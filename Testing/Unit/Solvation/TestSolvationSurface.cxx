@@ -102,8 +102,8 @@ TEST(SolvationSurface, OfAnIonHasBornsEnergyAndPotential)
     ASSERT_NEAR(values->GetArray("SurfaceChargeDensity")->GetComponent(p, 0) / induced, 1.0, 0.05);
   }
 
-  // In all water the potential is the charge's, reduced by the dielectric constant; within the ion
-  // water's part of it is constant.
+  // In all of the water the potential is that of the charge divided by the dielectric constant;
+  // within the ion water's part of it is constant.
   vtkImageData* image = filter->GetImage();
   vtkIdType inside = 0;
   for (vtkIdType node = 0; node < image->GetNumberOfPoints(); ++node)
@@ -156,7 +156,7 @@ TEST(SolvationSurface, AChargeOutsideOfAllAtomsIsRefused)
 namespace
 {
 
-/// Two opposite ions with room between them, on a coarse grid.
+/// Two opposite ions with space between them, on a coarse grid.
 vtkSmartPointer<vtkSolvationSurface> SurfaceOfIons()
 {
   auto filter = vtkSmartPointer<vtkSolvationSurface>::New();

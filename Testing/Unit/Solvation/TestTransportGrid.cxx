@@ -116,7 +116,7 @@ TEST(TransportGrid, ChargedPoreMatchesTwoDimensions)
   TransportGrid grid = MakeTransportGrid(DomainAround({}, p), {}, Ring(p, 7.0, charge), p);
   const CurrentProfile currents = SolveCurrents(grid, p);
   // Its own error is of the first order (chloride 3.66, 3.79, 3.86, 3.89 pA at 0.5 to 0.0625
-  // angstrom), so two of them are taken to spacing 0.
+  // angstrom), so two of them are extrapolated to spacing 0.
   const AxisymmetricPore coarse(grid.Domain, p, 7.0, charge, 0.5);
   const AxisymmetricPore fine(grid.Domain, p, 7.0, charge, 0.25);
   for (std::size_t k = 0; k < 2; ++k)
@@ -130,7 +130,7 @@ TEST(TransportGrid, ChargedPoreMatchesTwoDimensions)
 
 TEST(ChannelSolution, ErrorOfTheCurrentCoversTheTruth)
 {
-  // Pores with a ring of charges, against two dimensions taken to spacing 0.
+  // Pores with a ring of charges, compared with two dimensions extrapolated to spacing 0.
   std::mt19937 random(5);
   const auto between = [&](double low, double high)
   { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
@@ -211,8 +211,8 @@ TEST(TransportGrid, PositivePartMatchesASquare)
 
 TEST(ChannelPassage, ReportsWhereAChannelCloses)
 {
-  // A ball of 3 angstrom stops a pore of 4, off the axis by 2.2: the way past it, on the other
-  // side, is widest half-way between ball and wall, 1.6 from each.
+  // A ball of 3 angstrom stops a pore of 4, off the axis by 2.2: the passage on its other side is
+  // widest halfway between ball and wall, 1.6 from each.
   IonTransportParameters p = Pore(4.0, 10.0, 0.5);
   p.Padding = 4.0;
   p.ProbeRadius = 0.0;
@@ -227,7 +227,8 @@ TEST(ChannelPassage, ReportsWhereAChannelCloses)
   RequireOpen(past);
   EXPECT_NEAR(past.Radius, 1.5, 0.3);
   EXPECT_NEAR(past.Bottleneck[0], -2.5, 0.6);
-  EXPECT_NEAR(past.Along, 1.5, 2.6); // nodes 2.5 off are as near to the wall as the narrowest is
+  EXPECT_NEAR(past.Along, 1.5,
+    2.6); // nodes at a distance of 2.5 are as near to the wall as the narrowest one
   const ChannelPassage closed = passage(0.0, 4.6);
   EXPECT_NEAR(closed.Radius, -0.3, 0.2);
   try
@@ -251,7 +252,7 @@ TEST(ChannelPassage, ClosesPocketsWithoutABath)
       CloseIsolatedPockets(cut);
     },
     std::runtime_error);
-  // A second line beside it, which leads nowhere.
+  // A second line beside it, which is a dead end.
   TransportGrid two = line;
   two.Domain.Dimensions[0] = 2;
   const auto beside = [](auto& values, const auto& of, auto first)
@@ -273,7 +274,7 @@ TEST(ChannelPassage, ClosesPocketsWithoutABath)
     beside(two.Permittivity[a], line.Permittivity[a], a == 2 ? 80.0F : 0.0F);
     beside(two.Aperture[a], line.Aperture[a], a == 2 ? 1.0F : 0.0F);
   }
-  two.Aperture[2][81] = 0.0F; // the last has no next
+  two.Aperture[2][81] = 0.0F; // the last one has no successor
   CloseIsolatedPockets(two);
   EXPECT_EQ(two.Water[21], 0.0F);
   EXPECT_EQ(two.Aperture[2][21], 0.0F);

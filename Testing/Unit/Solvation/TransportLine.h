@@ -1,5 +1,5 @@
 // A straight line of nodes between two baths: where the Poisson-Nernst-Planck equations have
-// answers on paper.
+// analytical solutions.
 #ifndef TransportLine_h
 #define TransportLine_h
 

@@ -122,7 +122,7 @@ TEST(AreaQuantiles, HeightOnASphereIsSpreadEvenly)
       worst = std::max(worst, std::abs(trial(fraction, 1.0, 0) - Exact(fraction)));
       worst = std::max(worst, std::abs(trial(0.0, fraction, 1) - Exact(fraction)));
     }
-    // A quantile is one of the values, which lie pi r / resolution apart at most.
+    // A quantile is one of the values, which are at most pi r / resolution apart.
     EXPECT_LT(worst, 1.1 * vtkMath::Pi() * radius / resolution) << resolution;
     EXPECT_FALSE(trial.Observer->GetError());
   }

@@ -1,4 +1,4 @@
-// Which closed shell lies in which, against boxes whose places are known.
+// The nesting of closed shells, compared with boxes at known positions.
 
 #include "SurfaceFiles.h"
 #include "Surfaces/ShellNesting.h"
@@ -14,7 +14,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-/// How many cubes [low, low + side]^3 hold `p` strictly.
+/// The number of cubes [low, low + side]^3 with `p` in their interior.
 int CubesAround(const Point3& p, const std::vector<std::pair<Point3, double>>& cubes)
 {
   return static_cast<int>(std::count_if(cubes.begin(), cubes.end(),

@@ -1,4 +1,4 @@
-// Defects of surfaces that are nothing but defects, beside their definitions taken literally.
+// Defects of random triangles, compared with a literal implementation of the definitions.
 
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
@@ -50,7 +50,8 @@ std::map<std::pair<std::int64_t, std::int64_t>, Ids> TrianglesAtEdges(
   return at;
 }
 
-/// How many sets of triangles at `point` do not hang together by edges at it: grown one by one.
+/// The number of sets of triangles at `point` that are connected by edges at it, found by growing
+/// each of them.
 int FansAt(std::int64_t point, const std::vector<Triangle>& triangles)
 {
   std::vector<std::set<std::int64_t>> left;

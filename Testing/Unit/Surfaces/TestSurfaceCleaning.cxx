@@ -67,7 +67,7 @@ TEST(SurfaceCleaning, ReportsOnlyALevelThatLeavesTheMap)
     DescribeOpenBoundary(open, FindDefects(open)).find("leaves the map"), std::string::npos);
   TriangleMesh torn = MergePoints(Soup());
   torn.Triangles.erase(torn.Triangles.begin() + 2); // the slanted one
-  // Its edges lie on faces of the box, those of a tetrahedron do: so two tetrahedra in one box.
+  // Its edges lie on faces of the box, like those of a tetrahedron: so two tetrahedra in one box.
   for (Point3 p : MergePoints(Soup()).Points)
   {
     torn.Points.push_back(p + Point3{ 5, 5, 5 });

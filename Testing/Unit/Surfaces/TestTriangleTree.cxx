@@ -15,7 +15,8 @@ namespace
 
 using namespace isthmus;
 
-/// Triangles anywhere: of all sizes, needles, and such that are a point or a line.
+/// Triangles at random positions: of all sizes, needles, and triangles degenerate to a point or a
+/// line.
 struct Soup
 {
   Soup(std::size_t count, std::mt19937& random)

@@ -1,4 +1,5 @@
-// How often a soup winds around a point, against the sum of all its solid angles.
+// The winding number of a triangle soup around a point, compared with the sum of all its solid
+// angles.
 
 #include "Surfaces/WindingNumber.h"
 
@@ -43,7 +44,7 @@ TEST(WindingNumber, IsOneInsideZeroOutsideAndInBetweenAtHoles)
       EXPECT_NEAR(closed(x), r < 1.0 ? 1.0 : 0.0, 0.02) << r;
     }
   }
-  // A hemisphere is seen from its center under half of all directions.
+  // From its center, a hemisphere covers half of all directions.
   TriangleMesh half = sphere;
   half.Triangles.clear();
   for (const Triangle& t : sphere.Triangles)
@@ -62,8 +63,8 @@ TEST(WindingNumber, IsOneInsideZeroOutsideAndInBetweenAtHoles)
   EXPECT_EQ(WindingNumber({})({ 0, 0, 0 }), 0.0);
 }
 
-// Few triangles, large and round about the point, whose angles add up to several turns: each is
-// counted, to the last digits.
+// A few large triangles around the point, whose solid angles add up to several full ones: the sum
+// is exact to rounding.
 TEST(WindingNumber, OfASoupIsTheSumOfItsSolidAngles)
 {
   std::mt19937 random(2);

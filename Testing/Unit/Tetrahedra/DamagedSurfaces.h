@@ -19,7 +19,7 @@
 namespace isthmus::testing
 {
 
-/// A surface, and the volume that a person would say it encloses; -1: not known.
+/// A surface, and the volume that it encloses in common sense; -1: not known.
 struct DamagedSurface
 {
   TriangleMesh Mesh;

@@ -1,6 +1,6 @@
 /**
  * @file MeshedSpheres.h
- * @brief The limits under which spheres are meshed, and the volume that came out.
+ * @brief The limits under which spheres are meshed, and the resulting volume.
  */
 #ifndef isthmus_MeshedSpheres_h
 #define isthmus_MeshedSpheres_h

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceFiles.h
- * @brief Surfaces for the tests: those of the shared data, and some of our own making.
+ * @brief Surfaces for the tests: those of the shared data, and generated ones.
  */
 #ifndef isthmus_SurfaceFiles_h
 #define isthmus_SurfaceFiles_h

@@ -1,5 +1,5 @@
 // The Automatic engine on damaged spheres and on all shared surfaces: tetrahedra for each, with a
-// volume or a report that stand the look of another one.
+// volume or a report that agree with an independent measurement.
 
 #include "LongTests.h"
 #include "MeshedSpheres.h"
@@ -56,7 +56,8 @@ void Damage(TriangleMesh& mesh, std::mt19937& random)
   }
 }
 
-/// The largest distance of the surface's sound corners from the skin, each triangle looked at.
+/// The largest distance of the surface's undamaged corners from the skin, by a search of all
+/// triangles.
 double FarthestCorner(const TriangleMesh& surface, const TetrahedralMesh& mesh)
 {
   const TriangleMesh skin = BoundarySurface(mesh);
@@ -108,7 +109,7 @@ void Fill(const TriangleMesh& mesh, double volume, std::uint64_t seed, Ends& end
     EXPECT_GE(quality.SmallestAngle, 10.7);
     EXPECT_LE(quality.LargestAngle, 164.8);
   }
-  // Points that were moved make another solid where the surface is sound still.
+  // Moved points define another solid where the surface is still valid.
   const double truth =
     made.Backend == MeshingBackend::TetGen ? std::abs(SignedVolume(mesh)) : volume;
   const double off = std::abs(made.VolumeAfter / truth - 1.0);
@@ -171,7 +172,7 @@ TEST(AutomaticMesher, DamagedSurfacesAreFilled)
   EXPECT_GE(ends.Filled, cases * 99 / 100);
 }
 
-/// Those of the shared surfaces that no other engine fills; the others in turns.
+/// The shared surfaces that no other engine fills; of the others, a share in each run.
 TEST(AutomaticMesher, SharedSurfacesAreFilled)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");

@@ -38,7 +38,7 @@ using Random = std::mt19937_64;
 
 constexpr std::uint64_t UsualCases = 50;
 
-/// 0, 1, ..., and those whose turn it is.
+/// 0, 1, ..., and those of this run (LongTests.h).
 std::vector<std::uint64_t> Seeds()
 {
   const char* asked = std::getenv("ISTHMUS_FUZZ_CASES");

@@ -1,5 +1,5 @@
-// ISA-L beside zlib on whole, broken-off and damaged gzip data, in pieces of any size: the same
-// bytes, the same ends of members, the same refusals.
+// ISA-L compared with zlib on whole, truncated and damaged gzip data, in pieces of any size: the
+// same bytes, the same ends of members, the same refusals.
 
 #include "Files/Codecs.h"
 #include "Files/OpenByteSource.h"
@@ -36,7 +36,8 @@ std::string Content(std::mt19937& random)
   return content;
 }
 
-/// As gzip packs it, at any level and by any strategy, with or without all that a header may have.
+/// Compressed as by gzip, at any level and by any strategy, with or without the optional header
+/// fields.
 std::string CompressRandomly(std::string content, std::mt19937& random)
 {
   z_stream stream{};
@@ -67,7 +68,7 @@ std::string CompressRandomly(std::string content, std::mt19937& random)
 struct Unpacked
 {
   std::string Content;
-  CodecState State = CodecState::Running; ///< in the end: MemberEnd, or Running for what breaks off
+  CodecState State = CodecState::Running; ///< at the end: MemberEnd, or Running for truncated data
   std::size_t Left = 0;                   ///< of the input, behind the member
 };
 
@@ -129,7 +130,8 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
     {
       packed[random() % size] ^= static_cast<char>(1 << random() % 8);
     }
-    packed += std::string(fate == 0 ? 0 : random() % 100, '\x1f'); // what follows is another's
+    packed +=
+      std::string(fate == 0 ? 0 : random() % 100, '\x1f'); // the rest belongs to the next member
     const auto seed = static_cast<std::mt19937::result_type>(i);
     const Unpacked theirs = Unpack<Zlib>(packed, std::mt19937(seed));
     const Unpacked ours = Unpack<isthmus::GzipCodec>(packed, std::mt19937(seed));
@@ -142,7 +144,7 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
     }
     else if (ours.State == CodecState::MemberEnd)
     {
-      ASSERT_EQ(ours.Content, content) << i; // the header had a flag that means nothing
+      ASSERT_EQ(ours.Content, content) << i; // the header had an undefined flag
     }
     else if (fate == 0)
     {
@@ -156,7 +158,7 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
   EXPECT_GT(damaged, 50);
 }
 
-/// A member that ends amid the bytes read ahead: the next one goes on with these.
+/// A member that ends within the bytes read ahead: the next one begins with the remaining ones.
 TEST(GzipCodec, ConsecutiveLargeMembers)
 {
   std::mt19937 random(4);

@@ -1,5 +1,5 @@
-// bzip2 files unpacked block by block beside libbz2 alone: the same bytes, the same ends, and the
-// same place of damage, for any number of threads.
+// bzip2 files decompressed block by block, compared with libbz2 alone: the same bytes, the same
+// ends, and the same place of damage, for any number of threads.
 
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
@@ -66,7 +66,7 @@ Truth ByLibbz2(std::string packed)
 struct ReadResult
 {
   std::string Content;
-  std::string Message; ///< empty where nothing was thrown
+  std::string Message; ///< empty if nothing was thrown
   bool Cut = false;
   bool Careful = false; ///< libbz2 had to read it again
 };
@@ -142,7 +142,7 @@ void ExpectSame(const std::string& packed, int threads, unsigned seed)
   {
     const std::string where = "before byte " + std::to_string(*truth.DamagedAt) + " of the file";
     ASSERT_NE(seen.Message.find(where), std::string::npos) << seen.Message << " " << where;
-    // The piece in which it was noticed is not there.
+    // The piece in which it was noticed is missing.
     ASSERT_LE(seen.Content.size(), truth.Content.size() + 400000);
   }
   else
@@ -189,10 +189,10 @@ TEST(ParallelBzip2, ReportDamageAsLibbz2Does)
       case 1:
         packed[at] = static_cast<char>(packed[at] ^ (1 << random() % 8));
         break;
-      case 2: // what looks like the begin of a block, or like an end
+      case 2: // bytes that look like the begin or the end of a block
         packed.replace(at, 6, random() % 2 ? magic : end);
         break;
-      default: // what follows begins like a member
+      default: // the following bytes begin like a member
         packed += "BZh" + std::string(random() % 30, random() % 2 ? '9' : 'x');
     }
     ExpectSame(packed, 1 + static_cast<int>(random() % 4), i);

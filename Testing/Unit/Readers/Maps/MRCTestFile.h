@@ -2,7 +2,7 @@
  * @file MRCTestFile.h
  * @brief Writes map files of any mode, byte order and axis order, for the tests.
  *
- * It shares no code with the reader: what it writes follows the format's tables alone.
+ * It shares no code with the reader: it follows only the format's tables.
  */
 #ifndef isthmus_MRCTestFile_h
 #define isthmus_MRCTestFile_h
@@ -18,7 +18,7 @@
 namespace isthmus::testing
 {
 
-/// A map in the making: a header of sensible words, which tests overwrite, and its voxels.
+/// A map to be written: a header with valid words, which tests overwrite, and its voxels.
 class MRCTestFile
 {
 public:

@@ -30,7 +30,7 @@ public:
     this->Reader->SetFileName(path);
     this->Reader->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     this->Reader->AddObserver(vtkCommand::WarningEvent, this->Observer);
-    // The pipeline adds a sentence of its own when a request fails.
+    // The pipeline adds a message of its own when a request fails.
     this->Reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->PipelineObserver);
   }
 

@@ -207,7 +207,7 @@ TEST(MRCErrors, AReaderRecovers)
   EXPECT_EQ(reading->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 }
 
-/// Asks an algorithm to stop as soon as it has got anywhere.
+/// Aborts an algorithm as soon as it reports progress.
 class Abort : public vtkCommand
 {
 public:
@@ -237,7 +237,7 @@ TEST(MRCErrors, AbortLeavesAnEmptyOutput)
   }
 }
 
-/// A file that gives less than it has: somebody else is writing it, or its disk fails.
+/// A file that returns fewer bytes than its size: it is being written, or its disk fails.
 class ShortSource : public isthmus::ByteSource
 {
 public:

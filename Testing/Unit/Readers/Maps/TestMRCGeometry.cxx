@@ -96,7 +96,7 @@ TEST(MRCGeometry, SharedMapsOfWaterHaveTheirPublishedPlaces)
   }
 }
 
-/// Steps of the monoclinic and triclinic cells below, worked out here from the angles anew.
+/// Steps of the monoclinic and triclinic cells below, computed here independently from the angles.
 struct Cell
 {
   std::array<float, 3> Angles;

@@ -15,7 +15,7 @@ namespace
 using namespace isthmus::testing;
 using Damage = std::function<void(MRCTestFile&)>;
 
-/// A small float map whose voxels count up, with `damage` done to its header.
+/// A small float map with consecutive values, whose header is changed by `damage`.
 std::string SmallMap(const Damage& damage, bool bigEndian = false)
 {
   MRCTestFile map({ 4, 3, 2 }, 2, bigEndian);
@@ -81,7 +81,7 @@ struct Repair
 {
   const char* Name;
   Damage Do;
-  const char* Says; ///< part of the only sentence that is expected
+  const char* Says; ///< part of the only expected message
 };
 
 void PrintTo(const Repair& repair, std::ostream* os)

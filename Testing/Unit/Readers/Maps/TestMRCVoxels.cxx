@@ -16,7 +16,7 @@ namespace
 using namespace isthmus::testing;
 using Order = std::array<int, 3>;
 
-/// A value that differs from voxel to voxel and that `mode` holds exactly.
+/// A value that differs from voxel to voxel and is exact in `mode`.
 double Value(int mode, int c, int r, int s, int component)
 {
   const int n = c + 7 * r + 53 * s + 400 * component;
@@ -220,7 +220,8 @@ INSTANTIATE_TEST_SUITE_P(All, MRCVoxels,
     ::testing::Values(Order{ 1, 2, 3 }, Order{ 1, 3, 2 }, Order{ 2, 1, 3 }, Order{ 2, 3, 1 },
       Order{ 3, 1, 2 }, Order{ 3, 2, 1 })));
 
-/// Large enough for many bricks in every code path, and of sizes that fit no brick.
+/// Large enough for many bricks in every code path, and with sizes that are not multiples of a
+/// brick.
 TEST(MRCVoxelsLarge, ManyBricks)
 {
   for (const int mode : { 1, 2, 12 })

@@ -51,7 +51,8 @@ TEST(NoData, ValuesFarFromAllOthersAreFound)
     EXPECT_EQ(Found(HalfMap<float>(0.01, value)), value);
   }
   EXPECT_EQ(Found(HalfMap<short>(100.0, -32768)), -32768);
-  EXPECT_EQ(Found(HalfMap<unsigned short>(100.0, 65535)), std::nullopt); // noise wraps: all values
+  EXPECT_EQ(Found(HalfMap<unsigned short>(100.0, 65535)),
+    std::nullopt); // the noise overflows: all values occur
 }
 
 TEST(NoData, OrdinaryMapsHaveNone)

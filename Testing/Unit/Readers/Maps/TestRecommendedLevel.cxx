@@ -89,7 +89,7 @@ TEST(RecommendedLevel, BesideTheMapOrInTheArchivesHeaderFolder)
   EXPECT_FALSE(RecommendedLevel(""));
 }
 
-// A level is that of one map: no map gets that of another one of its entry.
+// A level belongs to one map: other maps of the same entry do not get it.
 TEST(RecommendedLevel, OfThisMapOnly)
 {
   const auto contour = [](const std::string& level)

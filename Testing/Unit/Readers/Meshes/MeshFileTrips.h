@@ -73,7 +73,7 @@ void Write(vtkPointSet* data, const std::string& path)
   EXPECT_EQ(writer->Write(), 1) << path;
 }
 
-/// The sentence that a file's reading ends in; empty: it was read.
+/// The error message for a file; empty if it was read.
 template <typename Read>
 std::string CatchMessage(Read&& read, const std::string& content, const std::string& name,
   const std::string& partner = {}, const std::string& partnerName = "x.node")
@@ -97,7 +97,7 @@ std::string CatchMessage(Read&& read, const std::string& content, const std::str
 #define EXPECT_SAYS(sentence, part)                                                                \
   EXPECT_NE((sentence).find(part), std::string::npos) << (sentence)
 
-/// Random tetrahedra with coordinates of every size, which text must keep.
+/// Random tetrahedra with coordinates of all magnitudes, which text must preserve.
 inline vtkSmartPointer<vtkUnstructuredGrid> RandomMesh(int type, int corners, int cells)
 {
   std::mt19937_64 random(20);

@@ -68,7 +68,7 @@ attribute cells uint8 1 Material of the cell
 end
 )";
 
-/// A reader with its errors caught.
+/// A reader whose errors are collected.
 struct Reading
 {
   Reading()

@@ -123,7 +123,7 @@ TEST(MEDITFile, DamagedFilesReportTheLine)
 
 TEST(MEDITFile, PlaneMeshesHaveNoHeight)
 {
-  // As mmg2d, Gmsh and FreeFem write them.
+  // Written as by mmg2d, Gmsh and FreeFem.
   for (const std::string dimension : { "Dimension 2", "Dimension\n2" })
   {
     const TemporaryFile file("MeshVersionFormatted 2\n\n" + dimension +

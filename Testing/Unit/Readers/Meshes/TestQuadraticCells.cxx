@@ -45,7 +45,7 @@ std::vector<double> GetNodes(int type)
   return { coordinates, coordinates + 3 * cell->GetNumberOfPoints() };
 }
 
-/// A section of two cells of `type`, one bent a little and far larger, whose nodes after the
+/// A section of two cells of `type`, one slightly curved and much larger, whose nodes after the
 /// corners are in the order `order`.
 std::string TwoCells(
   const std::string& section, int type, std::size_t corners, const std::vector<std::size_t>& order)
@@ -225,8 +225,8 @@ TEST(QuadraticCells, EachLayoutOfAFaceFileIsRecognised)
   EXPECT_SAYS(why("1 1\n0 0 1 2 red\n"), "'red'");
 }
 
-/// Alone, the bent cell would have two of its nodes changed over; the straight one, a thousandth of
-/// its size, counts as much.
+/// Alone, the curved cell would have two of its nodes exchanged; the straight one, a thousandth of
+/// its size, has the same weight.
 TEST(QuadraticCells, SmallAndLargeCellsCountEqually)
 {
   const TemporaryFile file(

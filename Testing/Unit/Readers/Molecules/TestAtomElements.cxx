@@ -1,7 +1,7 @@
-// Elements of PDB files without an element column, with a wrong one, and of what is no element.
-// Names are those of the programs' topology files: CHARMM36 (top_all36_prot, _lipid, water_ions),
-// AMBER (amino12, lipid17, frcmod ions), GROMACS (amber99sb, gromos54a7), OPLS (LigParGen),
-// Martini.
+// Elements of PDB files without an element column, with a wrong one, and of names that are not
+// elements. Names are those of the programs' topology files: CHARMM36 (top_all36_prot, _lipid,
+// water_ions), AMBER (amino12, lipid17, frcmod ions), GROMACS (amber99sb, gromos54a7), OPLS
+// (LigParGen), Martini.
 
 #include "Molecules/AtomElements.h"
 #include "PDBText.h"
@@ -138,7 +138,7 @@ TEST(AtomElements, ColumnsOfNamesInUnknownResidues)
 {
   const std::string known =
     AtomLine("1", " CA", "ALA A   1 ", 0) + AtomLine("2", " N", "ALA A   1 ", -1.4);
-  // Alone in its residue's neighbourhood, and as near as in a bond.
+  // Isolated, and at the distance of a bond.
   const auto ligand = [&](const char* name, double distance)
   {
     return JoinElements(FromPDB(known + AtomLine("3", " O1", "XYZ A   2 ", 50) +
@@ -266,7 +266,7 @@ TEST(AtomElements, BeadsOfMartini)
     { "NA", "ION", "X" }, { "CL", "ION", "X" } });
   ExpectElements({ { "BB1", "DA", "X" }, { "SC1", "DA", "X" }, { "BB2", "DA", "X" } });
   ExpectElements({ { "ROH", "CHOL", "X" }, { "C1", "CHOL", "X" }, { "WF", "WF", "X" } });
-  // Beside a protein with atoms, only residues that have beads are beads.
+  // In a file with an atomistic protein, only residues that have beads are beads.
   ExpectElements({ { "N", "ALA", "N" }, { "CA", "ALA", "C" }, { "C", "ALA", "C" },
     { "O", "ALA", "O" }, { "CB", "ALA", "C" }, { "NA", "NA", "Na" }, { "W", "W", "X" } });
 }
@@ -283,6 +283,6 @@ TEST(AtomElements, FamiliesOfResidues)
   EXPECT_EQ(FindResidueFamily(""), ResidueFamily::Unknown);
   EXPECT_TRUE(IsLongResidueName("TIP3") && IsLongResidueName("LYSH") && IsLongResidueName("DOPS"));
   EXPECT_FALSE(IsLongResidueName("ALA") || IsLongResidueName("ALAB") || IsLongResidueName("LIGX"));
-  EXPECT_EQ(ElementFromAtomName("SOD", "SOD"), 11); // of PQR and GRO files, too
+  EXPECT_EQ(ElementFromAtomName("SOD", "SOD"), 11); // of PQR and GRO files as well
   EXPECT_EQ(ElementFromAtomName("CLA", "CLA"), 17);
 }

@@ -70,7 +70,7 @@ double Distance(const Atom& a, const Atom& b)
     a.Position[0] - b.Position[0], a.Position[1] - b.Position[1], a.Position[2] - b.Position[2]);
 }
 
-/// A calcium ion, glycine and a water, with the columns named in `columns` of all that there are.
+/// A calcium ion, glycine and a water, with the columns named in `columns`.
 std::string Glycine(const std::vector<std::string>& columns)
 {
   using Row = std::map<std::string, std::string>;

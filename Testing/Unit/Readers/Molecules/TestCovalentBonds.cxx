@@ -1,4 +1,5 @@
-// Bonds by distance, beside all pairs; threads, crowds and coordinates of any size.
+// Bonds by distance, compared with a search of all pairs; threads, dense atoms and coordinates of
+// any size.
 
 #include "Molecules/CovalentBonds.h"
 

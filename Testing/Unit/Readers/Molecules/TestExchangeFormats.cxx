@@ -1,5 +1,5 @@
 // Files of docking and simulation programs, written by hand from their specifications: extended
-// XYZ, TINKER, PDBQT, GRO, MOL2, SDF; and formats that are not read, which are named.
+// XYZ, TINKER, PDBQT, GRO, MOL2, SDF; and formats that are not read, which the message names.
 
 #include "Atoms/ChemicalElement.h"
 #include "Files/OpenByteSource.h"
@@ -164,7 +164,7 @@ TEST(ExchangeFormats, ReportedPDBQTIsRead)
     EXPECT_EQ(std::string(1, atom.Name[letter]), ElementSymbol(atom.Element)) << Describe(atom);
     EXPECT_FALSE(std::isnan(atom.Charge)) << Describe(atom);
   }
-  // Types A and C, HD, N, OA, counted by cut and uniq.
+  // Types A and C, HD, N, OA, counted with the tools cut and uniq.
   EXPECT_EQ(elements,
     (std::map<std::string, int>{ { "C", 146 + 815 }, { "H", 309 }, { "N", 264 }, { "O", 271 } }));
 }
@@ -302,7 +302,8 @@ TEST(ExchangeFormats, SDFWithoutItsEndIsReadWithAWarning)
     CatchMessage(whole.substr(0, whole.size() - 1), MoleculeFormat::SDF), "ends within this line");
 }
 
-// Bytes changed, cut and doubled at random: atoms or a message, and nothing that is not finite.
+// Bytes changed, removed and duplicated at random: atoms or a message, and nothing that is not
+// finite.
 TEST(ExchangeFormats, DamagedTextsGiveAtomsOrAMessage)
 {
   const std::pair<MoleculeFormat, std::string> texts[] = {

@@ -37,7 +37,7 @@ std::string Why(const std::string& text)
 
 }
 
-// Found by FuzzMacromoleculeReader: gemmi adds digits up beyond what an int holds.
+// Found by FuzzMacromoleculeReader: gemmi adds up digits beyond the range of an int.
 TEST(MMCIF, NumbersThatNoIntHoldsAreRefusedByTheirColumn)
 {
   ASSERT_EQ(Why(TwoAtoms("2", "1", "1", "0")), "");

@@ -133,8 +133,8 @@ TEST(MacromoleculeReader, PDBKnownAndUnknownValues)
   EXPECT_EQ(molecule.Bonds[2].First, 3);
 }
 
-// Found by FuzzMacromoleculeReader: gemmi adds up all ten digits of a DBREF2 record, beyond what an
-// int holds (undefined, as the sanitizers report).
+// Found by FuzzMacromoleculeReader: gemmi adds up all ten digits of a DBREF2 record, beyond the
+// range of an int (undefined, as the sanitizers report).
 TEST(MacromoleculeReader, DatabaseReferencesAreNotParsedAsNumbers)
 {
   const std::string references =
@@ -157,7 +157,7 @@ TEST(MacromoleculeReader, OldColumnsAreDroppedWithAWarning)
   ASSERT_EQ(molecule.Atoms.size(), 2u);
   EXPECT_EQ(molecule.Atoms[1].Element, 8);
   EXPECT_TRUE(std::isnan(molecule.Atoms[1].Charge));
-  // Half of the atoms are not most of them; a second part counts for itself.
+  // Half of the atoms are not the majority; a second part is counted separately.
   const std::string charged =
     "ATOM      1 ZN    ZN A   0      -1.409   0.501   0.859  1.00  1.00          ZN2+\n"
     "ATOM      2 ZN    ZN A   1      -1.445   1.720   0.692  1.00  1.00          ZN2+\n";
@@ -166,7 +166,7 @@ TEST(MacromoleculeReader, OldColumnsAreDroppedWithAWarning)
     std::isnan(ParseMolecule(charged + old + old, MoleculeFormat::PDB).Atoms.at(2).Charge));
   ASSERT_EQ(molecule.Warnings.size(), 1u);
   EXPECT_NE(molecule.Warnings[0].find("Columns 73-80"), std::string::npos);
-  // One digit would pass for a charge.
+  // One digit could be taken for a charge.
   const Macromolecule five = ParseMolecule(
     "ATOM      1  C   FOR A   0      -1.409   0.501   0.859  1.00  1.00      1GRM   5\n",
     MoleculeFormat::PDB);
@@ -189,7 +189,7 @@ TEST(MacromoleculeReader, XYZFrames)
               "1\nProperties=species:S:1:pos:R:3:forces:R:3\nC 0 0 0 1 1 1\n", MoleculeFormat::XYZ)
               .Atoms.size(),
     1u);
-  // Columns in another order were refused once.
+  // Columns in another order were once refused.
   const Macromolecule other =
     ParseMolecule("1\nProperties=pos:R:3:species:S:1\n0 2 0 C\n", MoleculeFormat::XYZ);
   ASSERT_EQ(JoinNames(other), "C ");

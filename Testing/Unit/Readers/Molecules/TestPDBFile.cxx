@@ -229,7 +229,7 @@ TEST(PDBPieces, StopOnRequest)
 
 TEST(PDBPieces, ModelsAreCountedWhereverTheyBegin)
 {
-  // Records across the ends of the parts that are counted by themselves, one MiB each.
+  // Records across the ends of the parts of one MiB each, which are counted separately.
   constexpr std::size_t part = 1 << 20;
   for (std::size_t shift = 0; shift < 10; ++shift)
   {
@@ -358,7 +358,8 @@ TEST(PDBColumns, ResidueNumbersFrom10000On)
 
 TEST(PDBColumns, NumbersAreTakenLiterally)
 {
-  // Insertion codes are letters; a chain may begin with 0; another chain is not counted on.
+  // Insertion codes are letters; a chain may begin with 0; the numbering does not continue into
+  // another chain.
   const Macromolecule codes =
     FromPDB(AtomLine("1", " CA", "ALA A  52 ", 0) + AtomLine("2", " CA", "ALA A  52A", 4) +
       AtomLine("3", " CA", "ALA A9999 ", 8) + AtomLine("4", " CA", "ALA B   0 ", 12) +
@@ -398,7 +399,7 @@ TEST(PDBColumns, SerialsInConect)
     }
     return found;
   };
-  // VMD, cctbx, asterisks (counted on), six digits (PyMOL, OpenMM).
+  // VMD, cctbx, asterisks (numbering continues), six digits (PyMOL, OpenMM).
   EXPECT_EQ(bonds({ "99998", "99999", "186a0", "186a1" }, "CONECT186a0186a199999\n"), "1-2 2-3 ");
   EXPECT_EQ(bonds({ "99998", "99999", "A0000", "A0001" }, "CONECTA0000A000199999\n"), "1-2 2-3 ");
   EXPECT_EQ(bonds({ "99998", "99999", "*****", "*****" }, "CONECT9999899999\n"), "0-1 ");
@@ -433,7 +434,7 @@ TEST(PDBColumns, CoordinatesWiderThanTheirColumns)
   EXPECT_EQ(molecule.Atoms[1].BFactor, 30.0);
   EXPECT_EQ(JoinElements(molecule), "C C C ");
   EXPECT_TRUE(Mention(molecule.Notes, "wider than their columns, which shift what follows: 2."));
-  // Without a chain, the segment is found where it has been moved to.
+  // Without a chain, the segment is found at its shifted position.
   const Macromolecule segment =
     FromPDB("ATOM      1  CA  ALA     1    -1234.567   1.000   2.000  1.00 20.00      PROT C\n");
   EXPECT_EQ(Descriptions(segment), "CA of ALA 1 PROT");

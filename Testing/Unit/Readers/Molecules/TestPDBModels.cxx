@@ -203,7 +203,7 @@ TEST(PDBModels, FramesBetweenEND)
   EXPECT_EQ(Reading(frames[0] + "END\n").Sizes(), (Sizes{ 1, 30, 30 }));
   EXPECT_EQ(Reading(frames[0] + "END\n\n\nEND\n").Sizes(), (Sizes{ 1, 30, 30 }));
   EXPECT_EQ(Reading("END\n" + frames[0] + "END\nEND\n").Sizes(), (Sizes{ 1, 30, 30 }));
-  // The same twice is two frames.
+  // Two identical models are two frames.
   EXPECT_EQ(Reading(frames[0] + "END\n" + frames[0]).Sizes(), (Sizes{ 2, 30, 30 }));
   // Frames that consist of several parts each.
   const std::string ligand[] = { Chain('L', 4, 1, "LIG"), Chain('L', 5, 1, "LIG") };
@@ -292,7 +292,7 @@ TEST(PDBModels, OfPQRAndPDBQT)
       EXPECT_EQ(ParseMolecule(text, format, last).Atoms.size(), atoms) << name << pdb;
     }
   }
-  // Messages name the line, of a later model too; faults of other models cost nothing.
+  // Messages name the line, also in a later model; errors in other models have no effect.
   const std::string damaged =
     As(MoleculeFormat::PQR, first + "END\n" + second) + "ATOM 31 C ALA A 11 x 0 0 0 1\n";
   EXPECT_NE(CatchMessage(damaged, MoleculeFormat::PQR).find("line 62: this is not an atom"),
@@ -302,7 +302,7 @@ TEST(PDBModels, OfPQRAndPDBQT)
 
 TEST(PDBModels, MoleculesBetweenEND)
 {
-  // Docking servers: receptor and ligand, of other chains, and of the same.
+  // Docking servers: receptor and ligand, in different chains, and in the same one.
   const Reading two(Chain('A', 0) + "END\n" + Chain('B', 12, 7) + "END\n");
   EXPECT_EQ(two.Sizes(), (Sizes{ 1, 51, 51 }));
   EXPECT_EQ(two.Chains(), "AB");
@@ -315,7 +315,7 @@ TEST(PDBModels, MoleculesBetweenEND)
   EXPECT_EQ(dimer.Sizes(), (Sizes{ 1, 60, 60 }));
   EXPECT_EQ(dimer.Chains(), "AB");
   EXPECT_TRUE(Mention(dimer.First.Notes, "at places that do not overlap: read as one structure"));
-  // As many atoms at the same places, but of another chain or residue.
+  // The same number of atoms at the same places, but of another chain or residue.
   EXPECT_EQ(Reading(Chain('A', 0) + "END\n" + Chain('B', 0.5)).Sizes(), (Sizes{ 1, 60, 60 }));
   EXPECT_EQ(
     Reading(Chain('A', 0) + "END\n" + Chain('A', 0.5, 10, "GLY")).Sizes(), (Sizes{ 1, 60, 60 }));
@@ -385,7 +385,7 @@ TEST(PDBModels, AreTimeSteps)
 
 TEST(PDBModels, EndIsCountedAcrossTheEndsOfBlocks)
 {
-  // Blocks of 1 MiB are searched by themselves.
+  // Blocks of 1 MiB are searched separately.
   constexpr std::size_t block = 1 << 20;
   const std::string frame = Chain('A', 0);
   for (std::size_t shift = 0; shift < 8; ++shift)

@@ -75,7 +75,7 @@ TEST(ReadingReport, PDBQT)
       "Atoms whose types or symbols match no element (Element is 0): 2 (first: G1 of LIG 2 A).",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1." });
   EXPECT_TRUE(Read(good, MoleculeFormat::PDBQT).Warnings.empty());
-  // Faults of other models are not those of this one.
+  // Errors in other models are not reported for this one.
   EXPECT_TRUE(Read("MODEL 1\n" + good + "ENDMDL\nMODEL 2\n" + good.substr(0, 22) + "   x" +
       good.substr(26) + "ENDMDL\n",
     MoleculeFormat::PDBQT)
@@ -195,7 +195,7 @@ TEST(ReadingReport, SDF)
 
 TEST(ReadingReport, XYZAndTinker)
 {
-  // Ghosts of Gaussian, ORCA, Psi4, Q-Chem, NWChem and CP2K; boron is none.
+  // Ghosts of Gaussian, ORCA, Psi4, Q-Chem, NWChem and CP2K; boron is not one.
   const Macromolecule ghosts = Read("8\n\nBq 0 0 0\nH-Bq 1 0 0\nGh(He) 2 0 0\n@O 3 0 0\nbqC 4 0 0\n"
                                     "X 5 0 0\nB 6 0 0\nQq 7 0 0\n",
     MoleculeFormat::XYZ);

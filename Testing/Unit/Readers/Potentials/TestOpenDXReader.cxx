@@ -1,4 +1,4 @@
-// OpenDX files in: dialects, axis order, grids, values that are those of the text.
+// Reading of OpenDX files: dialects, axis order, grids, and the values of the text.
 
 #include "OpenDXTestFiles.h"
 #include "SharedData.h"
@@ -120,7 +120,7 @@ TEST(OpenDXReader, ThePotentialOf1HEWIsTheFilesAtEveryNode)
   EXPECT_FALSE(reading.Observer->GetError()) << reading.Observer->GetErrorMessage();
   const std::vector<double> values = ValuesByStrtod(path);
   ExpectFileOrder(reading, values);
-  // Where the largest value of the text stands, by the file's own numbers.
+  // The position of the largest value of the text, by the file's own numbers.
   const auto largest =
     static_cast<long>(std::max_element(values.begin(), values.end()) - values.begin());
   const long i = largest / (129 * 129), j = largest / 129 % 129, k = largest % 129;
@@ -242,7 +242,7 @@ TEST(OpenDXReader, ALinearFunctionSurvivesASkewedGrid)
       ++inside;
     }
   }
-  // About the volume of the lattice in cells of the grid.
+  // Approximately the volume of the lattice in cells of the grid.
   EXPECT_GT(inside, 150);
   EXPECT_LT(inside, 336);
 }
