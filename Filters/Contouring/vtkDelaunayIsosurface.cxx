@@ -84,7 +84,7 @@ int vtkDelaunayIsosurface::RequestData(
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       // Each rank has all of the volume; the surface is computed once.
       if (image->GetNumberOfPoints() == 0 ||
-        !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
+        !isthmus::IsProducedOnThisRank(input[0]->GetInformationObject(0)))
       {
         return;
       }

@@ -265,7 +265,7 @@ int vtkDualContouring::RequestData(
       bool isMirrored = false;
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image && image->GetNumberOfPoints() > 0 &&
-        isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
+        isthmus::IsProducedOnThisRank(input[0]->GetInformationObject(0)))
       {
         vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
         const isthmus::ChosenLevel chosen = isthmus::ChooseLevel(

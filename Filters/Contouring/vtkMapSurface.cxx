@@ -203,7 +203,8 @@ int vtkMapSurface::RequestData(
     {
       this->OutputArrays.Check();
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
-      if (image->GetNumberOfPoints() > 0 && isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
+      if (image->GetNumberOfPoints() > 0 &&
+        isthmus::IsProducedOnThisRank(input[0]->GetInformationObject(0)))
       {
         this->MakeSurface(image, surface);
       }

@@ -125,7 +125,7 @@ void RequireWholeExtent(vtkInformation* info)
   }
 }
 
-bool IsMadeHere(vtkInformation* info)
+bool IsProducedOnThisRank(vtkInformation* info)
 {
   return OnFirstRank() || !info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
 }

@@ -56,7 +56,7 @@ VTKISTHMUSFILTERSCORE_EXPORT void RequireWholeExtent(vtkInformation* info);
 /// Whether this rank computes the result for the image in `info`. If every rank has the whole
 /// image, the first rank does; blocks of composite data, which have no whole extent, are processed
 /// on their own rank.
-VTKISTHMUSFILTERSCORE_EXPORT bool IsMadeHere(vtkInformation* info);
+VTKISTHMUSFILTERSCORE_EXPORT bool IsProducedOnThisRank(vtkInformation* info);
 
 VTKISTHMUSFILTERSCORE_EXPORT bool IsEmpty(const Extent& extent);
 

@@ -18,10 +18,11 @@ namespace isthmus
  *
  *     -div(eps grad u) + f(u) = 0,   f(u) = -4 pi C sum_j z_j c_j exp(-z_j u),
  *
- * eps_s kappa^2 sinh u for a 1:1 salt. Beyond |u| = 50 the function goes on linearly, which affects
- * no solution but may affect an iteration. Ions of the same radius form a layer. A layer is neutral
- * only together with the others, so between the radii of two layers there is charge even where u is
- * 0. (The linear equation omits this charge, since it describes only the response to the solute.)
+ * eps_s kappa^2 sinh u for a 1:1 salt. Beyond |u| = 50 the function is continued linearly, which
+ * affects no solution but may affect an iteration. Ions of the same radius form a layer. A layer is
+ * neutral only together with the others, so between the radii of two layers there is charge even
+ * where u is 0. (The linear equation omits this charge, since it describes only the response to the
+ * solute.)
  */
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT IonAtmosphere
 {

@@ -156,7 +156,7 @@ void Add(const double (&s)[6], const Plateaus& plateaus, Straightness& sum)
 
 /// The logarithm of a node two to four steps away, continued to it, where the values fall towards
 /// it; NaN elsewhere.
-double ContinueLogarithm(double next, double second, double third)
+double ExtrapolateLogarithm(double next, double second, double third)
 {
   return next > 0.0 && next < second && second < third
     ? 3.0 * std::log(next) - 3.0 * std::log(second) + std::log(third)
@@ -167,7 +167,7 @@ double ContinueLogarithm(double next, double second, double third)
 /// Nodes with the value `cut` near the level get that of a quadratic continuation of the logarithm
 /// along the axes, so a mask, whose values do not decrease before they end, is unchanged. Returns
 /// all values, or none if nothing changed.
-std::vector<double> ContinueTails(const LevelFunction& level, double cut)
+std::vector<double> ExtrapolateTails(const LevelFunction& level, double cut)
 {
   constexpr double largestTail = 0.05; // of the level, before the cut
   const auto& n = level.Dimensions();
@@ -210,7 +210,7 @@ std::vector<double> ContinueTails(const LevelFunction& level, double cut)
           { return values[static_cast<std::size_t>(id + step * way * steps[a])]; };
           const bool tail = value(1) > cut && value(1) < largestTail * level.Level;
           const double continued =
-            tail ? ContinueLogarithm(value(1), value(2), value(3)) : std::nan("");
+            tail ? ExtrapolateLogarithm(value(1), value(2), value(3)) : std::nan("");
           sum += std::isnan(continued) ? 0.0 : continued;
           count += std::isnan(continued) ? 0 : 1;
         }
@@ -365,7 +365,7 @@ SoluteVolume VolumeFromImage(vtkImageData* image, vtkDataArray* scalars, double 
   const Plateaus plateaus = FindPlateaus(volume.Level);
   if (insideIsHigher && level > 0.0 && plateaus.Low >= 0.0)
   {
-    std::vector<double> continued = ContinueTails(volume.Level, plateaus.Low);
+    std::vector<double> continued = ExtrapolateTails(volume.Level, plateaus.Low);
     if (!continued.empty())
     {
       volume.Doubles = std::move(continued);

@@ -27,7 +27,7 @@
     { 0, ArrayPlace::Field, "EstimatedGainError", 1, "dB", ArrayChoice::None,                      \
       "standard error of EstimatedGain" },                                                         \
     { 0, ArrayPlace::Field, "Choice", 1, "", ArrayChoice::None,                                    \
-      "a sentence on what was chosen, and why" },                                                  \
+      "the choice and its reason, in words" },                                                     \
     { 0, ArrayPlace::Field, "RiskTime", 1, "", ArrayChoice::None,                                  \
       "times at which the error was estimated for the chosen order and Sigma" },                   \
     { 0, ArrayPlace::Field, "RiskValue", 1, "", ArrayChoice::None,                                 \

@@ -11,6 +11,10 @@ namespace isthmus::cgal
 namespace
 {
 
+/// Feature lines inside a surface, which are jagged where it is noisy, are followed less closely
+/// than boundaries: their points do not change what the surface covers.
+constexpr double InsideShare = 100.0;
+
 using VertexIndex = SurfaceMesh::Vertex_index;
 using HalfedgeIndex = SurfaceMesh::Halfedge_index;
 
@@ -169,7 +173,8 @@ std::vector<LineBetweenCorners> CutLinesAtCorners(
     {
       BeginAtCorner(mesh, line);
     }
-    CutAtCorners(mesh, std::move(line), tolerance, parts);
+    const bool isBorder = mesh.is_border(mesh.edge(first));
+    CutAtCorners(mesh, std::move(line), isBorder ? tolerance : InsideShare * tolerance, parts);
   };
   for (const VertexIndex v : mesh.vertices())
   {

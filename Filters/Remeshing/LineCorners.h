@@ -25,8 +25,8 @@ struct LineBetweenCorners
 /**
  * Lines of the edges for which `isLine[edge]`, cut at their corners: points at which other than two
  * such edges meet or two at an acute angle, and the points of a polyline that is nowhere farther
- * than `tolerance` from the line. A closed line has at least two corners. All other points may be
- * moved along the line, or removed. O(n log n), O(n^2) at worst.
+ * than `tolerance` (100 times that for lines inside) from the line. A closed line has at least two
+ * corners. All other points may be moved along the line, or removed. O(n log n), O(n^2) at worst.
  * @pre `mesh` has no removed elements
  */
 std::vector<LineBetweenCorners> CutLinesAtCorners(

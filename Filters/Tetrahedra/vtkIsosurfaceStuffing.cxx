@@ -138,7 +138,7 @@ int vtkIsosurfaceStuffing::RequestData(
         "MemoryLimit", this->MemoryLimit, 0, isthmus::Unlimited, "It is in MiB.");
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image->GetNumberOfPoints() == 0 ||
-        !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
+        !isthmus::IsProducedOnThisRank(input[0]->GetInformationObject(0)))
       {
         return;
       }

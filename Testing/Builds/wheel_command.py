@@ -50,7 +50,7 @@ def check_surface(folder):
     printed = json.loads(run("loops", path, "--json").stdout)
     assert printed["loops"] == 2 and len(printed["rows"]) == 2
     assert run("loops", path, "--quiet").stdout == ""
-    assert run("loops", path, "--table", "-").stdout.startswith("Component,")
+    assert run("loops", path, "--table", "-").stdout.startswith("FeatureId,")
     run("loops", path, "-o", os.path.join(folder, "no", "folder.vtp"), code=1)
 
 

@@ -38,7 +38,8 @@ IGNORES_NAN = {
        for name in ("MergeDistance", "MinimumArea", "Quantile", "Threshold")},
     ("DualContouring", "Spacing", "vtkImageData"): "of surfaces",
     ("DualContouring", "Level", "vtkPolyData"): "of volumes",
-    ("MapHandles", "MinimumPersistence", "vtkImageData"): "the good half maps are equal, which is refused before",
+    **{("MapHandles", name, "vtkImageData"): "the good half maps are equal, which is refused before"
+       for name in ("Level", "MinimumPersistence")},
     **{(name, ignored, "vtkPointSet"): ATOMS_OUTSIDE for name in ("PoissonBoltzmann", "PoissonBoltzmannOnSurface")
        for ignored in ("Ions", "Spacing")},
     **{("SolvationSurface", name, "vtkPointSet"): "the good atoms have no WellDepth, which is refused before"
@@ -97,7 +98,9 @@ def is_named(vector, sentence):
 def choose_what_shows(proxy, name, property_name):
     needs = [(other, float(value)) for other, value in SHOWN_WHERE.get((name, property_name), [])]
     for other, value in needs + list(NEEDS.get((name, property_name), {}).items()):
-        if other != property_name:
+        if isinstance(value, list):  # names of arrays
+            setattr(proxy, other, value)
+        elif other != property_name:
             vector = proxy.SMProxy.GetProperty(other)
             vector.SetElement(0, value if vector.GetClassName() == "vtkSMDoubleVectorProperty" else int(value))
 

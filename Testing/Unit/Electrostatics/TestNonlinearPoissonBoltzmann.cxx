@@ -252,7 +252,7 @@ TEST(IonAtmosphere, OneToOneSaltIsASinh)
     EXPECT_NEAR(
       ions.Energy(u), c * (u * std::sinh(u) - 2.0 * (std::cosh(u) - 1.0)), 1e-15 * std::cosh(u));
   }
-  // Beyond 50 kT/e it goes on linearly, and stays finite.
+  // Beyond 50 kT/e it is continued linearly, and stays finite.
   EXPECT_TRUE(std::isfinite(ions.Charge(1e4)));
   EXPECT_NEAR(
     ions.Charge(60.0) - ions.Charge(50.0), 10.0 * ions.Derivative(50.0), 1e-6 * ions.Charge(60.0));

@@ -287,7 +287,11 @@ TEST(PoissonBoltzmann, RefusesInvalidInput)
   with([&](SphereProblem& p) { p.Parameters.Ions = { { 2.0, 0.1 }, { -1.0, 0.1 } }; }, "neutral");
   with([&](SphereProblem& p) { p.Level.Level = -100.0; }, "No node is inside");
   with([&](SphereProblem& p) { p.Level.Level = 100.0; }, "leaves the volume");
-  with([&](SphereProblem& p) { p.Atoms.front().Position = { 1e4, 0.0, 0.0 }; }, "no node");
+  with(
+    [&](SphereProblem& p) {
+      p.Atoms.front().Position = { 1e4, 0.0, 0.0 };
+    },
+    "near the charge of atom 0");
 }
 
 }

@@ -1,6 +1,6 @@
 // Channels with a wall moved by field and ions: the flow of a bare pore by a formula, the rest
 // state of a charged pore compared with a radial solution, no force against the surface at rest,
-// and what is told.
+// and what is reported.
 
 #include "ChannelTube.h"
 #include "Electrostatics/ElectrostaticUnits.h"

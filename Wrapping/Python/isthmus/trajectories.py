@@ -229,7 +229,7 @@ class Trajectory:
         number = (numpy.rint(vtk_to_numpy(data.GetArray("Occupancy"))) * 100000 +
                   numpy.rint(vtk_to_numpy(data.GetArray("BFactor")) * 100)).astype(numpy.int64)
         if not numpy.array_equal(numpy.sort(number), numpy.arange(count)):
-            raise ValueError(f"{self.stamp[0]}: the atoms of the topology could not be told apart.")
+            raise ValueError(f"{self.stamp[0]}: the atoms of the topology could not be distinguished.")
         place = numpy.argsort(number)  # in what was read, of each atom of the topology
         molecule = vtkPolyData()
         points = vtkPoints()

@@ -112,7 +112,7 @@ Integers Delta(const Integers& values, Json& encoding)
   return steps;
 }
 
-/// All ways in turn.
+/// Each encoding in turn.
 Json EncodeIntegers(const Integers& values, std::size_t way, Json encoding = Json::array())
 {
   const bool isPositive =
