@@ -189,6 +189,11 @@ TEST(ExchangeFormats, GROInAngstrom)
     CatchMessage("t\n2\n    1SOL     OW    1   0.126   1.624   1.679\n", MoleculeFormat::GRO),
     "within a molecule");
   EXPECT_PART(CatchMessage("t\nmany\n", MoleculeFormat::GRO), "line 2");
+  // Large boxes run together, with two decimals more than coordinates.
+  const std::string atom = "t\n1\n    1SOL     OW    1   0.126   1.624   1.679\n";
+  const std::array<double, 3> c{ 0.0, 0.0, 400000.0 };
+  EXPECT_EQ(Model(atom + "40000.0000040000.0000040000.00000\n", MoleculeFormat::GRO, 0).Cell[2], c);
+  EXPECT_EQ(Model(atom + "   1.00000   1.0000040000.00000\n", MoleculeFormat::GRO, 0).Cell[2], c);
   EXPECT_PART(
     CatchMessage("t\n1\n    1SOL     OW    1   0.1261e300   1.678\n1 1 1\n", MoleculeFormat::GRO),
     "larger than");
