@@ -241,9 +241,9 @@ assert sorted(panel_endings) == sorted(ending + packed for ending in plain for p
 assert ["." + ending for ending in plain] == list(data_pipelines.READERS["macromolecule_reader"])
 # The panel's list of formats is that of the class.
 entries = panel.find(".//IntVectorProperty[@name='Format']").findall(".//Entry")
-names = [name for name in dir(isthmus.vtkMacromoleculeReader) if name.isupper()]
-numbers_of = {getattr(isthmus.vtkMacromoleculeReader, name): name for name in names}
-assert [int(entry.get("value")) for entry in entries] == list(range(len(numbers_of) + 1)), numbers_of
+formats = [value for value in vars(isthmus.vtkMacromoleculeReader).values()
+           if isinstance(value, isthmus.vtkMacromoleculeReader.Formats)]
+assert [int(entry.get("value")) for entry in entries] == sorted(formats), formats
 OUTPUT.mkdir(parents=True, exist_ok=True)
 
 
