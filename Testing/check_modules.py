@@ -37,6 +37,9 @@ class Module:
         self.headings = words_under_headings(folder / "vtk.module")
         self.listed = words_of_call(folder / "CMakeLists.txt")
         self.files = sorted(path for path in folder.iterdir() if path.suffix in (".h", ".cxx"))
+        if "${formats}" in self.listed["SOURCES"]:  # of files, one source each: NAMEFile.cxx
+            self.listed["SOURCES"] = self.listed["SOURCES"] - {"${formats}"} | {
+                path.stem for path in self.files if path.name.endswith("File.cxx")}
 
     def declares(self, private):
         """Names of our modules that its sources (`private`) or its headers may include."""

@@ -73,7 +73,7 @@ damage() {
 
 export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
 export PYTHONPATH=${PYTHONPATH:-$(echo "$build_dir"/lib/python3*/site-packages)}
-export ISTHMUS_PANELS_DIR=$source_dir/Plugin
+export ISTHMUS_PANELS_DIR=$build_dir/panels
 for name in RandomDamage Reexecution OracleSurfaces OracleVolumes OracleMolecules failures "${targets[@]##*/}"; do : >"$folder/log/$name"; done
 echo "$seed" >>"$folder/log/seeds"
 echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each, damage $damage_seconds s"

@@ -112,6 +112,20 @@ endfunction ()
 set(ISTHMUS_PARAVIEW_PYTHON diagram_views figures look loop_views messages molecule_views pipelines pocket_views
   selections steps track_views trajectories)
 
+# isthmus_panels(OUT): the panels of Plugin/*.xml in the build tree, with the formats of molecules.
+function (isthmus_panels out)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  set(script "${CMAKE_SOURCE_DIR}/Wrapping/Python/panel_files.py")
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/Plugin/*.xml")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    "${script}" "${CMAKE_SOURCE_DIR}/Readers/Molecules/MoleculeFormats.h" ${sources})
+  execute_process(
+    COMMAND "${Python3_EXECUTABLE}" -B "${script}" "${CMAKE_SOURCE_DIR}" "${CMAKE_BINARY_DIR}/panels"
+    COMMAND_ERROR_IS_FATAL ANY)
+  list(TRANSFORM sources REPLACE "^.*/" "${CMAKE_BINARY_DIR}/panels/")
+  set("${out}" ${sources} PARENT_SCOPE)
+endfunction ()
+
 # isthmus_python_sources(FOLDER DESTINATION): what is not compiled, in the build tree and installed. Functions are
 # made of the panels, whose description is written at each build.
 function (isthmus_python_sources folder destination)
@@ -126,7 +140,8 @@ function (isthmus_python_sources folder destination)
     OUTPUT "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
     COMMAND "${Python3_EXECUTABLE}" -B "${from}/describe.py"
       "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}" "${PROJECT_VERSION}"
-    DEPENDS "${from}/describe.py" "${from}/output_arrays.py" "${from}/isthmus/__init__.py.in"
+    DEPENDS "${from}/describe.py" "${from}/output_arrays.py" "${from}/panel_files.py"
+      "${CMAKE_CURRENT_SOURCE_DIR}/Readers/Molecules/MoleculeFormats.h" "${from}/isthmus/__init__.py.in"
       "${from}/isthmus/data_pipelines.py" "${from}/function_examples.txt" ${panels} ${lists} ${tables}
     COMMENT "Describing the filters for Python"
     VERBATIM)

@@ -12,11 +12,10 @@ import shutil
 import sys
 from pathlib import Path
 
-import headers
-import panels
-
 sys.path.append(str(Path(__file__).resolve().parents[2] / "Wrapping" / "Python"))
+import headers  # noqa: E402
 import output_arrays  # noqa: E402
+import panels  # noqa: E402
 
 GUIDE = Path("Documentation")
 LINK = re.compile(r"(!?\[(?:[^\[\]`]|`[^`]*`|!\[[^\]]*\]\([^)]*\))*\]\()([^)\s]+)(\))")

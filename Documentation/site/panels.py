@@ -1,8 +1,9 @@
 """The panels of the plugin (Plugin/*.xml) as the guide shows them: one page for each proxy."""
 
 import re
-import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
+
+import panel_files
 
 KINDS = {"filters": "filter", "sources": "reader", "writers": "writer"}
 
@@ -115,7 +116,7 @@ def is_for_users(element):
 def elements_of(folder):
     """(file name, group, element) of all proxies."""
     for path in sorted(folder.glob("*.xml")):
-        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
+        for group in panel_files.read_panel(path).iter("ProxyGroup"):
             for element in group:
                 if element.get("name") and element.find("Documentation") is not None:
                     yield path.name, group.get("name"), element

@@ -122,7 +122,11 @@ int vtkForceFieldCharges::RequestData(
       output->ShallowCopy(
         this->Cache->Get(atoms, ligands, arrays, options, isthmus::MakeProgress(this)));
       output->GetFieldData()->PassData(atoms->GetFieldData());
-      isthmus::AddNotes(JoinNotes(atoms, this->Cache->Notes()), output);
+      const std::vector<std::string> notes = JoinNotes(atoms, this->Cache->Notes());
+      if (!notes.empty())
+      {
+        isthmus::AddNotes(notes, output);
+      }
       if (!this->Cache->Warning().empty())
       {
         vtkWarningMacro(<< this->Cache->Warning());

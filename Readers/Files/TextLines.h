@@ -8,11 +8,13 @@
 #include "Core/Progress.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace isthmus
@@ -86,14 +88,22 @@ private:
   std::int64_t Number = 0;
 };
 
+constexpr bool IsSpaceOrTab(char c)
+{
+  return c == ' ' || c == '\t';
+}
+
 inline std::string_view Trim(std::string_view text)
 {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos)
+  while (!text.empty() && IsSpaceOrTab(text.front()))
   {
-    return {};
+    text.remove_prefix(1);
   }
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  while (!text.empty() && IsSpaceOrTab(text.back()))
+  {
+    text.remove_suffix(1);
+  }
+  return text;
 }
 
 /// The characters [from, from + count) of `line`, as far as they exist, without surrounding blanks.
@@ -111,8 +121,16 @@ inline std::string_view UnfinishedLine(std::string_view text)
 /// Removes the next word from `rest` and returns it; empty at the end.
 inline std::string_view NextWord(std::string_view& rest)
 {
-  const auto first = std::min(rest.find_first_not_of(" \t"), rest.size());
-  const auto end = std::min(rest.find_first_of(" \t", first), rest.size());
+  std::size_t first = 0;
+  while (first < rest.size() && IsSpaceOrTab(rest[first]))
+  {
+    ++first;
+  }
+  std::size_t end = first;
+  while (end < rest.size() && !IsSpaceOrTab(rest[end]))
+  {
+    ++end;
+  }
   const std::string_view word = rest.substr(first, end - first);
   rest.remove_prefix(end);
   return word;
@@ -128,10 +146,55 @@ inline std::size_t CountWords(std::string_view line)
   return count;
 }
 
+/// Whether the text is a decimal of at most 15 digits without an exponent. The quotient of two
+/// numbers that a double holds exactly is rounded as the decimal itself would be.
+inline bool IsShortDecimal(std::string_view text, double& value)
+{
+  constexpr std::size_t mostDigits = 15;
+  constexpr std::array<double, mostDigits + 1> powers{ 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
+    1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15 };
+  const bool isNegative = !text.empty() && text[0] == '-';
+  text.remove_prefix(isNegative ? 1 : 0);
+  std::int64_t digits = 0;
+  std::size_t count = 0;
+  std::size_t beforePoint = std::string_view::npos;
+  for (const char c : text)
+  {
+    if (c == '.' && beforePoint == std::string_view::npos)
+    {
+      beforePoint = count;
+    }
+    else if (c >= '0' && c <= '9' && count < mostDigits)
+    {
+      digits = 10 * digits + (c - '0');
+      ++count;
+    }
+    else
+    {
+      return false;
+    }
+  }
+  if (count == 0)
+  {
+    return false;
+  }
+  const double size = static_cast<double>(digits) /
+    (beforePoint == std::string_view::npos ? 1.0 : powers[count - beforePoint]);
+  value = isNegative ? -size : size;
+  return true;
+}
+
 /// Whether the whole text is one number; a leading + is allowed.
 template <typename T>
 bool IsNumber(std::string_view text, T& value)
 {
+  if constexpr (std::is_same_v<T, double>)
+  {
+    if (IsShortDecimal(text, value))
+    {
+      return true;
+    }
+  }
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
   {
     text.remove_prefix(1);

@@ -132,7 +132,8 @@ bool IsMetal(int element)
 
 /// Can a residue of this family contain the element? The twenty amino acids, nucleotides and water
 /// have few; modified residues, lipids and cofactors no metals but that of the cofactor.
-bool Contains(ResidueFamily family, std::string_view name, int element)
+/// `isStandard`: one of the twenty.
+bool Contains(ResidueFamily family, bool isStandard, int element)
 {
   constexpr int firstShortLived = 100; // fermium and all that follow, oganesson among them
   const auto isOneOf = [element](std::initializer_list<int> elements)
@@ -140,7 +141,7 @@ bool Contains(ResidueFamily family, std::string_view name, int element)
   switch (family)
   {
     case ResidueFamily::AminoAcid:
-      return IsStandardAminoAcid(name) ? isOneOf({ 1, 6, 7, 8, 15, 16, 34 }) : !IsMetal(element);
+      return isStandard ? isOneOf({ 1, 6, 7, 8, 15, 16, 34 }) : !IsMetal(element);
     case ResidueFamily::Nucleotide:
       return isOneOf({ 1, 6, 7, 8, 9, 15, 16, 34, 35, 53 });
     case ResidueFamily::Water:
@@ -210,7 +211,7 @@ int ElementFromNameColumns(const AtomColumns& columns)
     return 0; // names of four letters fill all columns
   }
   const int element = ElementFromSymbol({ c.data(), 2 });
-  return Contains(ResidueFamily::Unknown, {}, element) ? element : 0;
+  return Contains(ResidueFamily::Unknown, false, element) ? element : 0;
 }
 
 int FindElementInFamily(ResidueFamily family, std::string_view residue, std::string_view name)
@@ -342,10 +343,12 @@ private:
   {
     const std::string& name = this->Atoms[this->Starts[residue]].ResidueName;
     const ResidueFamily family = FindResidueFamily(name);
+    const bool isStandard = family == ResidueFamily::AminoAcid && IsStandardAminoAcid(name);
+    const bool isDummy = name == "DUM";
     for (std::size_t i = this->Starts[residue]; i < this->End(residue); ++i)
     {
-      int element = name == "DUM" ? 0 : ElementFromColumns(this->Columns[i]);
-      if (element > 0 && !Contains(family, name, element))
+      int element = isDummy ? 0 : ElementFromColumns(this->Columns[i]);
+      if (element > 0 && !Contains(family, isStandard, element))
       {
         this->AddAbsurd(i);
         const int other = FindElementInFamily(family, name, this->Atoms[i].Name);
@@ -502,7 +505,7 @@ private:
       return 0;
     }
     const int element = ElementFromSymbol(name);
-    return IsMetal(element) && Contains(ResidueFamily::Unknown, {}, element) &&
+    return IsMetal(element) && Contains(ResidueFamily::Unknown, false, element) &&
         this->Near(atom, LongestBond) == 0 && this->Near(atom, longestToLigand) >= fewestLigands
       ? element
       : 0;
@@ -584,23 +587,38 @@ private:
 
 ResidueFamily FindResidueFamily(std::string_view name)
 {
-  if (IsStandardAminoAcid(name) || OtherAminoAcids().count(name) > 0)
+  static const std::unordered_map<std::string_view, ResidueFamily> named = []
   {
-    return ResidueFamily::AminoAcid;
-  }
-  if (Nucleotides().count(name) > 0 || IsTerminalNucleotide(name))
+    std::unordered_map<std::string_view, ResidueFamily> families;
+    const auto add = [&families](const Names& names, ResidueFamily family)
+    {
+      for (const std::string_view one : names)
+      {
+        families.emplace(one, family);
+      }
+    };
+    add(StandardAminoAcids(), ResidueFamily::AminoAcid);
+    add(OtherAminoAcids(), ResidueFamily::AminoAcid);
+    add(Nucleotides(), ResidueFamily::Nucleotide);
+    add(OtherWaters(), ResidueFamily::Water);
+    for (const auto& [cofactor, metal] : Cofactors())
+    {
+      families.emplace(cofactor, ResidueFamily::Cofactor);
+    }
+    return families;
+  }();
+  const auto found = named.find(name);
+  if (found != named.end())
   {
-    return ResidueFamily::Nucleotide;
+    return found->second;
   }
-  if (IsWater(name) || OtherWaters().count(name) > 0)
+  if (IsTerminalAminoAcid(name) || IsTerminalNucleotide(name))
   {
-    return ResidueFamily::Water;
+    return IsTerminalAminoAcid(name) ? ResidueFamily::AminoAcid : ResidueFamily::Nucleotide;
   }
-  if (Cofactors().count(name) > 0)
-  {
-    return ResidueFamily::Cofactor;
-  }
-  return IsLipid(name) ? ResidueFamily::Lipid : ResidueFamily::Unknown;
+  return IsWater(name) ? ResidueFamily::Water
+    : IsLipid(name)    ? ResidueFamily::Lipid
+                       : ResidueFamily::Unknown;
 }
 
 bool IsLongResidueName(std::string_view name)
@@ -627,7 +645,7 @@ void SetElements(std::vector<Atom>& atoms, const std::vector<AtomColumns>& colum
 }
 
 void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column,
-  const std::function<bool(const Atom&)>& isDummy)
+  const std::vector<bool>& isDummy)
 {
   std::vector<AtomColumns> columns(atoms.size());
   std::vector<std::size_t> starts;
@@ -647,7 +665,7 @@ void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn 
       std::string_view(ElementSymbol(atom.Element))
         .copy(columns[i].Symbol.data(), columns[i].Symbol.size());
     }
-    else if (isDummy && isDummy(atom))
+    else if (!isDummy.empty() && isDummy[i])
     {
       columns[i].Symbol = { ' ', 'X' };
     }

@@ -24,7 +24,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -76,11 +75,11 @@ void SetElements(std::vector<Atom>& atoms, const std::vector<AtomColumns>& colum
 
 /**
  * The same for formats without PDB's columns: the given element of an atom is that of the file, or
- * 0 if there is none. Names are not right-justified; residues are consecutive. `isDummy`: the
- * symbol in the file does not denote an element.
+ * 0 if there is none. Names are not right-justified; residues are consecutive. `isDummy`: of each
+ * atom, whether its symbol in the file denotes no element; empty: of none.
  */
 void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column,
-  const std::function<bool(const Atom&)>& isDummy = {});
+  const std::vector<bool>& isDummy = {});
 
 /// Warns about atoms without an element, in formats in which types or symbols denote elements.
 void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report);

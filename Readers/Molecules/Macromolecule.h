@@ -26,7 +26,7 @@ struct Atom
   double Charge = Unknown;                         ///< e
   double BFactor = Unknown;                        ///< angstrom^2
   double Occupancy = Unknown;
-  double PLDDT = Unknown;  ///< confidence of a predicted residue (ModelCIF), 0 to 100
+  double PLDDT = Unknown;  ///< confidence of a predicted residue, 0 to 100
   std::string Name;        ///< "CA"
   std::string ResidueName; ///< "LYS"
   std::string Chain;       ///< the authors' name, empty if none

@@ -1,10 +1,6 @@
 /**
  * @file MacromoleculeReader.h
- * @brief Reads molecules from PDB, mmCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files, plain or
- * compressed.
- *
- * The formats are described in GemmiStructure.h, PQRFile.h, XYZFile.h and
- * ExchangeFormats.h.
+ * @brief Reads molecules from files of the formats in MoleculeFormats.h, plain or compressed.
  */
 #ifndef isthmus_MacromoleculeReader_h
 #define isthmus_MacromoleculeReader_h
@@ -30,14 +26,14 @@ namespace isthmus
 Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
-/// The same from a text in memory, whose format must be given; `path` is for the messages.
+/// The same from a text in memory; `path` is for the messages, and for the format if it is not
+/// given.
 Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /**
- * The number of models in a file. For PQR files, and for PDB files without END between their atoms,
- * the MODEL records are counted. Other files are parsed, and `parsed` is set to their first model,
- * for CompleteMacromolecule. Throws as ReadMacromolecule.
+ * The number of models in a file, which is parsed; `parsed` is set to the first one, for
+ * CompleteMacromolecule. Throws as ReadMacromolecule.
  */
 std::int64_t CountModels(const std::string& path, MoleculeFormat format,
   Macromolecule* parsed = nullptr, ModelCombination combine = ModelCombination::Automatic);

@@ -6,6 +6,7 @@
 #define isthmus_MoleculeOptions_h
 
 #include "Atoms/AtomRadii.h"
+#include "Molecules/MoleculeFormats.h"
 #include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstdint>
@@ -13,19 +14,6 @@
 
 namespace isthmus
 {
-
-enum class MoleculeFormat
-{
-  ByName, ///< from the file's extension (.gz and .bz2 left out), else from its first lines
-  PDB,
-  MMCIF,
-  PQR,
-  XYZ, ///< also extended XYZ and TINKER's
-  PDBQT,
-  GRO,
-  MOL2,
-  SDF
-};
 
 /// Whether the models of a PDB file are one structure.
 enum class ModelCombination

@@ -11,11 +11,13 @@
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkMolecule.h>
+#include <vtkMutableUndirectedGraph.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -234,10 +236,21 @@ void AddFacts(const Macromolecule& molecule, vtkFieldData* to)
   AddSentences(to, "Warnings", molecule.Warnings);
 }
 
-/// The atoms of a molecule, but for its arrays other than the elements.
+/// The atoms of a molecule, but for its arrays other than the elements. As vtkMolecule::Initialize
+/// does it, which adds each vertex alone.
 void StartMolecule(vtkPoints* points, vtkDataArray* elements, vtkMolecule* molecule)
 {
-  if (!molecule->Initialize(points, elements, nullptr))
+  vtkNew<vtkMutableUndirectedGraph> graph;
+  graph->SetNumberOfVertices(points->GetNumberOfPoints());
+  graph->SetPoints(points);
+  vtkNew<vtkUnsignedShortArray> numbers;
+  numbers->ShallowCopy(elements);
+  numbers->SetName(molecule->GetAtomicNumberArrayName());
+  graph->GetVertexData()->SetScalars(numbers);
+  vtkNew<vtkUnsignedShortArray> orders;
+  orders->SetName(molecule->GetBondOrdersArrayName());
+  graph->GetEdgeData()->SetScalars(orders);
+  if (!molecule->CheckedShallowCopy(graph))
   {
     throw std::runtime_error("VTK could not create a molecule from these atoms.");
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -59,8 +60,15 @@ public:
 
   bool operator()(std::string_view a, std::string_view b) const
   {
-    return a.substr(17, 10) == b.substr(17, 10) &&
-      (!this->WithSegments || GetSegment(a) == GetSegment(b));
+    constexpr std::size_t segmentEnd = 76;
+    if (a.substr(17, 10) != b.substr(17, 10) || !this->WithSegments)
+    {
+      return a.substr(17, 10) == b.substr(17, 10);
+    }
+    const auto isUsual = [](std::string_view line)
+    { return line.size() >= segmentEnd && line[34] == '.' && line[42] == '.' && line[50] == '.'; };
+    return (isUsual(a) && isUsual(b) && a.substr(72, 4) == b.substr(72, 4)) ||
+      GetSegment(a) == GetSegment(b);
   }
 
 private:
@@ -287,7 +295,20 @@ void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs)
   {
     std::size_t Part = 0;
     std::size_t Copy = 0;
+    int Largest = std::numeric_limits<int>::min();
+    std::vector<std::size_t> Rising; ///< runs with rising numbers, which are not among Residues yet
     std::unordered_map<std::string, std::vector<std::size_t>> Residues; ///< their runs
+  };
+  const auto keyOf = [&runs](std::size_t r)
+  {
+    const PDBRun& run = runs[r];
+    return run.Name + '\n' + std::to_string(run.Number.value_or(0)) + run.InsertionCode +
+      run.Segment;
+  };
+  const auto isPolymer = [](const PDBRun& run)
+  {
+    const ResidueFamily family = FindResidueFamily(run.Name);
+    return family == ResidueFamily::AminoAcid || family == ResidueFamily::Nucleotide;
   };
   std::unordered_map<std::string, Chain> chains;
   const auto nameOf = [&lines](std::size_t i) { return lines.Atoms[i].substr(12, 5); };
@@ -314,16 +335,29 @@ void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs)
     Chain& chain = chains[run.FileChain];
     if (chain.Part != run.Part)
     {
-      chain = { run.Part, 0, {} };
+      chain = Chain();
+      chain.Part = run.Part;
     }
-    const ResidueFamily family = FindResidueFamily(run.Name);
-    if (family == ResidueFamily::AminoAcid || family == ResidueFamily::Nucleotide)
+    const int number = run.Number.value_or(0);
+    if (number > chain.Largest)
     {
-      const std::string key =
-        run.Name + '\n' + std::to_string(run.Number.value_or(0)) + run.InsertionCode + run.Segment;
+      chain.Largest = number; // the residue is a further one
+      chain.Rising.push_back(r);
+    }
+    else if (isPolymer(run))
+    {
+      for (const std::size_t before : std::exchange(chain.Rising, {}))
+      {
+        if (isPolymer(runs[before]))
+        {
+          chain.Residues[keyOf(before)].push_back(before);
+        }
+      }
+      const std::string key = keyOf(r);
       std::vector<std::size_t>& earlier = chain.Residues[key];
       earlier.push_back(r);
-      if (earlier.size() > 1 && isAgain(run, { earlier.begin(), earlier.end() - 1 }))
+      if (number < chain.Largest && earlier.size() > 1 &&
+        isAgain(run, { earlier.begin(), earlier.end() - 1 }))
       {
         ++chain.Copy;
         chain.Residues = { { key, { r } } };

@@ -97,7 +97,8 @@ std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool 
 
 /**
  * Sets Copy of runs: amino acids and nucleotides that come again after other residues, with the
- * same name, number and chain and at least half of their atoms, begin a copy of the chain. TER
+ * same name, number and chain and at least half of their atoms, begin a copy of the chain if larger
+ * numbers came before (some programs number all residues 1). TER
  * between copies may be missing. Water and ligands that follow belong to the last copy.
  */
 void FindCopies(const PDBLines& lines, std::vector<PDBRun>& runs);

@@ -1,9 +1,14 @@
 #include "Molecules/PDBFile.h"
 
+#include "Core/LargePages.h"
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/BiologicalAssembly.h"
+#include "Molecules/MoleculeParsers.h"
 #include "Molecules/PDBColumns.h"
+#include "Molecules/ResidueOrder.h"
+#include "Molecules/StructureRecords.h"
 
 #include <algorithm>
 #include <array>
@@ -14,109 +19,62 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
+
+#include <gemmi/pdb.hpp>
 
 namespace isthmus
 {
 namespace
 {
 
+/// Thrown for a line whose coordinates are not in the columns of PDB.
+struct NonstandardColumnsError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct PDBMolecule
+{
+  std::vector<Atom> Atoms;           ///< in the order of the file, but those of a residue together
+  std::vector<std::size_t> Residues; ///< the first atom of each
+  std::vector<Bond> Bonds;           ///< of CONECT, each as often as the file names it
+  std::vector<Bond> Links;           ///< of SSBOND and LINK, within the asymmetric unit
+};
+
 constexpr std::int64_t AtomsAtOnce = 1 << 13;
 
 /// The number that a field begins with, as programs in C read it; NaN if it begins with none.
 double NumberAtBegin(std::string_view field)
 {
+  double value = 0.0;
+  if (IsShortDecimal(field, value))
+  {
+    return value;
+  }
   if (!field.empty() && field[0] == '+')
   {
     field.remove_prefix(1);
   }
-  double value = 0.0;
   const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
   return result.ec == std::errc() && std::isfinite(value) ? value : Atom::Unknown;
 }
 
-/// As gemmi keeps it for mmCIF files: in single precision, rounded to five decimals where that is
-/// the same number.
-double SinglePrecision(double value)
+/// Lines of a chain with the same residue are one residue, even if other residues are between them.
+ResidueOrder FindResidueOrder(const std::vector<PDBRun>& runs)
 {
-  const auto single = static_cast<float>(value);
-  const double rounded = std::round(static_cast<double>(single) * 1e5) / 1e5;
-  return static_cast<float>(rounded) == single ? rounded : static_cast<double>(single);
-}
-
-// ------------------------------------------------------------------------------------------
-// Groups of lines: residues
-
-struct ResidueKey
-{
-  std::string Name;
-  std::string Segment;
-  std::optional<int> Number;
-  char InsertionCode;
-
-  bool operator==(const ResidueKey& other) const
-  {
-    return this->Number == other.Number && this->Name == other.Name &&
-      this->Segment == other.Segment && this->InsertionCode == other.InsertionCode;
-  }
-};
-
-struct ResidueHash
-{
-  std::size_t operator()(const ResidueKey& key) const
-  {
-    const auto number =
-      static_cast<std::size_t>(static_cast<std::uint32_t>(key.Number.value_or(0)));
-    return number * 0x9E3779B97F4A7C15u ^ std::hash<std::string>()(key.Name);
-  }
-};
-
-/// Where the atoms of runs go, so that those of a residue come together.
-struct Order
-{
-  std::vector<std::size_t> Residue;  ///< of each run
-  std::vector<std::size_t> Place;    ///< of the first atom of each run
-  std::vector<std::size_t> Starts;   ///< first atom of each residue
-  std::vector<std::size_t> FirstRun; ///< of each residue, which names it
-  std::size_t Atoms = 0;
-};
-
-Order FindResidueOrder(const std::vector<PDBRun>& runs)
-{
-  Order order;
-  std::unordered_map<ResidueKey, std::size_t, ResidueHash> known;
+  std::vector<ResidueRun> found;
+  found.reserve(runs.size());
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const PDBRun& run = runs[r];
-    if (r > 0 && (run.Chain != runs[r - 1].Chain || run.Part != runs[r - 1].Part))
-    {
-      known.clear();
-    }
-    const char code = static_cast<char>(run.InsertionCode & ~0x20); // capitals or not
-    const auto [found, isNew] =
-      known.emplace(ResidueKey{ run.Name, run.Segment, run.Number, code }, order.Starts.size());
-    if (isNew)
-    {
-      order.Starts.push_back(0);
-      order.FirstRun.push_back(r);
-    }
-    order.Residue.push_back(found->second);
-    order.Starts[found->second] += run.Last - run.First; // the size, for now
+    const bool isChain = r > 0 && (run.Chain != runs[r - 1].Chain || run.Part != runs[r - 1].Part);
+    const std::size_t group = r == 0 ? 0 : found[r - 1].Group + (isChain ? 1 : 0);
+    found.push_back({ run.First, run.Last, group, run.Number.value_or(0), run.Name,
+      static_cast<char>(run.InsertionCode | 0x20), run.Segment });
   }
-  for (std::size_t& start : order.Starts)
-  {
-    const std::size_t size = std::exchange(start, order.Atoms);
-    order.Atoms += size;
-  }
-  std::vector<std::size_t> next = order.Starts;
-  for (std::size_t r = 0; r < runs.size(); ++r)
-  {
-    order.Place.push_back(next[order.Residue[r]]);
-    next[order.Residue[r]] += runs[r].Last - runs[r].First;
-  }
-  return order;
+  return FindResidueOrder(found);
 }
 
 // ------------------------------------------------------------------------------------------
@@ -216,9 +174,9 @@ std::string_view GetSerial(std::string_view line)
   return Columns(line, 6, isWide ? 6 : 5);
 }
 
-bool ReadPosition(std::string_view line, std::size_t index, Atom& atom, Faults& faults)
+bool ReadPosition(std::string_view line, const std::array<std::size_t, 4>& ends, std::size_t index,
+  Atom& atom, Faults& faults)
 {
-  const std::array<std::size_t, 4> ends = CoordinateColumns(line);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::string_view field = Columns(line, ends[axis], ends[axis + 1] - ends[axis]);
@@ -251,7 +209,8 @@ bool ReadPosition(std::string_view line, std::size_t index, Atom& atom, Faults& 
 void ReadAtom(std::string_view line, std::size_t index, bool withColumns73To80, Atom& atom,
   AtomColumns& columns, Faults& faults)
 {
-  if (!ReadPosition(line, index, atom, faults))
+  const std::array<std::size_t, 4> ends = CoordinateColumns(line);
+  if (!ReadPosition(line, ends, index, atom, faults))
   {
     return;
   }
@@ -259,12 +218,12 @@ void ReadAtom(std::string_view line, std::size_t index, bool withColumns73To80, 
   atom.AltLoc = line[16];
   const std::string_view serial = GetSerial(line);
   faults.OddSerials += IsNumber(serial, atom.Serial) ? 0 : 1;
-  const std::size_t shift = CoordinateShift(line);
+  const std::size_t shift = ends[3] - 54;
   for (const auto& [from, value] :
     { std::pair(54 + shift, &atom.Occupancy), std::pair(60 + shift, &atom.BFactor) })
   {
     const std::string_view field = Columns(line, from, 6);
-    *value = SinglePrecision(NumberAtBegin(field));
+    *value = NumberAtBegin(field);
     if (std::isnan(*value) && !field.empty())
     {
       ++faults.BadValues;
@@ -388,9 +347,9 @@ public:
                         "as in old PDB files; they were ignored.");
     }
     this->Runs = ReadRuns(this->Lines, this->Model, !isOld, this->Names, this->Report);
-    const Order order = FindResidueOrder(this->Runs);
+    ResidueOrder order = FindResidueOrder(this->Runs);
     this->ReadAtoms(order, !isOld, progress);
-    this->Result.Residues = order.Starts;
+    this->Result.Residues = std::move(order.Starts);
     this->ReportFaults();
     this->DropLost();
     if (this->Problems.OddSerials > 0)
@@ -405,12 +364,21 @@ public:
   }
 
 private:
-  void ReadAtoms(const Order& order, bool withColumns73To80, const ProgressCallback& progress)
+  void ReadAtoms(
+    const ResidueOrder& order, bool withColumns73To80, const ProgressCallback& progress)
   {
-    this->Result.Atoms.reserve(order.Atoms);
-    this->Result.Atoms.resize(order.Atoms);
-    this->Texts.resize(order.Atoms);
-    this->LineOfAtom.resize(order.Atoms);
+    std::vector<std::size_t> firstRun(order.Starts.size()); // which names the residue
+    std::size_t count = 0;
+    for (std::size_t r = this->Runs.size(); r-- > 0;)
+    {
+      firstRun[order.Residue[r]] = r;
+      count += this->Runs[r].Last - this->Runs[r].First;
+    }
+    this->Result.Atoms.reserve(count);
+    AdviseLargePages(this->Result.Atoms.data(), count * sizeof(Atom));
+    this->Result.Atoms.resize(count);
+    this->Texts.resize(count);
+    this->LineOfAtom.resize(count);
     std::mutex mutex;
     ParallelFor(
       0, static_cast<std::int64_t>(this->Runs.size()), AtomsAtOnce / 8,
@@ -420,7 +388,7 @@ private:
         for (auto r = static_cast<std::size_t>(first); r < static_cast<std::size_t>(last); ++r)
         {
           const PDBRun& run = this->Runs[r];
-          const PDBRun& residue = this->Runs[order.FirstRun[order.Residue[r]]];
+          const PDBRun& residue = this->Runs[firstRun[order.Residue[r]]];
           const bool isHetero = (this->Lines.Atoms[residue.First][0] & ~0x20) == 'H';
           std::size_t place = order.Place[r];
           for (std::size_t i = run.First; i < run.Last; ++i, ++place)
@@ -481,47 +449,37 @@ private:
     }
   }
 
-  /// Removes atoms whose coordinates are asterisks.
+  /// Removes atoms whose coordinates are asterisks, and residues without atoms.
   void DropLost()
   {
     if (this->Problems.Lost == 0)
     {
       return;
     }
-    std::vector<Atom>& atoms = this->Result.Atoms;
+    std::vector<std::size_t> kept;
     std::vector<std::size_t> starts;
-    std::size_t kept = 0;
-    std::size_t residue = 0;
-    for (std::size_t i = 0; i < atoms.size(); ++i)
+    std::vector<std::size_t>& residues = this->Result.Residues;
+    residues.push_back(this->Result.Atoms.size());
+    for (std::size_t r = 0; r + 1 < residues.size(); ++r)
     {
-      while (residue < this->Result.Residues.size() && this->Result.Residues[residue] == i)
+      const std::size_t before = kept.size();
+      for (std::size_t i = residues[r]; i < residues[r + 1]; ++i)
       {
-        starts.push_back(kept);
-        ++residue;
+        const auto& x = this->Result.Atoms[i].Position;
+        if (!std::isnan(x[0] + x[1] + x[2]))
+        {
+          kept.push_back(i);
+        }
       }
-      const auto& x = atoms[i].Position;
-      if (std::isnan(x[0] + x[1] + x[2]))
+      if (kept.size() > before)
       {
-        continue;
+        starts.push_back(before);
       }
-      if (kept != i)
-      {
-        atoms[kept] = std::move(atoms[i]);
-        this->Texts[kept] = this->Texts[i];
-        this->LineOfAtom[kept] = this->LineOfAtom[i];
-      }
-      ++kept;
     }
-    atoms.resize(kept);
-    this->Texts.resize(kept);
-    this->LineOfAtom.resize(kept);
-    // residues without atoms
-    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
-    if (!starts.empty() && starts.back() == kept)
-    {
-      starts.pop_back();
-    }
-    this->Result.Residues = std::move(starts);
+    residues = std::move(starts);
+    Reorder(this->Result.Atoms, kept);
+    Reorder(this->Texts, kept);
+    Reorder(this->LineOfAtom, kept);
   }
 
   /// Serial numbers that can only be decoded from those before them.
@@ -783,30 +741,36 @@ private:
     }
   }
 
-  // Number, code, name and chain, and the part of the model.
-  using Address = std::tuple<std::size_t, std::string, std::string, int, char>;
-
   /// Residues by address, of those that come more than once the first.
   void IndexResidues()
   {
-    for (std::size_t r = 0; r < this->Runs.size(); ++r)
-    {
-      const PDBRun& run = this->Runs[r];
-      for (const std::string& chain : { run.FileChain, std::string() })
-      {
-        this->RunOf.emplace(
-          Address{ run.Part, chain, run.Name, run.Number.value_or(0), run.InsertionCode }, r);
-      }
-    }
+    std::unordered_map<std::size_t, std::size_t> atomOfLine;
     for (std::size_t i = 0; i < this->LineOfAtom.size(); ++i)
     {
-      this->AtomOfLine.emplace(this->LineOfAtom[i], i);
+      atomOfLine.emplace(this->LineOfAtom[i], i);
+    }
+    const std::vector<std::size_t>& starts = this->Result.Residues;
+    for (const PDBRun& run : this->Runs)
+    {
+      const auto atom = atomOfLine.find(run.First);
+      if (atom == atomOfLine.end())
+      {
+        continue;
+      }
+      const auto next = std::upper_bound(starts.begin(), starts.end(), atom->second);
+      const std::size_t end = next == starts.end() ? this->Result.Atoms.size() : *next;
+      for (const std::string_view chain : { std::string_view(run.FileChain), std::string_view() })
+      {
+        this->Residues.Add(
+          run.Part, chain, run.Name, run.Number.value_or(0), run.InsertionCode, *(next - 1), end);
+      }
     }
   }
 
   /// The atoms of the residue at columns [name, ...) of a record; empty if there is none.
-  std::vector<std::size_t> FindResidue(const PDBRecord& record, std::optional<std::size_t> part,
-    std::size_t nameAt, std::size_t chainAt, std::size_t numberAt) const
+  std::pair<std::size_t, std::size_t> FindResidue(const PDBRecord& record,
+    std::optional<std::size_t> part, std::size_t nameAt, std::size_t chainAt,
+    std::size_t numberAt) const
   {
     const std::string_view line = record.Line;
     std::string five(5, ' ');
@@ -815,8 +779,9 @@ private:
       five[i] = line[nameAt + i];
     }
     const bool isLong = nameAt + 3 == chainAt && this->Names.IsLong(five);
-    const std::string name(Columns(line, nameAt, isLong ? 4 : 3));
-    const std::string chain(isLong ? Columns(line, chainAt + 1, 1) : Columns(line, chainAt, 2));
+    const std::string_view name(Columns(line, nameAt, isLong ? 4 : 3));
+    const std::string_view chain(
+      isLong ? Columns(line, chainAt + 1, 1) : Columns(line, chainAt, 2));
     const char code = numberAt + 4 < line.size() ? line[numberAt + 4] : ' ';
     int number = 0;
     const std::string_view field = Columns(line, numberAt, 4);
@@ -828,10 +793,10 @@ private:
     number = hybrid.value_or(number);
     for (std::size_t p = part.value_or(0); p < this->Model.size(); ++p)
     {
-      const auto run = this->RunOf.find({ p, chain, name, number, code });
-      if (run != this->RunOf.end())
+      const auto atoms = this->Residues.Find(p, chain, name, number, code);
+      if (atoms.first < atoms.second)
       {
-        return this->FindAtoms(run->second);
+        return atoms;
       }
       if (part)
       {
@@ -841,49 +806,16 @@ private:
     return {};
   }
 
-  /// The atoms of the residue that begins with a run.
-  std::vector<std::size_t> FindAtoms(std::size_t run) const
-  {
-    const auto first = this->AtomOfLine.find(this->Runs[run].First);
-    if (first == this->AtomOfLine.end())
-    {
-      return {};
-    }
-    const auto& starts = this->Result.Residues;
-    const auto next = std::upper_bound(starts.begin(), starts.end(), first->second);
-    const std::size_t end = next == starts.end() ? this->Result.Atoms.size() : *next;
-    std::vector<std::size_t> atoms;
-    for (std::size_t i = *(next - 1); i < end; ++i)
-    {
-      atoms.push_back(i);
-    }
-    return atoms;
-  }
-
-  std::optional<std::size_t> FindAtom(
-    const std::vector<std::size_t>& residue, std::string_view name, char altLoc) const
-  {
-    for (const std::size_t i : residue)
-    {
-      const Atom& atom = this->Result.Atoms[i];
-      if (atom.Name == name && (atom.AltLoc == ' ' || atom.AltLoc == altLoc))
-      {
-        return i;
-      }
-    }
-    return {};
-  }
-
   /// The sulfur of a disulfide bond, which the record does not name.
-  std::optional<std::size_t> FindSulfur(const std::vector<std::size_t>& residue) const
+  std::optional<std::size_t> FindSulfur(std::pair<std::size_t, std::size_t> residue) const
   {
     constexpr int sulfur = 16;
-    const auto usual = this->FindAtom(residue, "SG", ' ');
+    const auto usual = FindAtom(this->Result.Atoms, residue, "SG", ' ');
     if (usual && this->Result.Atoms[*usual].Element == sulfur)
     {
       return usual;
     }
-    for (const std::size_t i : residue)
+    for (std::size_t i = residue.first; i < residue.second; ++i)
     {
       if (this->Result.Atoms[i].Element == sulfur)
       {
@@ -898,12 +830,14 @@ private:
   {
     const std::string_view line = record.Line;
     const auto altLoc = [line](std::size_t at) { return at < line.size() ? line[at] : ' '; };
-    const auto first = isDisulfide ? this->FindSulfur(this->FindResidue(record, part, 11, 14, 17))
-                                   : this->FindAtom(this->FindResidue(record, part, 17, 20, 22),
-                                       Columns(line, 12, 4), altLoc(16));
-    const auto second = isDisulfide ? this->FindSulfur(this->FindResidue(record, part, 25, 28, 31))
-                                    : this->FindAtom(this->FindResidue(record, part, 47, 50, 52),
-                                        Columns(line, 42, 4), altLoc(46));
+    const auto first = isDisulfide
+      ? this->FindSulfur(this->FindResidue(record, part, 11, 14, 17))
+      : FindAtom(this->Result.Atoms, this->FindResidue(record, part, 17, 20, 22),
+          Columns(line, 12, 4), altLoc(16));
+    const auto second = isDisulfide
+      ? this->FindSulfur(this->FindResidue(record, part, 25, 28, 31))
+      : FindAtom(this->Result.Atoms, this->FindResidue(record, part, 47, 50, 52),
+          Columns(line, 42, 4), altLoc(46));
     if (!first || !second)
     {
       return false;
@@ -966,16 +900,164 @@ private:
   std::set<std::string> Counted;
   bool IsHexadecimal = false;
   bool HasLongSerials = false;
-  std::map<Address, std::size_t> RunOf;
-  std::unordered_map<std::size_t, std::size_t> AtomOfLine;
+  ResidueIndex Residues;
 };
+
+/// REMARK 350, which describes assemblies.
+std::string RemarksOnAssemblies(std::string_view text)
+{
+  std::string remarks;
+  TextLines lines(text, {}, {});
+  for (std::string_view line; lines.Next(line);)
+  {
+    if (line.substr(0, 10) == "REMARK 350")
+    {
+      remarks.append(line).append("\n");
+    }
+  }
+  return remarks;
+}
+
+/// CONECT records name atoms of the file: in copies, bonds are found by distance.
+Macromolecule BuildPDBAssembly(const Macromolecule& molecule, const std::string& name,
+  std::string_view text, const std::string& path)
+{
+  const std::string remarks = RemarksOnAssemblies(text);
+  const gemmi::Structure structure =
+    gemmi::read_pdb_from_memory(remarks.data(), remarks.size(), path);
+  return BuildAssembly(molecule, FindAssembly(name, structure.assemblies, path), path);
+}
+
+Macromolecule ReadPDBColumns(std::string_view text, const std::string& path,
+  const StructureChoice& choice, std::size_t bytesOfAPiece, const ProgressCallback& progress)
+{
+  const PDBLines lines = SplitPDB(text, bytesOfAPiece, Between(progress, 0.0, 0.3));
+  ReadingReport report;
+  const std::vector<PDBModel> models = FindModels(lines, report, PDBColumnsOfAtoms, choice.Combine);
+  const bool isOfCopies = AreCombined(lines, models);
+  Macromolecule molecule;
+  molecule.NumberOfModels = static_cast<std::int64_t>(models.size());
+  if (choice.Model < 0 || choice.Model >= molecule.NumberOfModels)
+  {
+    return molecule;
+  }
+  const PDBModel& model = models[static_cast<std::size_t>(choice.Model)];
+  PDBMolecule read =
+    ModelReader(text, path, lines, model, isOfCopies, report).Read(Between(progress, 0.3, 1.0));
+  if (EndsWithinRecord(text, lines))
+  {
+    throw std::runtime_error(path + ", " + FormatLineNumber(text, UnfinishedLine(text)) +
+      ": the file ends within this record. Fetch or write it again.");
+  }
+  Macromolecule result;
+  result.Atoms = std::move(read.Atoms);
+  result.Bonds = std::move(read.Links);
+  if (!choice.Assembly.empty())
+  {
+    result = BuildPDBAssembly(result, choice.Assembly, text, path);
+  }
+  else
+  {
+    result.Bonds.insert(result.Bonds.end(), read.Bonds.begin(), read.Bonds.end());
+    if (!isOfCopies) // whose chains have other names, and are beside the cell
+    {
+      SetStructure(ReadPDBStructure(text), result.Atoms);
+      if (ReadPDBConfidence(text, result.Atoms))
+      {
+        report.Note("Predicted model, as its title says: the B factors are confidences (pLDDT).");
+      }
+      result.Cell = FindCell(lines, model);
+    }
+  }
+  result.NumberOfModels = molecule.NumberOfModels;
+  report.AddTo(result);
+  return result;
+}
+
+/// Some programs, APBS among them, separate the values by blanks regardless of the columns.
+Macromolecule ReadPDBByWords(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const NonstandardColumnsError& first,
+  const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  try
+  {
+    molecule = ParsePQR(text, path, choice, progress);
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error&)
+  {
+    throw first;
+  }
+  if (molecule.NumberOfModels == 0) // records in small letters
+  {
+    throw first;
+  }
+  for (Atom& atom : molecule.Atoms)
+  {
+    atom.Occupancy = std::exchange(atom.Charge, Atom::Unknown);
+    atom.BFactor = std::exchange(atom.Radius, Atom::Unknown);
+  }
+  molecule.Warnings.emplace_back(
+    "The values are not in the columns of a PDB file; they were separated at blanks.");
+  return molecule;
+}
 
 }
 
-PDBMolecule ReadPDBModel(std::string_view text, const std::string& path, const PDBLines& lines,
-  const PDBModel& model, bool isOfCopies, ReadingReport& report, const ProgressCallback& progress)
+/// Atoms, in a text that is not mmCIF, which may contain PDB's words.
+bool IsPDB(std::string_view text)
 {
-  return ModelReader(text, path, lines, model, isOfCopies, report).Read(progress);
+  if (IsMMCIF(text))
+  {
+    return false;
+  }
+  for (const char* record : { "ATOM", "HETATM" })
+  {
+    const std::size_t at = text.find(record);
+    if (at == 0 || (at != std::string_view::npos && text[at - 1] == '\n'))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Macromolecule ParsePDB(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress)
+{
+  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
+  return ParsePDB(text, path, choice, progress, bytesOfAPiece);
+}
+
+Macromolecule ParsePDB(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress, std::size_t bytesOfAPiece)
+{
+  if (text.substr(0, 5) == "data_" || text.substr(0, 4) == "{\"da")
+  {
+    throw std::runtime_error(path +
+      ": this is mmCIF or mmJSON, not PDB. Name it .cif or choose its format (mmJSON: gemmi "
+      "convert).");
+  }
+  try
+  {
+    return ReadPDBColumns(text, path, choice, bytesOfAPiece, progress);
+  }
+  catch (const NonstandardColumnsError& error)
+  {
+    if (!choice.Assembly.empty())
+    {
+      throw UnknownAssembly(path +
+        ": the values are not in the columns of a PDB file, so its assemblies can't be read. Leave "
+        "Assembly empty.");
+    }
+    // Without a progress that restarts from 0, which would not be monotone.
+    return ReadPDBByWords(text, path, choice, error,
+      progress ? [&progress](double) { return progress(0.6); } : ProgressCallback());
+  }
 }
 
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace isthmus
@@ -365,6 +366,7 @@ bool AreBesideEachOther(const AtomLines& file, const std::vector<PDBModel>& mode
     return false;
   }
   std::vector<std::size_t> first; // models of which no earlier one has the atoms
+  std::set<char> chains;          // of these
   for (std::size_t i = 0; i < models.size(); ++i)
   {
     const auto same = std::find_if(first.begin(), first.end(),
@@ -376,6 +378,18 @@ bool AreBesideEachOther(const AtomLines& file, const std::vector<PDBModel>& mode
     if (same == first.end())
     {
       first.push_back(i);
+      std::set<char> own;
+      for (const std::string_view line : lines[i])
+      {
+        own.insert(line.size() > 21 ? line[21] : ' ');
+      }
+      for (const char chain : own)
+      {
+        if (!chains.insert(chain).second) // one chain with other atoms
+        {
+          return false;
+        }
+      }
     }
     else if (!PlacedGroup(Places(file, models[i]))
                 .IsCopyOf(PlacedGroup(Places(file, models[*same]))))

@@ -85,10 +85,10 @@ extern const PDBAtomText PDBColumnsOfAtoms;
  * - All other parts that END separates are one structure.
  *
  * With `combine` Automatic, models of MODEL or ENDMDL are one structure where no two of them
- * overlap and those with the same atoms are rigid copies of each other: the copies of a biological
- * unit lie beside each other, while the models of an ensemble and the frames of a trajectory lie on
- * each other or differ in shape. Models of fewer than four residues (poses of ligands, ions) stay
- * models.
+ * overlap, those with the same atoms are rigid copies of each other, and the others have other
+ * chains: the copies of a biological unit lie beside each other, while the models of an ensemble
+ * and the frames of a trajectory lie on each other or differ in shape. Models of fewer than four
+ * residues (poses of ligands, ions) stay models.
  *
  * Atoms outside MODEL and ENDMDL belong to the preceding model, or to the first one. Groups of
  * parts may repeat as well. Decisions are noted in `report`.

@@ -1,10 +1,20 @@
-#include "Molecules/PQRFile.h"
+// PQR (T. J. Dolinsky et al., Nucleic Acids Res. 32 (2004) W665; apbs.readthedocs.io, PQR) has a
+// line for each atom. Two dialects are in use, and each line is read in its own:
+//  - words: ATOM serial name residue [chain] number[insertion code] x y z charge radius [element];
+//    chain and number may run together (A1003), as may the first word and the serial (ATOM100000);
+//  - columns as in PDB files, where numbers may run together: name 13-16, residue 17-21, chain 22,
+//    number 23-26, insertion code 27, x 31-38, y 39-46, z 47-54, then charge and radius as two
+//    words or in columns 55-62 and 63-70.
+//
+// Lines that begin with HETATM are hetero atoms; MODEL, ENDMDL and END separate models or parts as
+// in PDB files (PDBLines.h); other lines are ignored.
 
 #include "Atoms/ChemicalElement.h"
 #include "Atoms/NameLetters.h"
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/MoleculeParsers.h"
 #include "Molecules/PDBColumns.h"
 
 #include <algorithm>
@@ -244,14 +254,21 @@ std::vector<Atom> ReadAtoms(std::string_view text, const std::string& path,
 
 }
 
-Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int64_t model,
-  const ProgressCallback& progress)
+/// Its lines are like those of PDB.
+bool IsPQR(std::string_view)
+{
+  return false;
+}
+
+Macromolecule ParsePQR(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress)
 {
   ReadingReport report;
   std::size_t dummies = 0;
   const auto read = [&](const std::vector<std::string_view>& lines, const ProgressCallback& reading)
   { return ReadAtoms(text, path, lines, dummies, reading); };
-  Macromolecule molecule = ReadModelOfRecords(text, model, textOfAtoms, read, report, progress);
+  Macromolecule molecule =
+    ReadModelOfRecords(text, choice.Model, textOfAtoms, read, report, progress);
   if (dummies > 0)
   {
     report.Note("Ghost or dummy atoms and virtual sites, with the radii of the file and without "
@@ -260,15 +277,6 @@ Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int6
   }
   report.AddTo(molecule);
   return molecule;
-}
-
-std::int64_t CountPQRModels(std::string_view text)
-{
-  ReadingReport report;
-  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
-  const PDBLines lines = SplitPDB(text, bytesOfAPiece, {});
-  return std::max<std::int64_t>(
-    static_cast<std::int64_t>(FindModels(lines, report, textOfAtoms).size()), 1);
 }
 
 }

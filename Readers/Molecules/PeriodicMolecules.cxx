@@ -549,11 +549,13 @@ ResidueInFile FindResidueAt(const std::vector<Atom>& atoms, std::size_t begin)
   {
     ++residue.End;
   }
-  for (std::size_t i = begin; i < residue.End && IsPolymer(atoms[begin]); ++i)
+  const std::size_t end = IsPolymer(atoms[begin]) ? residue.End : begin;
+  for (std::size_t i = begin; i < end; ++i)
   {
     const Atom& atom = atoms[i];
-    residue.Last = atom.Name == "C" || atom.Name == "O3'" ? &atom : residue.Last;
-    residue.Next = atom.Name == "N" || atom.Name == "P" ? &atom : residue.Next;
+    const std::string_view name = atom.Name;
+    residue.Last = name == "C" || name == "O3'" ? &atom : residue.Last;
+    residue.Next = name == "N" || name == "P" ? &atom : residue.Next;
     const bool isAway = Distance(atoms[begin].Position, atom.Position) > largest;
     residue.Away = !residue.Away && isAway ? &atom : residue.Away;
   }

@@ -144,6 +144,48 @@ std::vector<StructureRange> ReadPDBStructure(std::string_view text)
   return ranges;
 }
 
+bool ReadPDBConfidence(std::string_view text, std::vector<Atom>& atoms)
+{
+  std::string title;
+  TextLines lines(text, {}, {});
+  for (std::string_view line; lines.Next(line);)
+  {
+    const std::string_view name = line.substr(0, 6);
+    const bool isExperiment =
+      name == "EXPDTA" && line.find("THEORETICAL") == std::string_view::npos;
+    if (isExperiment || name == "ATOM  " || name == "HETATM")
+    {
+      title = isExperiment ? "" : title;
+      break;
+    }
+    title += name == "TITLE " ? gemmi::to_upper(std::string(Columns(line, 10, 70))) + " " : "";
+  }
+  const auto says = [&title](const char* word) { return title.find(word) != std::string::npos; };
+  if (!(says("PREDICT") || says("MODEL")) ||
+    !(says("ALPHAFOLD") || says("ESMFOLD") || says("COLABFOLD") || says("OPENFOLD")))
+  {
+    return false;
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    const double value = atoms[i].BFactor;
+    const bool isSame = i > 0 && atoms[i].ResidueId == atoms[i - 1].ResidueId &&
+      atoms[i].InsertionCode == atoms[i - 1].InsertionCode && atoms[i].Chain == atoms[i - 1].Chain;
+    if (!(value >= 0.0 && value <= 100.0) || (isSame && value != atoms[i - 1].BFactor))
+    {
+      return false;
+    }
+    largest = std::max(largest, value);
+  }
+  const double scale = largest > 1.0 ? 1.0 : 100.0;
+  for (Atom& atom : atoms)
+  {
+    atom.PLDDT = scale * atom.BFactor;
+  }
+  return largest > 0.0;
+}
+
 std::vector<StructureRange> ReadCIFStructure(gemmi::cif::Block& block)
 {
   std::vector<StructureRange> ranges;
@@ -175,6 +217,10 @@ std::vector<StructureRange> ReadCIFStructure(gemmi::cif::Block& block)
 
 void SetStructure(const std::vector<StructureRange>& ranges, std::vector<Atom>& atoms)
 {
+  if (ranges.empty())
+  {
+    return;
+  }
   using Place = std::pair<int, char>;
   std::map<std::string, std::vector<const StructureRange*>> ofChain;
   for (const StructureRange& range : ranges)

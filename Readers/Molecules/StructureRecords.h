@@ -31,6 +31,14 @@ struct StructureRange
 /// The structure given by the lines before the first atom. Records that cannot be read are ignored.
 std::vector<StructureRange> ReadPDBStructure(std::string_view text);
 
+/**
+ * Sets PLDDT of a predicted model in a PDB file from the B factors, in which AlphaFold, ESMFold and
+ * their relatives write it. False where the title does not say so, the file names an experiment
+ * (EXPDTA), or the values are not confidences: from 0 to 100 (or to 1), the same for all atoms of a
+ * residue.
+ */
+bool ReadPDBConfidence(std::string_view text, std::vector<Atom>& atoms);
+
 /// Rows that lack a chain or a number are ignored. Helices of ModelCIF have a type, those of the
 /// PDB a class.
 std::vector<StructureRange> ReadCIFStructure(gemmi::cif::Block& block);

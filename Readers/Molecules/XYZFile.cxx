@@ -1,8 +1,17 @@
-#include "Molecules/XYZFile.h"
+// XYZ: a frame is a line with the number of atoms, a line of comment, and a line for each atom:
+// symbol or atomic number, x, y, z in angstrom; the rest of the line is ignored. Frames are models.
+// The name of an atom is its symbol.
+//
+// Extended XYZ names its columns in the comment (Properties=species:S:1:pos:R:3:...), in any order:
+// species (or Z), pos, charge (or charges, initial_charges, q) and radius are read.
+//
+// TINKER's XYZ has no comment: number of atoms and title, perhaps a line with the box, and for each
+// atom its number, name, x, y, z, type and the numbers of the bonded atoms.
 
 #include "Atoms/ChemicalElement.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/MoleculeParsers.h"
 #include "Molecules/ReadingReport.h"
 
 #include <algorithm>
@@ -322,12 +331,29 @@ Macromolecule ParseTinker(std::string_view text, const std::string& path, std::i
 
 }
 
-Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int64_t model,
-  const ProgressCallback& progress)
+/// The number of atoms, and an atom after the comment.
+bool IsXYZ(std::string_view text)
+{
+  TextLines lines(text, {}, {});
+  std::string_view line;
+  std::int64_t count = 0;
+  double x = 0.0;
+  if (!lines.Next(line) || !IsNumber(Trim(line), count) || count < 1 || !lines.Next(line) ||
+    !lines.Next(line))
+  {
+    return IsTinker(text);
+  }
+  const std::string_view symbol = NextWord(line);
+  return !symbol.empty() && symbol.size() <= 3 && IsNumber(NextWord(line), x) &&
+    IsNumber(NextWord(line), x) && IsNumber(NextWord(line), x);
+}
+
+Macromolecule ParseXYZ(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress)
 {
   if (IsTinker(text))
   {
-    return ParseTinker(text, path, model, progress);
+    return ParseTinker(text, path, choice.Model, progress);
   }
   Macromolecule molecule;
   ReadingReport report;
@@ -349,7 +375,7 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
     {
       columns = ParseColumns(line, lines);
     }
-    const bool isWanted = molecule.NumberOfModels == model;
+    const bool isWanted = molecule.NumberOfModels == choice.Model;
     if (isWanted)
     {
       molecule.Cell = ReadLattice(line);

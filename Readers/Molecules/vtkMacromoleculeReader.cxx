@@ -6,6 +6,7 @@
 #include "Files/ReaderGuard.h"
 #include "Molecules/MacromoleculeReader.h"
 #include "Molecules/MoleculeOutput.h"
+#include "Molecules/MoleculeParsers.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -52,7 +53,9 @@ const std::vector<isthmus::OutputArray>& vtkMacromoleculeReader::OutputArrayTabl
     { -1, ArrayPlace::Points, "AltLoc", 1, "", ArrayChoice::None,
       "alternate location; with AltLoc *, where the file has any" },
     { -1, ArrayPlace::Points, "pLDDT", 1, "", ArrayChoice::None,
-      "confidence of predicted residues, 0 to 100; where ModelCIF names it so" },
+      "confidence of predicted residues, 0 to 100; by ModelCIF, or the B factors of PDB files "
+      "whose "
+      "title names AlphaFold, ESMFold, ColabFold or OpenFold" },
     { -1, ArrayPlace::Points, "SecondaryStructure", 1, "", ArrayChoice::None,
       "by HELIX and SHEET, or struct_conf and struct_sheet_range: 0 coil, 1 alpha helix, 2 "
       "strand, 3 3-10 helix, 4 pi helix; where the file has it, not of an assembly" },
@@ -121,6 +124,11 @@ vtkMolecule* vtkMacromoleculeReader::GetMolecule()
 int vtkMacromoleculeReader::CanReadFile(const char* fileName)
 {
   return isthmus::CanRead(fileName, isthmus::LooksLikeMolecule);
+}
+
+const char* vtkMacromoleculeReader::GetFileExtensions()
+{
+  return isthmus::MoleculeEndings().c_str();
 }
 
 int vtkMacromoleculeReader::RequestInformation(

@@ -1,9 +1,9 @@
 /**
  * @class   vtkMacromoleculeReader
- * @brief   atoms and bonds from PDB, mmCIF, BinaryCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
+ * @brief   atoms and bonds from files of molecules
  *
- * The extensions are .pdb .ent .pdb1 to .pdb9 .cif .mmcif .bcif .pqr .xyz .extxyz .pdbqt .gro .mol2
- * .sdf .mol, plain, .gz or .bz2; for other names, the format is detected from the content.
+ * Formats and endings of file names are those of MoleculeFormats.h, plain, .gz or .bz2; for other
+ * names, the format is detected from the content.
  *
  * **Output 0**, vtkPolyData: a point and a vertex for each atom (angstrom, double), a line for each
  * bond. Point arrays:
@@ -21,12 +21,13 @@
  * - `IsHetero` (unsigned char): 1: a HETATM record
  *
  * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings, and `pLDDT`
- * (double, 0 to 100): confidence of predicted residues, where ModelCIF names it so;
- * `SecondaryStructure` (unsigned char) by HELIX and SHEET, or struct_conf and struct_sheet_range: 0
- * coil, 1 alpha helix, 2 strand, 3 3-10 helix, 4 pi helix (not of an assembly). Cell array
- * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
- * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms are in the
- * order of the file, except that the atoms of a residue are consecutive.
+ * (double, 0 to 100): confidence of predicted residues, by ModelCIF or the B factors of PDB files
+ * whose title names AlphaFold, ESMFold, ColabFold or OpenFold; `SecondaryStructure` (unsigned char)
+ * by HELIX and SHEET, or struct_conf and struct_sheet_range: 0 coil, 1 alpha helix, 2 strand, 3
+ * 3-10 helix, 4 pi helix (not of an assembly). Cell array `BondSource` (unsigned char): 0 vertex, 1
+ * bond named by the file (CONECT, SSBOND, LINK, struct_conn), 2 bond by distance (CovalentBonds.h).
+ * Bond orders are not known. Atoms are in the order of the file, except that the atoms of a residue
+ * are consecutive.
  *
  * Several models are time steps (ModelsAsTimeSteps). This includes models that are separated by END
  * in a PDB file, if they repeat the same atoms, and excludes copies beside each other
@@ -83,17 +84,11 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /// Of MoleculeFormats.h: PDB = 1, MMCIF, PQR, ...
   enum Formats
   {
     ByName = 0,
-    PDB = 1,
-    MMCIF = 2, ///< also BinaryCIF
-    PQR = 3,
-    XYZ = 4, ///< also extended XYZ and TINKER's
-    PDBQT = 5,
-    GRO = 6,
-    MOL2 = 7,
-    SDF = 8
+    ISTHMUS_MOLECULE_FORMATS(ISTHMUS_FORMAT_NAME)
   };
 
   ///@{
@@ -186,8 +181,11 @@ public:
   /// Output 1.
   vtkMolecule* GetMolecule();
 
-  /// 1 if the file exists, has a name as above, and is text.
+  /// 1 if the file exists, has a name as above, and is text or BinaryCIF.
   static int CanReadFile(const char* fileName);
+
+  /// ".pdb .pdb1 ...", without those of compressed files.
+  static const char* GetFileExtensions();
 
   /// The arrays that the reader adds to its outputs.
   static const std::vector<isthmus::OutputArray>& OutputArrayTable();

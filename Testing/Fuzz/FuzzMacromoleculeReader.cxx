@@ -106,7 +106,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   }
   const char* const altLocs[] = { "", "*", "A", "B" };
   isthmus::MoleculeOptions options;
-  options.Format = static_cast<isthmus::MoleculeFormat>(data[0] % 9);
+  options.Format =
+    static_cast<isthmus::MoleculeFormat>(data[0] % (isthmus::NumberOfMoleculeFormats + 1));
   options.AltLoc = altLocs[data[1] % 4];
   options.ModelIndex = data[1] / 4 % 2;
   options.ReadHetero = data[1] / 8 % 2 == 0;

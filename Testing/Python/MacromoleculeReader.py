@@ -1,9 +1,13 @@
 """Every shared molecule against gemmi or an independent split of its lines; opening in ParaView."""
 
+import bz2
+import contextlib
 import gzip
+import io
 import math
 import os
 import re
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import gemmi
@@ -11,8 +15,9 @@ import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import corpus
 import isthmus
-from isthmus import data_pipelines
+from isthmus import command, data_pipelines
 from shared_data import shared_data
 
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MacromoleculeReader"
@@ -215,18 +220,69 @@ ends = [(names[bonds.GetCell(c).GetPointId(0)], names[bonds.GetCell(c).GetPointI
         for c in range(bonds.GetNumberOfPoints(), bonds.GetNumberOfCells())]
 assert ends.count(("SG", "SG")) == 4
 
-# The panel, Python and the class know the same endings, plain and compressed.
-panel = (Path(os.environ["ISTHMUS_PANELS_DIR"]) / "MacromoleculeReader.xml").read_text()
-panel_endings = set(re.search(r'ReaderFactory\s+extensions="([^"]*)"', panel).group(1).split())
-plain = {ending for ending in panel_endings if not ending.endswith((".gz", ".bz2"))}
-assert panel_endings == {ending + packed for ending in plain for packed in ("", ".gz", ".bz2")}
-assert {"bcif", "pdb1", "pdb9", "ent", "cif"} <= plain, plain
-assert {"." + ending for ending in plain} == set(data_pipelines.READERS["macromolecule_reader"])
+# The class, the panel, Python, pvpython and the command line read files with the endings of MoleculeFormats.h, plain
+# and compressed. A format without a sample here is chosen by its endings, and refuses the text of another one.
+SAMPLES = {
+    "PDB": "HETATM    1  O   HOH A   1       1.000   2.000   3.000  1.00 10.00           O\n",
+    "MMCIF": "data_w\nloop_\n" + "".join(f"_atom_site.{name}\n" for name in (
+        "label_atom_id", "type_symbol", "Cartn_x", "Cartn_y", "Cartn_z")) + "O O 1 2 3\n",
+    "PQR": "ATOM 1 O HOH 1 1.0 2.0 3.0 -0.8 1.7\n",
+    "XYZ": "1\nwater\nO 1 2 3\n",
+    "PDBQT": "HETATM    1  O   HOH A   1       1.000   2.000   3.000  1.00 10.00    -0.800 OA\n",
+    "GRO": "water\n    1\n    1SOL     OW    1   0.100   0.200   0.300\n   1.0 1.0 1.0\n",
+    "MOL2": "@<TRIPOS>MOLECULE\nw\n1 0\nSMALL\nNO_CHARGES\n@<TRIPOS>ATOM\n1 O 1 2 3 O.3\n",
+    "SDF": "w\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n"
+           "    1.0000    2.0000    3.0000 O   0  0\nM  END\n$$$$\n"}
+panel = ElementTree.parse(Path(os.environ["ISTHMUS_PANELS_DIR"]) / "MacromoleculeReader.xml").getroot()
+panel_endings = panel.find(".//ReaderFactory").get("extensions").split()
+plain = [ending[1:] for ending in isthmus.vtkMacromoleculeReader.GetFileExtensions().split()]
+assert {"bcif", "pdb1", "pdb9", "ent", "cif", "txyz"} <= set(plain), plain
+assert sorted(panel_endings) == sorted(ending + packed for ending in plain for packed in ("", ".gz", ".bz2"))
+assert ["." + ending for ending in plain] == list(data_pipelines.READERS["macromolecule_reader"])
+# The panel's list of formats is that of the class.
+entries = panel.find(".//IntVectorProperty[@name='Format']").findall(".//Entry")
+formats = [value for value in vars(isthmus.vtkMacromoleculeReader).values()
+           if isinstance(value, isthmus.vtkMacromoleculeReader.Formats)]
+assert [int(entry.get("value")) for entry in entries] == sorted(formats), formats
 OUTPUT.mkdir(parents=True, exist_ok=True)
-for ending in sorted(plain) + ["pdb0", "txt"]:
+
+
+def said_by_command(path):
+    """What `isthmus pockets` says about a file with a water, in which there is no pocket."""
+    with contextlib.redirect_stderr(io.StringIO()) as said:
+        assert command.main(["pockets", "--quiet", str(path)]) == command.FAILED
+    return said.getvalue()
+
+
+guide = (Path(os.environ["ISTHMUS_EXAMPLES_DIR"]).parent / "Documentation/filters/MacromoleculeReader.md").read_text()
+for ending in plain:
+    assert re.search(rf"`\.{ending}[` ]| \.{ending}[` ]", guide), f".{ending} is not in the guide"
+    for packed, pack in (("", bytes), (".gz", gzip.compress), (".bz2", bz2.compress)):
+        path = OUTPUT / f"water.{ending}{packed}"
+        reads = []
+        for name, sample in SAMPLES.items():
+            path.write_bytes(pack(sample.encode()))
+            assert isthmus.vtkMacromoleculeReader.CanReadFile(str(path)), path
+            reader = isthmus.vtkMacromoleculeReader()
+            reader.SetFileName(str(path))
+            if not corpus.errors_of_update(reader) and reader.GetOutput().GetNumberOfPoints() == 1:
+                reads.append(name)
+                break
+        if not reads:
+            continue
+        found = isthmus.read(path)
+        assert found.GetNumberOfPoints() == 1 and found.GetPoint(0) == (1.0, 2.0, 3.0), path
+        source = simple.OpenDataFile(str(path))
+        assert source.GetXMLName() == "MacromoleculeReader", (path, source.GetXMLName())
+        assert servermanager.Fetch(source, idx=0).GetNumberOfPoints() == 1, path
+        simple.Delete(source)
+        assert "ending" not in said_by_command(path), path
+        path.unlink()
+for ending in ("pdb0", "txt"):
     path = OUTPUT / f"named.{ending}"
-    path.write_text("text\n")
-    assert isthmus.vtkMacromoleculeReader.CanReadFile(str(path)) == (ending in plain), ending
+    path.write_text(SAMPLES["PDB"])
+    assert not isthmus.vtkMacromoleculeReader.CanReadFile(str(path)), ending
+    assert "no reader for the ending" in said_by_command(path), ending
     path.unlink()
 
 # In ParaView: each extension, plain and compressed, is ours or offered; NaN radius for manganese only.

@@ -21,9 +21,9 @@ import corpus
 import isthmus
 
 FOLDER = corpus.folder()
-EXTENSIONS = tuple("pdb ent cif mmcif pqr xyz txyz arc pdbqt gro mol2 sdf mol".split())
+EXTENSIONS = tuple(word[1:] for word in isthmus.vtkMacromoleculeReader.GetFileExtensions().split())
 # Formats that are not read: their messages say what to do.
-OTHERS = tuple("bcif mmtf pdbx smi cml inchi psf prmtop parm7 top itp tpr crd cor dms gsd poscar cssr molden "
+OTHERS = tuple("mmtf pdbx smi cml inchi psf prmtop parm7 top itp tpr crd cor dms gsd poscar cssr molden "
                "rst7 inpcrd ncrst restrt mae".split())
 QUANTITIES = ("atoms", "elements", "chains", "residues", "models")
 SYMBOLS = ("X H He Li Be B C N O F Ne Na Mg Al Si P S Cl Ar K Ca Sc Ti V Cr Mn Fe Co Ni Cu Zn Ga Ge As Se "

@@ -50,6 +50,10 @@ def finding(elements, models, residues=None, chains=None):
 
 
 def by_gemmi(path):
+    if path.endswith(".bcif"):  # which gemmi does not read: the same structure in mmCIF
+        path = path.removesuffix("bcif") + "cif"
+        if not Path(path).exists():
+            return None
     name = path.removesuffix(".gz").removesuffix(".bz2").lower()
     if not name.endswith((".pdb", ".ent", ".cif", ".mmcif")):
         return None

@@ -15,9 +15,9 @@ import pathlib
 import re
 import sys
 import textwrap
-import xml.etree.ElementTree as ElementTree
 
 import output_arrays
+import panel_files
 
 # Commands of panels that differ from the setters of the class, which Python calls.
 PANEL_COMMANDS = {"SetLevelOnly": "SetLevel", "SetScaleOnly": "SetScale", "SetRangeOnly": "SetRange",
@@ -155,7 +155,8 @@ def describe_proxy(proxy, group, proxies):
         "short": documentation.get("short_help") or "", "text": text_of(proxy),
         "inputs": sorted(inputs.values(), key=lambda found: found["optional"]),
         "outputs": outputs or (inherited or {}).get("outputs", []),
-        "properties": list(properties.values())}
+        "properties": list(properties.values()),
+        "endings": ["." + ending for ending in panel_files.extensions(proxy)]}
 
 
 def read_examples(path):
@@ -169,7 +170,7 @@ def describe(source):
     """All functions, and the extension module of each class."""
     proxies, groups = {}, {}
     for path in sorted((source / "Plugin").glob("*.xml")):
-        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
+        for group in panel_files.read_panel(path).iter("ProxyGroup"):
             for proxy in group:
                 if (proxy.get("class") or "").startswith("vtk") and proxy.get("name") not in SKIPPED:
                     proxies[proxy.get("name")] = proxy

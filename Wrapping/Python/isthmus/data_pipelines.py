@@ -20,8 +20,7 @@ def _read(source):
 # File extensions, including those of gzip- or bzip2-compressed files, and their readers.
 READERS = {
     "mrc_map_reader": (".mrc", ".map", ".ccp4", ".mrcs", ".rec", ".st", ".ali"),
-    "macromolecule_reader": (".pdb", *(f".pdb{i}" for i in range(1, 10)), ".ent", ".cif", ".mmcif", ".bcif", ".pqr",
-                             ".xyz", ".extxyz", ".pdbqt", ".gro", ".mol2", ".sdf", ".mol"),
+    "macromolecule_reader": tuple(functions.table()["functions"]["macromolecule_reader"]["endings"]),
     "open_dx_reader": (".dx", ".dxbin"), "off_surface_reader": (".off",), "msms_reader": (".vert", ".face"),
     "medit_reader": (".mesh",), "tet_gen_mesh_reader": (".ele", ".node"), "volume_text_reader": (".dat",)}
 VTK_READERS = {".vtp": "vtkXMLPolyDataReader", ".vti": "vtkXMLImageDataReader", ".vtu": "vtkXMLUnstructuredGridReader",
@@ -34,7 +33,7 @@ def read(path):
     Parameters
     ----------
     path : str or os.PathLike
-        Maps (.mrc .map .ccp4), molecules (.pdb .cif .bcif .pqr .xyz .pdbqt .gro .mol2 .sdf), potentials (.dx .dxbin),
+        Maps (.mrc .map .ccp4), molecules (.pdb .cif .pqr ..., as Macromolecule Reader), potentials (.dx .dxbin),
         surfaces (.off .vert .stl .ply .obj .vtp), meshes (.mesh .ele .vtu) and VTK's volumes (.vti); those of
         Isthmus' own readers also gzipped or bzipped.
 

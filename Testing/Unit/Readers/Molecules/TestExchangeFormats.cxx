@@ -189,6 +189,18 @@ TEST(ExchangeFormats, GROInAngstrom)
     CatchMessage("t\n2\n    1SOL     OW    1   0.126   1.624   1.679\n", MoleculeFormat::GRO),
     "within a molecule");
   EXPECT_PART(CatchMessage("t\nmany\n", MoleculeFormat::GRO), "line 2");
+  // Large boxes run together, with two decimals more than coordinates.
+  const std::string atom = "t\n1\n    1SOL     OW    1   0.126   1.624   1.679\n";
+  const auto box = [&atom](const char* line)
+  {
+    const auto cell = Model(atom + line, MoleculeFormat::GRO, 0).Cell;
+    return std::array<double, 3>{ cell[0][0], cell[1][1], cell[2][2] };
+  };
+  const std::array<double, 3> large = box("40000.1234540000.2345640000.34567\n");
+  EXPECT_NEAR(large[0], 400001.2345, 1e-6);
+  EXPECT_NEAR(large[1], 400002.3456, 1e-6);
+  EXPECT_NEAR(large[2], 400003.4567, 1e-6);
+  EXPECT_NEAR(box("   1.00000   2.0000040000.34567\n")[2], 400003.4567, 1e-6);
   EXPECT_PART(
     CatchMessage("t\n1\n    1SOL     OW    1   0.1261e300   1.678\n1 1 1\n", MoleculeFormat::GRO),
     "larger than");

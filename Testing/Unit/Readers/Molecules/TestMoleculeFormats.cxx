@@ -2,7 +2,9 @@
 
 #include "Atoms/AtomRadii.h"
 #include "Atoms/ChemicalElement.h"
+#include "Files/TextLines.h"
 #include "MoleculeTexts.h"
+#include "Molecules/MoleculeParsers.h"
 
 #include <gtest/gtest.h>
 
@@ -249,5 +251,44 @@ TEST(MacromoleculeReader, BadFilesAreReported)
   for (std::size_t size = 1; size + 4 < whole.size(); ++size)
   {
     EXPECT_NE(CatchMessage(whole.substr(0, size), MoleculeFormat::PQR), "") << size;
+  }
+}
+
+TEST(MacromoleculeReader, FormatsAreRecognisedByTheirContent)
+{
+  const std::pair<MoleculeFormat, const char*> texts[] = {
+    { MoleculeFormat::PDB, "REMARK\nHETATM    1  O   HOH A   1       1.000   2.000   3.000\n" },
+    { MoleculeFormat::MMCIF, "# ATOM\ndata_w\n_cell.length_a 1\n" },
+    { MoleculeFormat::XYZ, "2\nwater\nO 1 2 3\nH 1 2 4\n" },
+    { MoleculeFormat::XYZ, "1 water\n1 O 1.0 2.0 3.0 5\n" },
+    { MoleculeFormat::GRO, "water\n    1\n    1SOL     OW    1   0.100   0.200   0.300\n1 1 1\n" },
+    { MoleculeFormat::MOL2, "# from a program\n@<TRIPOS>MOLECULE\nw\n" },
+    { MoleculeFormat::SDF, "w\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n" }
+  };
+  for (const auto& [format, text] : texts)
+  {
+    EXPECT_EQ(FormatFromText(text, "test"), format) << text;
+  }
+  EXPECT_THROW(FormatFromText("2 b\nor not\n", "test"), std::runtime_error);
+}
+
+TEST(MacromoleculeReader, EndingsOfTheTableChooseTheFormat)
+{
+  std::string_view endings = MoleculeEndings();
+  std::size_t count = 0;
+  for (auto ending = NextWord(endings); !ending.empty(); ending = NextWord(endings), ++count)
+  {
+    const std::string name = "a.b/WATER" + std::string(ending);
+    const MoleculeFormat format = FormatFromName(name);
+    ASSERT_NE(format, MoleculeFormat::ByName) << name;
+    EXPECT_EQ(FormatFromName(name + ".GZ"), format);
+    EXPECT_EQ(FormatFromName(name + ".bz2"), format);
+    EXPECT_NE(FindFormat(format).Endings.find(ending.substr(1)), std::string_view::npos);
+  }
+  EXPECT_GE(count, 24u);
+  for (const char* other :
+    { "water", "water.gz", "pdb", "water.pdb0", "water.pdb.zip", "water.apdb" })
+  {
+    EXPECT_EQ(FormatFromName(other), MoleculeFormat::ByName) << other;
   }
 }

@@ -232,6 +232,8 @@ TEST(BiologicalUnits, OverlappingOrDifferentModelsAreFrames)
     bent[i][2] += 0.5 * static_cast<double>(i - bent.size() / 2);
   }
   EXPECT_EQ(models(Model(2, Alanines(bent))), 2);
+  // One chain with other atoms.
+  EXPECT_EQ(models(Model(2, Alanines(Moved(Strand(7), { 0, 0, 50 })))), 2);
   // Poses of a ligand at several places of a receptor.
   const std::string pose =
     AtomLine("1", " C1", "LIG A   1 ", 0) + AtomLine("2", " C2", "LIG A   1 ", 1.5);

@@ -1,8 +1,8 @@
 // PDB files in pieces, the columns that simulation programs write, and records that are unusable.
 
-#include "Molecules/GemmiStructure.h"
 #include "Molecules/MacromoleculeReader.h"
 #include "Molecules/PDBColumns.h"
+#include "Molecules/PDBFile.h"
 #include "Molecules/ReadingReport.h"
 #include "PDBText.h"
 #include "TemporaryFile.h"
@@ -553,4 +553,21 @@ TEST(PDBRecords, ReportsSumEqualCounts)
   EXPECT_TRUE(nothing.Notes.empty() && nothing.Warnings.empty());
 }
 
+}
+
+// Some programs number all residues 1: a residue that comes again is no copy of the chain.
+TEST(PDBFile, ResiduesOfOneNumberAreOneChain)
+{
+  std::string text;
+  for (const char* name : { "LEU", "GLY", "LEU", "ALA", "GLY" })
+  {
+    const std::string residue = std::string(name) + " X   1 ";
+    text += AtomLine("1", " N", residue, 0) + AtomLine("2", " CA", residue, 1.5);
+  }
+  const Macromolecule molecule = FromPDB(text);
+  ASSERT_EQ(molecule.Atoms.size(), 10u);
+  for (const Atom& atom : molecule.Atoms)
+  {
+    EXPECT_EQ(atom.Chain, "X");
+  }
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -103,4 +104,38 @@ TEST(StructureRecords, HelicesAndStrandsOfMMCIF)
               "HELX_RH_AL_P Q 11 11 ?\nSTRN Q 12 12 ?\nHELX_RH_3T_P Q 13 13 ?\n"
               "HELX_RH_PI_P Q 14 14 ?\nHELX_LH_PP_P Q 15 15 ?\nSTRN Q ? 16 ?\n"),
     "123400");
+}
+
+TEST(StructureRecords, ConfidenceOfPredictedModels)
+{
+  const auto model = [](const std::string& head, const char* first, const char* second)
+  {
+    const auto atom = [](const char* name, int number, const char* b)
+    {
+      return "ATOM      1  " + std::string(name) + " GLY A   " + std::to_string(number) +
+        "       " + std::to_string(number) + ".000   0.000   0.000  1.00" + b + "           C  \n";
+    };
+    return ParseMolecule(
+      head + atom("CA ", 1, " 91.25") + atom("C  ", 1, first) + atom("CA ", 2, second),
+      MoleculeFormat::PDB);
+  };
+  const std::string alphaFold = "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR GLUTAREDOXIN\n";
+  const Macromolecule predicted = model(alphaFold, " 91.25", " 38.50");
+  EXPECT_EQ(predicted.Atoms.at(1).PLDDT, 91.25);
+  EXPECT_EQ(predicted.Atoms.at(2).PLDDT, 38.5);
+  EXPECT_EQ(predicted.Atoms.at(2).BFactor, 38.5);
+  const auto isNone = [](const Macromolecule& molecule)
+  { return std::isnan(molecule.Atoms.at(0).PLDDT); };
+  EXPECT_FALSE(isNone(model("TITLE     ESMFOLD V1 PREDICTION FOR INPUT\n", " 91.25", " 38.50")));
+  EXPECT_TRUE(isNone(model("", " 91.25", " 38.50")));
+  EXPECT_TRUE(isNone(model(alphaFold, " 90.00", " 38.50"))); // differs within a residue
+  EXPECT_TRUE(isNone(model(alphaFold, " 91.25", "138.50")));
+  EXPECT_TRUE(isNone(model(
+    "TITLE     AN ALPHAFOLD MODEL REFINED\nEXPDTA    X-RAY DIFFRACTION\n", " 91.25", " 38.50")));
+  // ESMFold writes fractions.
+  const Macromolecule fractions = ParseMolecule(
+    "TITLE     ESMFOLD V1 PREDICTION FOR INPUT\n"
+    "ATOM      1  CA  GLY A   1       1.000   0.000   0.000  1.00  0.90           C  \n",
+    MoleculeFormat::PDB);
+  EXPECT_NEAR(fractions.Atoms.at(0).PLDDT, 90.0, 1e-9);
 }
