@@ -7,6 +7,7 @@
 #include "Surfaces/GridDistance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -131,6 +132,15 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, const OffsetSurfacePara
   MemoryBudget().Require(GridBytes(box, cells),
     "A grid with a Resolution of " + std::to_string(cells), "choose a lower Resolution");
   DistanceGrid grid = ComputeDistanceGrid(surface, box, cells, Between(progress, 0.0, 0.5));
+  if (parameters.Side == SideSelection::Both && distance < grid.Spacing)
+  {
+    throw std::invalid_argument("Distance is " + FormatNumber(distance / grid.Spacing, 2) +
+      " times the grid spacing, but to separate the two sides of the offset it must be one or "
+      "more: "
+      "choose a Resolution of at least " +
+      FormatNumber(std::ceil(static_cast<double>(cells) * grid.Spacing / distance)) +
+      ", or one side.");
+  }
   if (distance > 2.0 * grid.Spacing)
   {
     MakeExact(surface, distance, grid, Between(progress, 0.5, 0.9));

@@ -21,7 +21,8 @@ namespace isthmus
  * the level.
  *
  * @throws std::invalid_argument with a message: Check(), a point is not finite, there are no
- * triangles, or one side is requested and the surface is not closed; Cancelled.
+ * triangles, one side is requested and the surface is not closed, or both are and Distance is less
+ * than h; Cancelled.
  *
  * Time: about 50 ns for each of Resolution^3 nodes, and a few microseconds for each node near the
  * level. Memory: 32 bytes per node.

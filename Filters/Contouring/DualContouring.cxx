@@ -8,6 +8,7 @@
 #include "Remeshing/SelfIntersections.h"
 #include "Surfaces/HausdorffDistance.h"
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -367,6 +368,28 @@ void Check(const DualContouringParameters& parameters)
   }
 }
 
+namespace
+{
+
+/// Share of the crossings that lie, with one of an almost parallel plane, on the same edge. The two
+/// sides of a sharp edge or corner are less parallel; cavities may face either way.
+double ShareInThinWalls(const std::vector<GridCrossing>& crossings)
+{
+  constexpr double parallel = 0.7;
+  std::size_t walls = 0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i)
+  {
+    const GridCrossing& a = crossings[i];
+    const GridCrossing& b = crossings[i + 1];
+    walls +=
+      a.Node == b.Node && a.Axis == b.Axis && std::abs(Dot(a.Normal, b.Normal)) > parallel ? 2 : 0;
+  }
+  return crossings.empty() ? 0.0
+                           : static_cast<double>(walls) / static_cast<double>(crossings.size());
+}
+
+}
+
 DualContour DualContouring(const HermiteGrid& grid, const DualContouringParameters& parameters,
   const ProgressCallback& progress)
 {
@@ -380,6 +403,7 @@ DualContour DualContouring(const HermiteGrid& grid, const DualContouringParamete
   Report(progress, 0.5);
   const ProgressCallback rest = Between(progress, 0.5, 1.0);
   DualContour contour = Refinement(uniform, parameters, rest).Run(rest);
+  contour.ThinWalls = ShareInThinWalls(grid.Crossings);
   Report(progress, 1.0);
   return contour;
 }

@@ -29,6 +29,8 @@ struct DualContour
   std::vector<Point3> Points;
   std::vector<std::array<std::int64_t, 4>> Polygons; ///< counter-clockwise seen from outside
   std::int64_t Crossing = 0; ///< of FreeOfCrossings: triangles that still cross (at the border)
+  /// Share of the crossings that are those of a wall between two nodes, which is lost there.
+  double ThinWalls = 0.0;
 };
 
 /**

@@ -287,6 +287,15 @@ int vtkDualContouring::RequestData(
         }
       }
       SetContour(contour, isMirrored, result);
+      constexpr double large = 0.01;
+      if (contour.ThinWalls > large)
+      {
+        vtkWarningMacro(<< isthmus::JoinText(
+                          "Walls thinner than the Spacing have holes or are lost: ",
+                          isthmus::FormatNumber(100.0 * contour.ThinWalls, 2),
+                          " % of the crossings with the grid lie in pairs between two nodes. "
+                          "Choose a smaller Spacing."));
+      }
       if (contour.Crossing > 0)
       {
         vtkWarningMacro(<< isthmus::JoinText(contour.Crossing,

@@ -128,6 +128,36 @@ int vtkMapSurface::RequestUpdateExtent(
   return 1;
 }
 
+namespace
+{
+
+/// Whether all nodes on the border of the volume, of two or more layers along each axis, are
+/// inside.
+bool IsBorderInside(vtkImageData* image, vtkDataArray* scalars, double level, bool insideIsHigher)
+{
+  const int* const n = image->GetDimensions();
+  vtkIdType node = 0;
+  for (int k = 0; k < n[2]; ++k)
+  {
+    for (int j = 0; j < n[1]; ++j)
+    {
+      for (int i = 0; i < n[0]; ++i, ++node)
+      {
+        const bool isOuter =
+          i == 0 || j == 0 || k == 0 || i == n[0] - 1 || j == n[1] - 1 || k == n[2] - 1;
+        const double value = isOuter ? scalars->GetComponent(node, 0) : level;
+        if (isOuter && !(insideIsHigher ? value > level : value < level))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return n[0] > 1 && n[1] > 1 && n[2] > 1;
+}
+
+}
+
 /// Whether density is darker than the background; warns if so.
 bool vtkMapSurface::IsInverted(vtkImageData* image, vtkDataArray* scalars)
 {
@@ -159,6 +189,16 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
   const double level = chosen.Level;
   const bool isInverted = chosen.Source == isthmus::LevelSource::Estimated &&
     this->Contour.InsideIsHigher && this->IsInverted(image, scalars);
+
+  if (!isInverted && IsBorderInside(image, scalars, level, this->Contour.InsideIsHigher))
+  {
+    vtkWarningMacro(<< isthmus::JoinText("The whole border of the volume is inside the level of ",
+                      level,
+                      ", so the surface is that of the space around an object, or of the "
+                      "volume itself. Signed distances that grow outwards, and density darker than "
+                      "the background, need InsideIsHigher ",
+                      this->Contour.InsideIsHigher ? "off." : "on."));
+  }
 
   const auto progress = isthmus::MakeProgress(this);
   const auto extracting = isthmus::Between(progress, 0.0, 0.7);

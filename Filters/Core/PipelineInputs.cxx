@@ -18,8 +18,10 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringVectorKey.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPointSet.h>
@@ -28,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -104,6 +107,63 @@ void RejectHidden(vtkDataObject* data, int port)
         " are hidden (array vtkGhostType), but this filter cannot leave them out. Extract the "
         "visible part first (Threshold by vtkGhostType), or remove the array.");
     }
+  }
+}
+
+/// Filters compute along the axes of an image as if these were perpendicular; they may be turned
+/// and mirrored.
+void RequirePerpendicularAxes(vtkDataObject* data, int port)
+{
+  auto* const image = vtkImageData::SafeDownCast(data);
+  if (!image || image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  constexpr double rounding = 1e-3;
+  vtkNew<vtkMatrix3x3> transposed, product;
+  vtkMatrix3x3::Transpose(image->GetDirectionMatrix(), transposed);
+  vtkMatrix3x3::Multiply3x3(transposed, image->GetDirectionMatrix(), product);
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (!(std::abs(product->GetElement(i, j) - (i == j ? 1.0 : 0.0)) <= rounding))
+      {
+        throw std::invalid_argument("The columns of the direction matrix of input " +
+          std::to_string(port) +
+          " are not perpendicular unit vectors, so lengths along the axes of the image are not its "
+          "spacing: resample it to perpendicular axes (Resample To Image), or correct the matrix.");
+      }
+    }
+  }
+}
+
+/// Warns where single precision is too coarse for the distances between points.
+void WarnOfRounding(vtkAlgorithm* self, vtkDataObject* data, int port)
+{
+  auto* const set = vtkPointSet::SafeDownCast(data);
+  vtkPoints* const points = set ? set->GetPoints() : nullptr;
+  constexpr vtkIdType fewest = 4;
+  if (!points || points->GetDataType() != VTK_FLOAT || points->GetNumberOfPoints() < fewest)
+  {
+    return;
+  }
+  double box[6];
+  points->GetBounds(box);
+  const double largest = std::abs(
+    *std::max_element(box, box + 6, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double rounding = 0.5 * std::numeric_limits<float>::epsilon() * largest;
+  const double distance = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]) /
+    std::sqrt(static_cast<double>(points->GetNumberOfPoints()));
+  constexpr double share = 0.02;
+  if (rounding > share * distance && std::isfinite(rounding))
+  {
+    vtkWarningWithObjectMacro(self,
+      << JoinText("The coordinates of input ", port, " are in single precision and as large as ",
+           FormatNumber(largest), ", so they are rounded by up to ", FormatNumber(rounding, 2),
+           ", while its points are about ", FormatNumber(distance, 2),
+           " apart: the shape is distorted. Move the data to the origin before they are stored in "
+           "single precision, or store them in double precision."));
   }
 }
 
@@ -204,6 +264,8 @@ void CheckInputs(vtkAlgorithm* self)
         RequireWholeArrays(data);
         RejectHidden(data, port);
         RequireUsualCoordinates(data, "input " + std::to_string(port));
+        RequirePerpendicularAxes(data, port);
+        WarnOfRounding(self, data, port);
       }
     }
   }

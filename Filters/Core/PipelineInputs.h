@@ -20,12 +20,12 @@ class vtkPointSet;
 namespace isthmus
 {
 
-/// @throws std::invalid_argument, naming both types, if an input does not have a type that its port
-/// requires; naming the array, if one has fewer values than there are points (cells, rows ...) and
-/// would be read beyond its end; for points or cells that are hidden (vtkGhostType), which no
-/// filter can leave out; for coordinates out of range (RangeChecks.h); and for inputs that do not
-/// overlap (InputOverlap.h). RunGuarded (AlgorithmGuard.h) calls it first. O(arrays + ghost types +
-/// points).
+/// @throws std::invalid_argument if an input does not have a type that its port requires, or an
+/// array has fewer values than there are points (cells, rows ...); for hidden points or cells
+/// (vtkGhostType), which no filter can leave out; coordinates out of range (RangeChecks.h); images
+/// with axes that are not perpendicular; inputs that do not overlap (InputOverlap.h). Warns of
+/// coordinates in single precision, rounded by more than 2 % of the distance between points.
+/// RunGuarded (AlgorithmGuard.h) calls it first. O(arrays + ghost types + points).
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /// @throws std::invalid_argument, naming the point, if one is at a position that is not finite;

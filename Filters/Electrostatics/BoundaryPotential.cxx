@@ -210,18 +210,29 @@ double GapAround(const BoxNodes& inside, const SolverBox& box)
 
 RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box)
 {
+  constexpr std::int64_t reach = 3; // from a node inside, to have the stencil of a slope outside
   const double gap = GapAround(inside, box);
   RadiatingBox range;
   for (std::size_t a = 0; a < 3; ++a)
   {
     const std::int64_t end = box.Dimensions[a] - 1;
-    range.First[a] = std::max<std::int64_t>(2, inside.First[a] / 2);
-    range.Last[a] = std::min(end - 2, (inside.Last[a] + end + 1) / 2);
-    range.Stride[a] = std::max<std::int64_t>(1, std::llround(0.25 * gap / box.Spacing[a]));
-    // Whole strides: the remainder is removed from both ends.
-    const std::int64_t rest = (range.Last[a] - range.First[a]) % range.Stride[a];
-    range.First[a] += rest / 2;
-    range.Last[a] -= rest - rest / 2;
+    std::int64_t& first = range.First[a];
+    std::int64_t& last = range.Last[a];
+    std::int64_t& stride = range.Stride[a];
+    first = std::max<std::int64_t>(2, inside.First[a] / 2);
+    last = std::min(end - 2, (inside.Last[a] + end + 1) / 2);
+    stride = std::max<std::int64_t>(1, std::llround(0.25 * gap / box.Spacing[a]));
+    // Whole strides: the remainder is removed from the ends, as far as there is room.
+    const std::int64_t below = std::max<std::int64_t>(0, inside.First[a] - reach - first);
+    const std::int64_t above = std::max<std::int64_t>(0, last - inside.Last[a] - reach);
+    while (std::min((last - first) % stride / 2, below) + above < (last - first) % stride)
+    {
+      --stride;
+    }
+    const std::int64_t rest = (last - first) % stride;
+    const std::int64_t low = std::min(rest / 2, below);
+    first += low;
+    last -= rest - low;
   }
   return range;
 }

@@ -51,7 +51,8 @@ struct RadiatingBox : BoxNodes
 };
 
 /// A box about half-way between the nodes `inside` and the border, at least two nodes away from the
-/// border; strides are about a quarter of the gap.
+/// border and, in a gap of six nodes or more, three from those inside; strides are at most about a
+/// quarter of the gap.
 RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box);
 
 /**

@@ -36,6 +36,11 @@ constexpr double ThermalKilocalorie(double kelvin)
   return ThermalKilojoule(kelvin) / JoulePerCalorie;
 }
 
+/// Limits of what is accepted, so that degrees Celsius and mmol/l are refused.
+constexpr double LowestTemperature = 100.0;   ///< K
+constexpr double HighestTemperature = 1000.0; ///< K
+constexpr double LargestConcentration = 10.0; ///< mol/l
+
 /// Number of ions in a cubic angstrom at 1 mol/l.
 constexpr double IonsPerCubicAngstrom = AvogadroConstant * 1e-27;
 

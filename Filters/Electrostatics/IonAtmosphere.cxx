@@ -30,13 +30,13 @@ double BoltzmannSum(const std::vector<IonSpecies>& ions, double v, const Weight&
 
 void RequireSpecies(const IonSpecies& s)
 {
-  if (!(s.Concentration >= 0.0) || !std::isfinite(s.Concentration) || !std::isfinite(s.Valence) ||
-    !std::isfinite(s.Radius))
+  if (!(s.Concentration >= 0.0 && s.Concentration <= units::LargestConcentration) ||
+    !std::isfinite(s.Valence) || !std::isfinite(s.Radius))
   {
     throw std::invalid_argument("An ion has the valence " + FormatNumber(s.Valence) +
       ", the concentration " + FormatNumber(s.Concentration) + " mol/l and the radius " +
-      FormatNumber(s.Radius) +
-      ", but concentrations are 0 or more and all three are finite numbers.");
+      FormatNumber(s.Radius) + ", but concentrations are from 0 to " +
+      FormatNumber(units::LargestConcentration) + " mol/l and all three are finite numbers.");
   }
 }
 

@@ -133,11 +133,11 @@ void Check(const PoissonBoltzmannParameters& p)
   RequireChoice("DielectricModel", p.DielectricModel, DielectricModel::SmoothDielectric);
   RequireAbove("SoluteDielectric", p.SoluteDielectric, 0.0, Unlimited, "Proteins have 1 to 20.");
   RequireAbove("SolventDielectric", p.SolventDielectric, 0.0, Unlimited, "Water has 80.");
-  RequireRange(
-    "IonicStrength", p.IonicStrength, 0.0, Unlimited, "It is in mol/l: 0.15 is physiological.");
+  RequireRange("IonicStrength", p.IonicStrength, 0.0, units::LargestConcentration,
+    "It is in mol/l: 0.15 is physiological.");
   RequireRange("IonRadius", p.IonRadius, 0.0, LargestLength, "It is in angstrom.");
-  RequireAbove(
-    "Temperature", p.Temperature, 0.0, Unlimited, "It is in kelvin: 298.15 is 25 degrees Celsius.");
+  RequireRange("Temperature", p.Temperature, units::LowestTemperature, units::HighestTemperature,
+    "It is in kelvin: 298.15 is 25 degrees Celsius.");
   RequireChoice("BoundaryCondition", p.BoundaryCondition, BoundaryCondition::Given);
   RequireAbove("Tolerance", p.Tolerance, 0.0, 1.0, "It is a fraction of the initial residual.");
   RequireRange("MaximumIterations", p.MaximumIterations, 1, 1e6);
@@ -235,6 +235,38 @@ std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
   return problem;
 }
 
+namespace
+{
+
+/// Half the charge times the largest potential of the charges in the solvent at the centres of the
+/// sides of the box: what the condition of zero potential there neglects.
+double EnergyOfZeroBorder(const GridPotential& solution)
+{
+  const PotentialFunction border =
+    DebyeHueckel(solution.GetAtoms(), solution.GetParameters(), solution.Kappa());
+  const SolverBox& box = solution.GetBox();
+  double charge = 0.0;
+  for (const ChargedAtom& atom : solution.GetAtoms())
+  {
+    charge += atom.Charge;
+  }
+  double largest = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (const bool upper : { false, true })
+    {
+      std::array<std::int64_t, 3> at;
+      std::transform(box.Dimensions.begin(), box.Dimensions.end(), at.begin(),
+        [](std::int64_t n) { return n / 2; });
+      at[a] = upper ? box.Dimensions[a] - 1 : 0;
+      largest = std::max(largest, std::abs(border(box.Position(at[0], at[1], at[2]))));
+    }
+  }
+  return 0.5 * std::abs(charge) * largest;
+}
+
+}
+
 double EstimateEnergyError(
   const LevelFunction& level, const GridPotential& solution, const ProgressCallback& progress)
 {
@@ -278,8 +310,31 @@ double EstimateEnergyError(
       // This grid is too coarse for the surface; the estimate then says so.
     }
   }
-  return count == 0 ? 0.1 * std::abs(energy)
-                    : std::hypot(share * std::sqrt(sum / count), floor * energy);
+  const double border = solution.GetParameters().BoundaryCondition == BoundaryCondition::Zero
+    ? EnergyOfZeroBorder(solution)
+    : 0.0;
+  return border +
+    (count == 0 ? 0.1 * std::abs(energy)
+                : std::hypot(share * std::sqrt(sum / count), floor * energy));
+}
+
+double EstimateMaskError(const LevelFunction& level, const GridPotential& solution)
+{
+  const auto& n = level.Dimensions();
+  double inside = 0.0;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        inside += level.Inside(i, j, k) ? 1.0 : 0.0;
+      }
+    }
+  }
+  // Area / volume = 2/3 crossings / (nodes inside x spacing), and 3 volume / area is the radius.
+  const double crossings = static_cast<double>(solution.GetCrossings().size());
+  return std::abs(solution.GetReport().SolvationEnergy) * crossings / (18.0 * inside);
 }
 
 std::unique_ptr<GridPotential> SolveAgain(

@@ -60,12 +60,17 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoiss
  * would be three times the error of a regular second order, is taken nearly whole: it covers the
  * error in more than nine of ten cases (guide, How far to trust it). A tenth of the energy if no
  * coarser grid can be solved, because it does not resolve the surface, and the grid of the solution
- * hardly does.
+ * hardly does. With the condition Zero, what the potential at the border would add is included.
  *
  * Cost: a quarter of a solution. Exceptions: Cancelled.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double EstimateEnergyError(
   const LevelFunction& level, const GridPotential& solution, const ProgressCallback& progress = {});
+
+/// What is added to it where the surface is the edge of a mask, whose place is unknown between two
+/// nodes: the energy of a sphere with the same ratio of area to volume changes by this much if its
+/// radius changes by a quarter of the spacing, kT. O(nodes).
+double EstimateMaskError(const LevelFunction& level, const GridPotential& solution);
 
 /// Solves for a surface that has moved since `last`; everything else, including the border values,
 /// is the same. The iteration starts from the potential of `last` and ends when the residual is as

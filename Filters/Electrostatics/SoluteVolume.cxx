@@ -93,6 +93,7 @@ struct Straightness
   double Plain = 0.0, Logarithm = 0.0;
   bool Positive = true;
   std::int64_t Edges = 0, Flat = 0;
+  std::int64_t Steps = 0; ///< edges from clipped to clipped: of a mask
 };
 
 /// The minimum and maximum, if many nodes have these values: the values were clipped there.
@@ -145,6 +146,7 @@ void Add(const double (&s)[6], const Plateaus& plateaus, Straightness& sum)
   sum.Plain += FourthDifferences(s);
   ++sum.Edges;
   sum.Flat += std::any_of(s, s + 6, [&](double v) { return plateaus.Has(v); }) ? 1 : 0;
+  sum.Steps += plateaus.Has(s[2]) && plateaus.Has(s[3]) ? 1 : 0;
   sum.Positive = sum.Positive && std::all_of(s, s + 6, [](double v) { return v > 0.0; });
   if (sum.Positive)
   {
@@ -166,38 +168,35 @@ double ExtrapolateLogarithm(double next, double second, double third)
 /// Sums of Gaussians end where their terms were neglected, and their logarithm would jump there.
 /// Nodes with the value `cut` near the level get that of a quadratic continuation of the logarithm
 /// along the axes, so a mask, whose values do not decrease before they end, is unchanged. Returns
-/// all values, or none if nothing changed.
+/// all values, or none, without a copy, if nothing changed.
 std::vector<double> ExtrapolateTails(const LevelFunction& level, double cut)
 {
   constexpr double largestTail = 0.05; // of the level, before the cut
   const auto& n = level.Dimensions();
-  std::vector<double> values(static_cast<std::size_t>(n[0] * n[1] * n[2]));
-  std::vector<std::size_t> missing;
-  for (std::int64_t k = 0, node = 0; k < n[2]; ++k)
+  const std::int64_t steps[3] = { 1, n[0], n[0] * n[1] };
+  std::vector<double> values;
+  const auto valueAt = [&](std::int64_t node)
   {
-    for (std::int64_t j = 0; j < n[1]; ++j)
+    return values.empty() ? level.Scalar(node % n[0], node / n[0] % n[1], node / steps[2])
+                          : values[static_cast<std::size_t>(node)];
+  };
+  const std::int64_t count = n[0] * n[1] * n[2];
+  std::vector<std::int64_t> missing;
+  for (std::int64_t node = 0; node < count; ++node)
+  {
+    if (!(valueAt(node) > cut))
     {
-      for (std::int64_t i = 0; i < n[0]; ++i, ++node)
-      {
-        values[static_cast<std::size_t>(node)] = level.Scalar(i, j, k);
-        if (!(level.Scalar(i, j, k) > cut))
-        {
-          missing.push_back(static_cast<std::size_t>(node));
-        }
-      }
+      missing.push_back(node);
     }
   }
-  const std::int64_t steps[3] = { 1, n[0], n[0] * n[1] };
-  bool changed = false;
   for (int sweep = 0; sweep < static_cast<int>(StencilReach); ++sweep)
   {
-    std::vector<std::pair<std::size_t, double>> found;
-    for (const std::size_t node : missing)
+    std::vector<std::pair<std::int64_t, double>> found;
+    for (const std::int64_t node : missing)
     {
-      const auto id = static_cast<std::int64_t>(node);
-      const std::int64_t at[3] = { id % n[0], id / n[0] % n[1], id / steps[2] };
+      const std::int64_t at[3] = { node % n[0], node / n[0] % n[1], node / steps[2] };
       double sum = 0.0;
-      int count = 0;
+      int terms = 0;
       for (std::size_t a = 0; a < 3; ++a)
       {
         for (const int way : { -1, 1 })
@@ -206,30 +205,41 @@ std::vector<double> ExtrapolateTails(const LevelFunction& level, double cut)
           {
             continue;
           }
-          const auto value = [&](int step)
-          { return values[static_cast<std::size_t>(id + step * way * steps[a])]; };
+          const auto value = [&](int step) { return valueAt(node + step * way * steps[a]); };
           const bool tail = value(1) > cut && value(1) < largestTail * level.Level;
           const double continued =
             tail ? ExtrapolateLogarithm(value(1), value(2), value(3)) : std::nan("");
           sum += std::isnan(continued) ? 0.0 : continued;
-          count += std::isnan(continued) ? 0 : 1;
+          terms += std::isnan(continued) ? 0 : 1;
         }
       }
-      if (count > 0)
+      if (terms > 0)
       {
-        found.emplace_back(node, std::exp(sum / count));
+        found.emplace_back(node, std::exp(sum / terms));
       }
+    }
+    if (found.empty())
+    {
+      break;
+    }
+    if (values.empty())
+    {
+      std::vector<double> copy(static_cast<std::size_t>(count));
+      for (std::int64_t node = 0; node < count; ++node)
+      {
+        copy[static_cast<std::size_t>(node)] = valueAt(node);
+      }
+      values = std::move(copy);
     }
     for (const auto& [node, value] : found)
     {
-      values[node] = value;
+      values[static_cast<std::size_t>(node)] = value;
     }
-    changed = changed || !found.empty();
     missing.erase(std::remove_if(missing.begin(), missing.end(),
-                    [&](std::size_t node) { return values[node] > cut; }),
+                    [&](std::int64_t node) { return valueAt(node) > cut; }),
       missing.end());
   }
-  return changed ? values : std::vector<double>();
+  return values;
 }
 
 Straightness Measure(const LevelFunction& level)
@@ -386,6 +396,7 @@ SoluteVolume VolumeFromImage(vtkImageData* image, vtkDataArray* scalars, double 
     }
     SetDistance(volume, IsosurfaceInGridAxes(image, scalars, level), &inside, progress);
     volume.Kind += ", by distance since the values are cut off near it";
+    volume.IsMask = straight.Steps * 2 > straight.Edges;
     return volume;
   }
   volume.Level.Logarithm = level > 0.0 && straight.Positive && straight.Logarithm < straight.Plain;

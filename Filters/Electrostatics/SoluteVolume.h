@@ -26,7 +26,10 @@ struct SoluteVolume
 {
   vtkSmartPointer<vtkImageData> Grid;
   LevelFunction Level;
-  std::string Kind;   ///< what the surface is, in words
+  std::string Kind; ///< what the surface is, in words
+  /// Whether the values jump at the level, as those of a mask, so that its place between the nodes
+  /// is unknown.
+  bool IsMask = false;
   double Decay = 0.0; ///< decay of the atoms' Gaussians, if it is their level; 0 for other surfaces
   std::vector<float> Floats;
   std::vector<double> Doubles;

@@ -310,11 +310,12 @@ void vtkPoissonBoltzmann::Warn(const std::string& sentence)
   }
 }
 
-void vtkPoissonBoltzmann::StateError(const isthmus::LevelFunction& level,
+void vtkPoissonBoltzmann::StateError(const isthmus::SoluteVolume& volume,
   isthmus::GridPotential& solution, const isthmus::ProgressCallback& progress)
 {
   constexpr double large = 0.05;
-  const double error = isthmus::EstimateEnergyError(level, solution, progress);
+  const double error = isthmus::EstimateEnergyError(volume.Level, solution, progress) +
+    (volume.IsMask ? isthmus::EstimateMaskError(volume.Level, solution) : 0.0);
   solution.SetEnergyError(error);
   const double energy = std::abs(solution.GetReport().SolvationEnergy);
   if (error > large * energy)
@@ -360,7 +361,7 @@ void vtkPoissonBoltzmann::Solve(
   const isthmus::IonAtmosphere ions(parameters.AllIons(), parameters.Temperature);
   const auto solution = isthmus::SolvePoissonBoltzmann(
     volume.Level, box, atoms.Atoms, parameters, ions, isthmus::Between(progress, 0.05, 0.65));
-  this->StateError(volume.Level, *solution, isthmus::Between(progress, 0.65, 0.75));
+  this->StateError(volume, *solution, isthmus::Between(progress, 0.65, 0.75));
   const double kappa = solution->Kappa();
   if (kappa > 0.0 && parameters.Padding * kappa < 1.0 &&
     parameters.BoundaryCondition != BoundaryCondition::SelfConsistent &&

@@ -88,7 +88,7 @@ namespace isthmus
 class ForceFieldAtomsCache;
 class GridPotential;
 class InputInAdvance;
-struct LevelFunction;
+struct SoluteVolume;
 }
 
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT vtkPoissonBoltzmann : public vtkImageAlgorithm
@@ -258,7 +258,7 @@ private:
   vtkSmartPointer<vtkImageData> GridAround(vtkPointSet* atoms);
   vtkPointSet* AtomsWithCharges(vtkInformationVector** inputVector);
   /// Estimates the error of the energy, and warns if it is large.
-  void StateError(const isthmus::LevelFunction& level, isthmus::GridPotential& solution,
+  void StateError(const isthmus::SoluteVolume& volume, isthmus::GridPotential& solution,
     const isthmus::ProgressCallback& progress);
   int MakeOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void Solve(vtkInformationVector** inputVector, vtkInformationVector* outputVector);

@@ -320,6 +320,24 @@ vtkSmartPointer<vtkDataArray> RemoveLinearDifference(
   return values.Get();
 }
 
+namespace
+{
+
+/// Whether all values that are finite are equal.
+bool IsConstant(vtkDataArray* values)
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    low = std::isfinite(value) ? std::min(low, value) : low;
+    high = std::isfinite(value) ? std::max(high, value) : high;
+  }
+  return !(low < high);
+}
+
+}
+
 HalfMapMean AverageHalfMaps(vtkDataArray* one, vtkDataArray* other)
 {
   const int type = FitsFloat(one) && FitsFloat(other) ? VTK_FLOAT : VTK_DOUBLE;
@@ -339,6 +357,13 @@ HalfMapMean AverageHalfMaps(vtkDataArray* one, vtkDataArray* other)
     throw std::invalid_argument(
       "The half maps are equal, so the noise cannot be estimated from their difference: take "
       "two halves, not one map twice.");
+  }
+  if (IsConstant(one) || IsConstant(other))
+  {
+    throw std::invalid_argument("The " + std::string(IsConstant(one) ? "first" : "second") +
+      " half map has the same value at all nodes: it holds no data. Read it again, or choose "
+      "another "
+      "array.");
   }
   return result;
 }

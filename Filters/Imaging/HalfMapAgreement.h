@@ -62,7 +62,7 @@ struct HalfMapMean
 };
 
 /// @pre both arrays have one number at each of the same nodes.
-/// @throws std::invalid_argument if the halves are equal.
+/// @throws std::invalid_argument if the halves are equal, or one has a single value.
 VTKISTHMUSFILTERSIMAGING_EXPORT HalfMapMean AverageHalfMaps(vtkDataArray* one, vtkDataArray* other);
 
 }

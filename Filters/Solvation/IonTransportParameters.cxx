@@ -2,6 +2,7 @@
 
 #include "Core/PrintableText.h"
 #include "Core/RangeChecks.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <cmath>
 #include <set>
@@ -16,6 +17,7 @@ void CheckSpecies(const TransportSpecies& s)
 {
   const std::string of = " of " + s.Name;
   const double most = 10.0;
+  const double molar = units::LargestConcentration;
   RequireRange(
     ("The valence" + of).c_str(), s.Valence, -most, most, "It is the charge of the ion in e.");
   if (s.Valence == 0.0)
@@ -23,9 +25,9 @@ void CheckSpecies(const TransportSpecies& s)
     throw std::invalid_argument(
       "The valence" + of + " is 0, but neutral species carry no current: remove this one.");
   }
-  const char* molar = "It is in mol/l.";
-  RequireRange(("The concentration below" + of).c_str(), s.Below, 0.0, most, molar);
-  RequireRange(("The concentration above" + of).c_str(), s.Above, 0.0, most, molar);
+  const char* unit = "It is in mol/l.";
+  RequireRange(("The concentration below" + of).c_str(), s.Below, 0.0, molar, unit);
+  RequireRange(("The concentration above" + of).c_str(), s.Above, 0.0, molar, unit);
   RequireAbove(("The diffusion coefficient" + of).c_str(), s.Diffusion, 0.0, 1e3,
     "It is in 1e-9 m^2/s, e.g. 1.96 for potassium.");
   RequireAbove(("The channel fraction" + of).c_str(), s.ChannelFraction, 0.0, most,
@@ -85,7 +87,8 @@ void Check(const IonTransportParameters& p)
     "Padding", p.Padding, 2.0 * p.Spacing, 1e3, "It is in angstrom, two spacings or more.");
   RequireRange("SoluteDielectric", p.SoluteDielectric, 1.0, 1000.0);
   RequireRange("SolventDielectric", p.SolventDielectric, 1.0, 1000.0);
-  RequireRange("Temperature", p.Temperature, 100.0, 1000.0, "It is in kelvin.");
+  RequireRange("Temperature", p.Temperature, units::LowestTemperature, units::HighestTemperature,
+    "It is in kelvin.");
   RequireRange("Tolerance", p.Tolerance, 1e-10, 1.0, "It is a change of the potential in kT/e.");
   RequireRange("MaximumIterations", p.MaximumIterations, 1.0, 1e6);
 }

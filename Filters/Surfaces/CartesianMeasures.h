@@ -13,6 +13,18 @@
  * as 5.26 can be read, do not give the area). The sharp area is second order in h, the sharp volume
  * first. The smeared area is the mean of the areas of all levels between the two values, so it is
  * close to the area of one level only where S changes within a thin layer.
+ *
+ * Errors of the sharp measures are estimated from the same sums on the up to eight grids of every
+ * second node, with mean M and standard deviation D, from the lengths of the grid lines inside, and
+ * from the part P of the area across which S jumps within one spacing, as in masks, whose area by
+ * central differences is 7 to 12 % too large:
+ *
+ *     area error   = 5/4 |M - area| + D/2 + 12/100 P
+ *     volume error = max(3/5 D, |sum over axes (length of lines inside x h_b h_c - volume)|,
+ *                        h^2 sqrt(area) / 2, h P / 8)
+ *
+ * h^2 sqrt(area) / 2 is about twice the standard deviation of the number of nodes in a sphere at a
+ * random place, in case all of these grids are alike.
  */
 #ifndef isthmus_CartesianMeasures_h
 #define isthmus_CartesianMeasures_h
@@ -29,6 +41,8 @@ struct CartesianMeasures
   double Volume = 0.0;        ///< length^3
   double SmearedArea = 0.0;   ///< length^2
   double SmearedVolume = 0.0; ///< length^3
+  double LineExcess = 0.0; ///< length^3: by how much lines inside exceed Volume, summed over axes
+  double StepArea = 0.0;   ///< length^2: the area across which S jumps within one spacing
 
   CartesianMeasures& operator+=(const CartesianMeasures& other);
 };
@@ -38,6 +52,19 @@ struct CartesianMeasures
 /// @throws std::invalid_argument if the two values are equal, and Cancelled.
 template <typename T>
 CartesianMeasures MeasureOnGrid(const LevelView<T>& level, double insideValue, double outsideValue,
+  const ProgressCallback& progress = {});
+
+/// Estimated errors of the sharp measures, both positive.
+struct CartesianErrors
+{
+  double Area = 0.0;   ///< length^2
+  double Volume = 0.0; ///< length^3
+};
+
+/// Of `measures` at the same `level`. Covers smooth surfaces of three nodes or more for each radius
+/// of curvature. Time as MeasureOnGrid, memory for an eighth of the values.
+template <typename T>
+CartesianErrors EstimateErrors(const LevelView<T>& level, const CartesianMeasures& measures,
   const ProgressCallback& progress = {});
 
 }

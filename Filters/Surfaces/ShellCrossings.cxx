@@ -27,6 +27,8 @@ namespace
 
 /// An overlap below this fraction of the surface's diagonal is a contact, not a crossing.
 constexpr double TouchingPart = 1e-10;
+/// The same for a component with itself: single precision moves points by less.
+constexpr double SelfTouchingPart = 1e-6;
 /// How many points of a shell are tested, apart from those where it touches another.
 constexpr std::size_t SpreadSamples = 200;
 
@@ -420,20 +422,79 @@ private:
 
 }
 
-std::string ShellCrossing::Message(const PlaceInWorld& inWorld) const
+namespace
 {
-  const Point3 at = inWorld ? inWorld(this->Place) : this->Place;
-  const std::string place =
-    "(" + FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + ")";
-  return this->Coincide ? "Two closed parts of the surface coincide, for instance at " + place +
-      ", so it is not defined what is inside: remove one of them."
-                        : "Two closed parts of the surface cross at " + place +
-      ", so it is not defined what is inside: unite them (Tetrahedral Mesher with Library "
-      "Automatic, then Extract Surface) or remove one of them.";
+
+bool HaveCommonPoint(const Triangle& a, const Triangle& b)
+{
+  return std::any_of(
+    a.begin(), a.end(), [&](vtkIdType p) { return std::find(b.begin(), b.end(), p) != b.end(); });
 }
 
-std::optional<ShellCrossing> FindShellCrossing(
+std::optional<SelfCrossing> FindCrossingPairs(
   const SurfaceView& mesh, const ProgressCallback& progress)
+{
+  std::vector<Triangle> corners = MergedCorners(mesh);
+  corners.erase(std::remove_if(corners.begin(), corners.end(), HasRepeated), corners.end());
+  const SurfaceView merged(mesh.Points, corners);
+  if (corners.empty())
+  {
+    return {};
+  }
+  using Ids = std::pair<std::int64_t, std::int64_t>;
+  struct Found
+  {
+    std::int64_t Pairs = 0;
+    std::optional<std::pair<Ids, Point3>> First;
+
+    Found& operator+=(const Found& other)
+    {
+      this->Pairs += other.Pairs;
+      if (other.First && (!this->First || other.First->first < this->First->first))
+      {
+        this->First = other.First;
+      }
+      return *this;
+    }
+  };
+  const std::vector<int> component = Components(merged);
+  const double touch = SelfTouchingPart * ComputeBounds(merged).Diagonal();
+  const TriangleBoxTree tree(merged);
+  const auto place = [&](std::int64_t t)
+  {
+    const Triangle& c = corners[At(t)];
+    return Corners3{ merged.Point(c[0]), merged.Point(c[1]), merged.Point(c[2]) };
+  };
+  const Found all = ParallelReduce(
+    tree.Groups(), 4, Found{},
+    [&](Found& found, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t g = first; g < last; ++g)
+      {
+        tree.ForEachPair(g,
+          [&](std::int64_t i, std::int64_t j)
+          {
+            const Ids ids = std::minmax(i, j);
+            if (component[At(i)] != component[At(j)] ||
+              HaveCommonPoint(corners[At(i)], corners[At(j)]))
+            {
+              return;
+            }
+            const TrianglePair pair = Compare(place(ids.first), place(ids.second), touch);
+            if (pair.Place)
+            {
+              found += Found{ 1, std::pair{ ids, *pair.Place } };
+            }
+          });
+      }
+    },
+    progress);
+  return all.First ? std::optional(SelfCrossing{ all.First->second, all.Pairs }) : std::nullopt;
+}
+
+/// Calls find(mesh) where products of three lengths are finite: scaling by a power of two is exact.
+template <typename Find>
+auto FindAtUsualScale(const SurfaceView& mesh, Find&& find)
 {
   double largest = 0.0;
   for (const Triangle& t : mesh.Triangles)
@@ -451,9 +512,8 @@ std::optional<ShellCrossing> FindShellCrossing(
   constexpr int usual = 20;
   if (std::abs(exponent) <= usual)
   {
-    return ShellPairs(mesh).Find(progress);
+    return find(mesh);
   }
-  // Products of three lengths must be finite; scaling by a power of two is exact.
   const auto times = [](const Point3& p, int power) {
     return Point3{ std::ldexp(p[0], power), std::ldexp(p[1], power), std::ldexp(p[2], power) };
   };
@@ -462,12 +522,40 @@ std::optional<ShellCrossing> FindShellCrossing(
   {
     p = times(p, -exponent);
   }
-  auto crossing = ShellPairs(SurfaceView(points, mesh.Triangles)).Find(progress);
-  if (crossing)
+  auto found = find(SurfaceView(points, mesh.Triangles));
+  if (found)
   {
-    crossing->Place = times(crossing->Place, exponent);
+    found->Place = times(found->Place, exponent);
   }
-  return crossing;
+  return found;
+}
+
+}
+
+std::string ShellCrossing::Message(const PlaceInWorld& inWorld) const
+{
+  const Point3 at = inWorld ? inWorld(this->Place) : this->Place;
+  const std::string place =
+    "(" + FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + ")";
+  return this->Coincide ? "Two closed parts of the surface coincide, for instance at " + place +
+      ", so it is not defined what is inside: remove one of them."
+                        : "Two closed parts of the surface cross at " + place +
+      ", so it is not defined what is inside: unite them (Tetrahedral Mesher with Library "
+      "Automatic, then Extract Surface) or remove one of them.";
+}
+
+std::optional<ShellCrossing> FindShellCrossing(
+  const SurfaceView& mesh, const ProgressCallback& progress)
+{
+  return FindAtUsualScale(
+    mesh, [&](const SurfaceView& scaled) { return ShellPairs(scaled).Find(progress); });
+}
+
+std::optional<SelfCrossing> FindSelfCrossing(
+  const SurfaceView& mesh, const ProgressCallback& progress)
+{
+  return FindAtUsualScale(
+    mesh, [&](const SurfaceView& scaled) { return FindCrossingPairs(scaled, progress); });
 }
 
 void RequireShellsApart(

@@ -21,6 +21,7 @@
 #include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -52,6 +53,22 @@ struct ShellCrossing
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::optional<ShellCrossing> FindShellCrossing(
+  const SurfaceView& mesh, const ProgressCallback& progress = {});
+
+/// Triangles of one component that pass through each other.
+struct SelfCrossing
+{
+  Point3 Place{ 0.0, 0.0, 0.0 }; ///< of the first pair
+  std::int64_t Pairs = 0;
+};
+
+/**
+ * Pairs of triangles of the same component (by edges, coinciding points merged) without a common
+ * point, of which an edge of one passes through the other by more than 1e-6 of the diagonal; empty
+ * if there are none. Parts that such a surface encloses twice count twice in its volume. Cost and
+ * exceptions as above.
+ */
+std::optional<SelfCrossing> FindSelfCrossing(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 /// @throws std::invalid_argument with the place where two closed shells of `mesh` cross.

@@ -24,7 +24,9 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 vtkStandardNewMacro(vtkSurfaceMeasures);
@@ -46,6 +48,29 @@ void AddFields(vtkFieldData* fields, const SurfaceMeasure& whole, vtkIdType comp
   isthmus::AddColumn<vtkIdTypeArray>(fields, "OpenEdges", { whole.OpenEdges });
   isthmus::AddColumn<vtkIdTypeArray>(fields, "BoundaryLoops", { whole.BoundaryLoops });
   isthmus::AddColumn<vtkIdTypeArray>(fields, "IrregularPoints", { whole.IrregularPoints });
+}
+
+/// Whether a node on the border of the volume is inside.
+template <typename T>
+bool ReachesBorder(const isthmus::LevelView<T>& level)
+{
+  const auto& n = level.Grid.Dimensions;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      const bool isOuter = k == 0 || k == n[2] - 1 || j == 0 || j == n[1] - 1;
+      const std::int64_t step = isOuter ? 1 : std::max<std::int64_t>(1, n[0] - 1);
+      for (std::int64_t i = 0; i < n[0]; i += step)
+      {
+        if (level.IsInside(static_cast<double>(level.Grid(i, j, k))))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
 }
 
 void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
@@ -92,11 +117,11 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
   static const std::vector<isthmus::OutputArray> table{
     { 0, ArrayPlace::Field, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 0, ArrayPlace::Field, "Volume", 1, "length^3", ArrayChoice::None,
-      "enclosed; NaN if the surface does not enclose a volume or crosses itself" },
+      "enclosed; NaN if the surface does not enclose a volume or components cross" },
     { 0, ArrayPlace::Field, "AreaError", 1, "length^2", ArrayChoice::None,
-      "estimated, of a mesh of a smooth surface" },
+      "estimated, of a smooth surface given by a mesh or a volume" },
     { 0, ArrayPlace::Field, "VolumeError", 1, "length^3", ArrayChoice::None,
-      "estimated, of a mesh of a smooth surface" },
+      "estimated, of a smooth surface given by a mesh or a volume" },
     { 0, ArrayPlace::Field, "Genus", 1, "", ArrayChoice::None,
       "number of handles, with the boundary loops closed; -1 if there are irregular points" },
     { 0, ArrayPlace::Field, "Components", 1, "", ArrayChoice::None, "parts that share no point" },
@@ -114,11 +139,11 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Component", 1, "", ArrayChoice::None, "-1 for the whole surface" },
     { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None,
-      "enclosed; NaN if the surface does not enclose a volume or crosses itself" },
+      "enclosed; NaN if the surface does not enclose a volume or components cross" },
     { 1, ArrayPlace::Rows, "AreaError", 1, "length^2", ArrayChoice::None,
-      "estimated, of a mesh of a smooth surface" },
+      "estimated, of a smooth surface given by a mesh or a volume" },
     { 1, ArrayPlace::Rows, "VolumeError", 1, "length^3", ArrayChoice::None,
-      "estimated, of a mesh of a smooth surface" },
+      "estimated, of a smooth surface given by a mesh or a volume" },
     { 1, ArrayPlace::Rows, "Genus", 1, "", ArrayChoice::None,
       "number of handles, with the boundary loops closed; -1 if there are irregular points" },
     { 1, ArrayPlace::Rows, "EulerNumber", 1, "", ArrayChoice::None, "points - edges + triangles" },
@@ -245,12 +270,25 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
                       correction.Message(), " The output is the surface without these repairs."));
   }
   const auto crossing =
-    isthmus::FindShellCrossing({ points, corners }, isthmus::Between(progress, 0.9, 1.0));
+    isthmus::FindShellCrossing({ points, corners }, isthmus::Between(progress, 0.8, 0.9));
   SurfaceMeasure& whole = measures.Whole;
   if (crossing)
   {
     whole.Volume = whole.VolumeError = std::numeric_limits<double>::quiet_NaN();
     vtkWarningMacro(<< isthmus::JoinText("Volume is not a number. ", crossing->Message()));
+  }
+  const auto self =
+    isthmus::FindSelfCrossing({ points, corners }, isthmus::Between(progress, 0.9, 1.0));
+  if (self && whole.IsClosed())
+  {
+    const auto& at = self->Place;
+    vtkWarningMacro(
+      << isthmus::JoinText("The surface passes through itself: ", self->Pairs,
+           " pairs of triangles cross, the first at (", isthmus::FormatNumber(at[0]), ", ",
+           isthmus::FormatNumber(at[1]), ", ", isthmus::FormatNumber(at[2]),
+           "). What it encloses twice counts twice in Volume, and what it encloses the "
+           "other way round is subtracted. Tetrahedral Mesher with Library Automatic and "
+           "Extract Surface make a surface without crossings."));
   }
   isthmus::Report(progress, 1.0);
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
@@ -289,18 +327,29 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
   isthmus::RequireThat(
     !std::isnan(this->OutsideValue), "OutsideValue", this->OutsideValue, "it must be a number");
   isthmus::CartesianMeasures measures;
+  isthmus::CartesianErrors errors;
+  bool reachesBorder = false;
   isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
     [&](const auto& grid)
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
       const isthmus::LevelView<T> level{ grid, this->Level, this->InsideIsHigher };
       isthmus::CheckFinite(grid);
+      reachesBorder = ReachesBorder(level);
+      const auto progress = isthmus::MakeProgress(this);
       measures = isthmus::MeasureOnGrid(
-        level, this->InsideValue, this->OutsideValue, isthmus::MakeProgress(this));
+        level, this->InsideValue, this->OutsideValue, isthmus::Between(progress, 0.0, 0.5));
+      errors = isthmus::EstimateErrors(level, measures, isthmus::Between(progress, 0.5, 1.0));
     });
+  if (reachesBorder)
+  {
+    vtkWarningMacro("The level reaches the border of the volume: Area is without the parts on the "
+                    "border, and Volume ends half a spacing beyond the outermost nodes. Choose "
+                    "another Level, toggle InsideIsHigher, or measure a larger volume.");
+  }
   const std::pair<const char*, double> values[] = { { "Area", measures.Area },
-    { "Volume", measures.Volume }, { "SmearedArea", measures.SmearedArea },
-    { "SmearedVolume", measures.SmearedVolume } };
+    { "Volume", measures.Volume }, { "AreaError", errors.Area }, { "VolumeError", errors.Volume },
+    { "SmearedArea", measures.SmearedArea }, { "SmearedVolume", measures.SmearedVolume } };
   for (const auto& [name, value] : values)
   {
     isthmus::AddColumn<vtkDoubleArray>(output->GetFieldData(), name, { value });

@@ -17,14 +17,18 @@
  * the volumes of the components are then those of each component alone. `Genus` is -1, with a
  * warning, if the surface has irregular points.
  *
+ * A component that passes through itself is reported by a warning with a place; parts that it
+ * encloses twice count twice.
+ *
  * `AreaError` and `VolumeError` take the mesh as samples of a smooth surface, as meshes of maps
  * are: they estimate how far the measures are from those of that surface (ChordError.h). Edges
  * sharper than 60 degrees count as sharp. A mesh that is meant as it is, such as a CAD part, has
  * none of these errors.
  *
- * **Image**: four measures of the isosurface at Level of its scalars: the sharp Area and Volume,
- * and SmearedArea and SmearedVolume of the scalars scaled to 0 outside and 1 inside. Float and
- * double are used as they are, other types as a copy in double.
+ * **Image**: four measures of the isosurface at Level of its scalars: the sharp Area and Volume
+ * with estimates of their errors (CartesianMeasures.h), and SmearedArea and SmearedVolume of the
+ * scalars scaled to 0 outside and 1 inside. A warning says if the level reaches the border. Float
+ * and double are used as they are, other types as a copy in double.
  *
  * Formulas and sources: SurfaceMeasures.h, CartesianMeasures.h.
  *
@@ -32,9 +36,9 @@
  * cells, no point scalars or several components, equal InsideValue and OutsideValue. Empty input is
  * not an error.
  *
- * **Cost.** Surfaces take O(triangles), with 150 bytes for each; images take O(nodes), without
- * additional memory. On several MPI ranks, each measures its own piece: gather the surface first
- * (in ParaView: Aggregate Dataset).
+ * **Cost.** Surfaces take O(triangles), with 150 bytes for each; images take O(nodes), with an
+ * eighth of their memory. On several MPI ranks, each measures its own piece: gather the surface
+ * first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceMeasures_h
 #define vtkSurfaceMeasures_h

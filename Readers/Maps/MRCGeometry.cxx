@@ -103,8 +103,11 @@ VoxelLattice MakeLattice(const MRCHeader& header, int sections, bool keepCellAxe
   {
     lattice.Steps = { { { edge[0], 0, 0 }, { 0, edge[1], 0 }, { 0, 0, edge[2] } } };
   }
-  const bool stated = std::any_of(
-    header.Origin.begin(), header.Origin.end(), [](double position) { return position != 0.0; });
+  // What programs leave of an ORIGIN of 0 by rounding does not state a position.
+  constexpr double rounding = 1e-4;
+  const double least = *std::min_element(edge.begin(), edge.end());
+  const bool stated = std::any_of(header.Origin.begin(), header.Origin.end(),
+    [=](double position) { return std::abs(position) > rounding * least; });
   // ChimeraX's rule: ORIGIN and start are alternatives, never added up.
   lattice.Origin = stated ? header.Origin : Times(lattice.Steps, start);
   if (header.Skewed)

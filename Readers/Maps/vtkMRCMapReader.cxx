@@ -122,6 +122,20 @@ std::vector<std::string> MRCNotes(const MRCMap& map)
           : "shown with right angles as chosen (KeepCellAxes), so shapes and positions are "
             "distorted."));
   }
+  constexpr double finest = 0.1; // angstrom, below the spacing of any measured map
+  std::array<double, 3> spacing;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    spacing[a] = header.CellLengths[a] / header.Sampling[a];
+  }
+  const double least = *std::min_element(spacing.begin(), spacing.end());
+  if (least < finest)
+  {
+    notes.push_back("The spacing is " + isthmus::FormatNumber(least, 3) +
+      " angstrom, less than measured maps have: the cell (words 11-13) may be that of one voxel, "
+      "or "
+      "in nanometres. If so, correct the header, or scale the map (Transform).");
+  }
   return notes;
 }
 

@@ -1,7 +1,8 @@
 """Inputs that hold more than they show, each filter and each of its ports: hidden points and cells
-(vtkGhostType), a position that is not finite, arrays of bits. The filter refuses them in one message
+(vtkGhostType), a position that is not finite, images with skewed axes, arrays of bits. The filter refuses them in one message
 and has empty outputs; or repairs the surface with a warning, and all positions of the output are
-finite; or gives for bits what it gives for the same numbers as bytes. None may take them for something
+finite; or gives for bits what it gives for the same numbers as bytes. Points that single precision has
+moved visibly are warned about or refused. None may take them for something
 else without any message.
 """
 
@@ -9,8 +10,8 @@ import re
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkUnsignedCharArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes
 
 import robustness_trials
@@ -57,6 +58,27 @@ def nowhere(data):
         elif data.IsA("vtkTable") and data.GetColumnByName(PLACES[0]):
             result.GetColumnByName(PLACES[0]).SetTuple1(1, value)
             yield f"position with {value}", r"finite", result
+
+
+def skewed(data):
+    """Axes that are not perpendicular, one that is too long, a matrix of zeros."""
+    if data.IsA("vtkImageData"):
+        for matrix in ((1, 0.3, 0, 0, 1, 0, 0, 0, 1), (1, 0, 0, 0, 1.2, 0, 0, 0, 1), (0,) * 9):
+            result = copy_of(data)
+            result.SetDirectionMatrix(matrix)
+            yield f"direction {matrix}", "not perpendicular unit vectors", result
+
+
+def far_away(data):
+    """The data so far from the origin that single precision rounds distances between the points."""
+    if not data.IsA("vtkImageData") and hasattr(data, "GetPoints") and hasattr(data.GetPoints(), "SetPoint"):
+        places = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        points = vtkPoints()
+        points.SetDataTypeToFloat()
+        points.SetData(numpy_to_vtk((places + 1e7 * numpy.ptp(places, axis=0).max()).astype(numpy.float32), deep=True))
+        result = copy_of(data)
+        result.SetPoints(points)
+        yield result
 
 
 def in_bits(data):
@@ -130,6 +152,12 @@ def bits(name, port, array, as_bits, as_bytes):
         f"{name}, {port}, bits of {array}: {sizes} elements instead of {wanted[1]}, other numbers or places"]
 
 
+def rounded(name, port, data):
+    listener, sizes, _ = run(name, port, data)
+    said = " ".join(listener.errors + listener.warnings)
+    return [] if "single precision" in said or listener.errors else [f"{name}, {port}, rounded places: {sizes}, said {said}"]
+
+
 def tried(name):
     complaints, count = [], 0
     for port, accepted, _ in INPUTS[name]:
@@ -138,9 +166,12 @@ def tried(name):
                 data = sound(name, port, kind)
             except TypeError:  # no example of this type
                 continue
-            for what, word, changed in (*hidden(data), *nowhere(data)):
+            for what, word, changed in (*hidden(data), *nowhere(data), *skewed(data)):
                 count += 1
                 complaints += refusal(name, port, f"{kind} with {what}", word, changed)
+            for changed in far_away(data):
+                count += 1
+                complaints += rounded(name, port, changed)
             for array, *both in in_bits(data):
                 count += 1
                 complaints += bits(name, port, array, *both)

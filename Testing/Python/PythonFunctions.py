@@ -4,6 +4,7 @@ Runs by pvpython, and by the Python of a wheel (Testing/Builds/wheel.sh), there 
 import doctest
 import inspect
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -93,6 +94,30 @@ def check_exceptions():
     expect(FileNotFoundError, "No such file", isthmus.mrc_map_reader, "/no/such/map.mrc")
     expect(ValueError, "not an MRC", isthmus.mrc_map_reader, __file__)
     expect(ValueError, "no reader for the ending", isthmus.read, __file__)
+    # Files of which VTK's readers read garbage, or by which they crash.
+    triangle = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+    faces_first = "".join(f"{line}\n" for line in (
+        "ply", "format ascii 1.0", "element face 1", "property list uchar int vertex_indices", "element vertex 3",
+        "property float x", "property float y", "property float z", "end_header", "3 0 1 2", "0 0 0", "1 0 0", "0 1 0"))
+    strips = "".join(f"{line}\n" for line in (
+        "ply", "format ascii 1.0", "element vertex 3", "property float x", "property float y", "property float z",
+        "element tristrips 1", "property list int int vertex_indices", "end_header", "0 0 0", "1 0 0", "0 1 0", "3 0 1 2"))
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content, word in (
+                ("truncated.stl", bytes(80) + struct.pack("<I", 4) + 3 * triangle + triangle[:20], "truncated"),
+                ("attributes.stl", bytes(80) + struct.pack("<I", 2) + 2 * (triangle + b"abcd"), "50 bytes"),
+                ("faces_first.ply", faces_first.encode(), "vertices first"),
+                ("strips.ply", strips.encode(), "no polygons"),
+                ("points.obj", b"v 0 0 0\nv 1 0 0\n", "no polygons")):
+            path = os.path.join(folder, name)
+            with open(path, "wb") as file:
+                file.write(content)
+            expect(ValueError, word, isthmus.read, path)
+        for number, start in enumerate((b"solid in spite of this", b"binary")):
+            path = os.path.join(folder, f"good{number}.stl")
+            with open(path, "wb") as file:
+                file.write(start.ljust(80) + struct.pack("<I", 1) + triangle)
+            assert isthmus.read(path).GetNumberOfCells() == 1
     expect(AttributeError, "no attribute", getattr, isthmus, "choking_loop")
     opened = vtkPolyData()
     opened.DeepCopy(torus)

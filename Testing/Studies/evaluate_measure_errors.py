@@ -4,7 +4,7 @@ Usage: pvpython evaluate_measure_errors.py [--cases N] [--seed N]
 
 Surfaces: spheres, ellipsoids, tori, spherocylinders and unions of two spheres, turned and moved at random, with 3 to 14
 nodes for each smallest radius. Each is the level 0 of a signed distance, of a smooth edge (its tanh), or, for spheres and
-ellipsoids, of 1 - q with the quadratic form q, contoured by flying edges; area and volume are known. Pores: cylinders,
+ellipsoids, of 1 - q with the quadratic form q, measured as a volume, and contoured by flying edges; area and volume are known. Pores: cylinders,
 hyperboloids and cones of rings of atoms, with planes 0.25 to 1.5 angstrom apart, whose exact radius is the least over
 the rings. Compared are the smallest radius of the pore, and, at a random plane, the largest deviation of the exact
 radius from the line between the planes beside it.
@@ -86,8 +86,8 @@ def shape(kind, random):
 SHAPES = ("sphere", "ellipsoid", "torus", "spherocylinder", "two spheres")
 
 
-def contour(field, h, extent, random):
-    """The level 0 of a field that is turned and moved at random, on nodes of spacing h."""
+def volume_of(field, h, extent, random):
+    """A field that is turned and moved at random, on nodes of spacing h."""
     turn = numpy.linalg.qr(random.normal(size=(3, 3)))[0]
     half = int(numpy.ceil(1.05 * extent / h)) + 3
     axis = numpy.arange(-half, half + 1) * h
@@ -97,6 +97,10 @@ def contour(field, h, extent, random):
     image.SetDimensions(*[len(axis)] * 3)
     image.SetSpacing(h, h, h)
     image.GetPointData().SetScalars(numpy_to_vtk(values.transpose(2, 1, 0).ravel(), deep=True))
+    return image
+
+
+def contour(image):
     surface = vtkFlyingEdges3D()
     surface.SetInputData(image)
     surface.SetValue(0, 0.0)
@@ -105,19 +109,24 @@ def contour(field, h, extent, random):
 
 
 def surface_case(kind, random):
-    """Relative (true, stated) errors of area and volume."""
+    """Relative (true, stated) errors of area and volume of the contour, and of the level itself."""
     field, area, volume, small, extent, quadratic = shape(kind, random)
     form = random.integers(3 if quadratic else 2)
     width = small * random.uniform(0.15, 0.45)
     chosen = (field, lambda p: numpy.tanh(field(p) / width), quadratic)[form]
     h = small / numpy.exp(random.uniform(numpy.log(3), numpy.log(14)))
-    measures = isthmus.vtkSurfaceMeasures()
-    measures.SetInputData(contour(chosen, h, extent, random))
-    measures.Update()
-    data = measures.GetOutputDataObject(0).GetFieldData()
-    value = {name: data.GetArray(name).GetValue(0) for name in ("Area", "Volume", "AreaError", "VolumeError")}
-    return ((abs(value["Area"] - area) / area, value["AreaError"] / area),
-            (abs(value["Volume"] - volume) / volume, value["VolumeError"] / volume))
+    image = volume_of(chosen, h, extent, random)
+    pairs = []
+    for data in (contour(image), image):
+        measures = isthmus.vtkSurfaceMeasures()
+        measures.SetInputData(data)
+        measures.SetLevel(0.0)
+        measures.Update()
+        fields = measures.GetOutputDataObject(0).GetFieldData()
+        value = {name: fields.GetArray(name).GetValue(0) for name in ("Area", "Volume", "AreaError", "VolumeError")}
+        pairs += [(abs(value["Area"] - area) / area, value["AreaError"] / area),
+                  (abs(value["Volume"] - volume) / volume, value["VolumeError"] / volume)]
+    return pairs
 
 
 def rings(kind, random):
@@ -204,6 +213,8 @@ def evaluate(cases, seed):
     surfaces = [surface_case(SHAPES[i % len(SHAPES)], random) for i in range(cases)]
     pores = [pore_case(PORES[i % len(PORES)], random) for i in range(cases)]
     return {"`AreaError`": [case[0] for case in surfaces], "`VolumeError`": [case[1] for case in surfaces],
+            "`AreaError` of a level": [case[2] for case in surfaces],
+            "`VolumeError` of a level": [case[3] for case in surfaces],
             "`RadiusError` of the smallest radius": [case[0] for case in pores],
             "`RadiusError` along the pore": [case[1] for case in pores]}
 

@@ -138,6 +138,21 @@ TEST(OffsetSurface, BothSidesAreInsideAndOutside)
   EXPECT_EQ(pieces(inside.Result()), 1);
   EXPECT_EQ(pieces(outside.Result()), 1);
   EXPECT_EQ(pieces(both.Result()), 2);
+
+  // Two sides that are less than the grid apart, at any scale; one side needs no room.
+  for (const double scale : { 1.0, 1e-9, 1e9 })
+  {
+    TriangleMesh scaled = torus;
+    for (Point3& p : scaled.Points)
+    {
+      p = scale * p;
+    }
+    Offset close(scaled, 0.01 * scale);
+    EXPECT_EQ(close.Result()->GetNumberOfPoints(), 0);
+    EXPECT_NE(close.Error().find("times the grid spacing"), std::string::npos) << close.Error();
+    EXPECT_EQ(pieces(Offset(scaled, 0.01 * scale, vtkOffsetSurface::Inside).Result()), 1);
+    EXPECT_EQ(pieces(Offset(scaled, 1.1 * both.Spacing() * scale).Result()), 2);
+  }
   EXPECT_EQ(both.Result()->GetNumberOfCells(),
     inside.Result()->GetNumberOfCells() + outside.Result()->GetNumberOfCells());
   // Nothing is left inside when the tube is choked, which is not an error.

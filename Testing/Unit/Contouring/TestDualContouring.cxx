@@ -7,6 +7,7 @@
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleTree.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
@@ -20,6 +21,8 @@
 #include <cstdio>
 #include <fstream>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -142,6 +145,36 @@ TEST(DualContouring, NoiseGivesAManifold)
     EXPECT_TRUE(defects.NonManifoldTriangles.empty())
       << seed << ": " << defects.NonManifoldTriangles.size();
     EXPECT_TRUE(defects.FlippedTriangles.empty()) << seed;
+  }
+}
+
+TEST(DualContouring, WallsThinnerThanTheSpacingAreWarnedAbout)
+{
+  for (const auto& [thickness, isThin] :
+    { std::pair(0.02, true), std::pair(0.09, true), std::pair(0.4, false), std::pair(0.0, false) })
+  {
+    vtkNew<vtkAppendPolyData> shells;
+    const std::vector<double> radii =
+      thickness > 0.0 ? std::vector<double>{ 1.0, 1.0 - thickness } : std::vector<double>{ 1.0 };
+    for (const double radius : radii)
+    {
+      vtkNew<vtkSphereSource> ball;
+      ball->SetRadius(radius);
+      ball->SetThetaResolution(40);
+      ball->SetPhiResolution(40);
+      ball->Update();
+      shells->AddInputData(ball->GetOutput());
+    }
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkDualContouring> filter;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetInputConnection(shells->GetOutputPort());
+    filter->SetSpacing(0.1);
+    filter->Update();
+    EXPECT_EQ(
+      observer->GetWarningMessage().find("Walls thinner than the Spacing") != std::string::npos,
+      isThin)
+      << thickness;
   }
 }
 

@@ -33,6 +33,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace isthmus;
@@ -324,6 +325,38 @@ TEST(VTKMapSurface, ReportsErrorsWithAnEmptyOutput)
       f->SetCloseAtBorder(false);
     },
     "CloseAtBorder");
+}
+
+// A distance that grows outwards is lower inside; a volume may also lie inside its level as a
+// whole.
+TEST(VTKMapSurface, SpaceAroundAnObjectIsWarnedAbout)
+{
+  const int n = 17;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(n, n, n);
+  vtkNew<vtkDoubleArray> distance;
+  distance->SetName("SignedDistance");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    distance->InsertNextValue(std::hypot(p[0] - 8.0, p[1] - 8.0, p[2] - 8.0) - 5.0);
+  }
+  image->GetPointData()->SetScalars(distance);
+  for (const auto& [level, higher, isWarned] :
+    { std::tuple(0.0, true, true), std::tuple(0.0, false, false), std::tuple(-99.0, true, true),
+      std::tuple(6.0, true, false) }) // the corners of the volume
+  {
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkMapSurface> filter;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetInputData(image);
+    filter->SetLevel(level);
+    filter->SetInsideIsHigher(higher);
+    filter->Update();
+    EXPECT_EQ(observer->GetWarningMessage().find("whole border") != std::string::npos, isWarned)
+      << level << higher;
+  }
 }
 
 // Density darker than the background: in synthetic maps with noise of each size, and in real ones

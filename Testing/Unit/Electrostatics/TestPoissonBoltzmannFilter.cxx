@@ -25,7 +25,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <utility>
 
 using namespace isthmus;
 using isthmus::testing::KirkwoodSphere;
@@ -356,6 +358,70 @@ TEST(PoissonBoltzmannFilter, SmallBoxesHaveBornsEnergy)
   }
 }
 
+// The surface over which the border's potential is integrated needs room for its stencils, whatever
+// the number of nodes between molecule and border is, and whatever their spacing.
+TEST(PoissonBoltzmannFilter, AnyNumberOfNodesToTheBorderGivesBornsEnergy)
+{
+  for (const auto& [radius, spacing] : { std::pair(4.0, 0.5), std::pair(16.0, 2.0) })
+  {
+    for (double nodes = 0.5; nodes < 8.0; nodes += 0.5)
+    {
+      const IonEnergies e = SolveIon(radius, spacing, nodes * spacing, { 0.1, 0.2, 0.3 });
+      EXPECT_NEAR(e.Filter / e.Born, 1.0, nodes < 2.0 ? 5e-3 : 1e-3) << radius << " " << nodes;
+    }
+  }
+}
+
+TEST(PoissonBoltzmannFilter, TheErrorCoversAPotentialOfZeroAtTheBorder)
+{
+  for (const double padding : { 2.0, 4.0, 10.0 })
+  {
+    for (const double charge : { -3.0, 1.0 })
+    {
+      KirkwoodSphere ion;
+      ion.Charges.push_back({ { 0.1, 0.2, 0.3 }, charge, 5.0 });
+      vtkNew<vtkPoissonBoltzmann> filter;
+      filter->SetInputDataObject(0, Atoms(ion));
+      filter->SetSpacing(0.8);
+      filter->SetPadding(padding);
+      filter->SetBoundaryCondition(vtkPoissonBoltzmann::Zero);
+      filter->Update();
+      const double born = -0.5 * 332.0637 * charge * charge * (0.5 - 1.0 / 80.0) / 5.0;
+      const double off = std::abs(Field(filter->GetOutput(), "SolvationEnergy") - born);
+      EXPECT_GT(off, 2e-3 * std::abs(born)) << padding;
+      EXPECT_GE(Field(filter->GetOutput(), "SolvationEnergyError"), off) << padding;
+      EXPECT_LE(Field(filter->GetOutput(), "SolvationEnergyError"), 5.0 * off) << padding;
+    }
+  }
+}
+
+// The true surface of a mask is somewhere between its outermost nodes and the next.
+TEST(PoissonBoltzmannFilter, TheErrorCoversThePlaceOfAMask)
+{
+  int covered = 0, all = 0;
+  for (const double spacing : { 0.5, 0.8 })
+  {
+    for (double radius = 1.9; radius < 4.5; radius += 0.43)
+    {
+      KirkwoodSphere ion;
+      ion.Center = { 1.1, -2.2, 3.3 };
+      ion.Charges.push_back({ ion.Center, 1.0, radius });
+      GridChoice choice;
+      choice.Spacing = { spacing, spacing, spacing };
+      vtkNew<vtkPoissonBoltzmann> filter;
+      filter->SetInputDataObject(0, Atoms(ion));
+      filter->SetInputDataObject(
+        1, Volume(ion, choice, [=](double r) { return r < radius ? 1.0 : 0.0; }));
+      filter->Update();
+      const double born = -0.5 * 332.0637 * (0.5 - 1.0 / 80.0) / radius;
+      const double off = std::abs(Field(filter->GetOutput(), "SolvationEnergy") - born);
+      covered += Field(filter->GetOutput(), "SolvationEnergyError") >= off ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GE(covered, 9 * all / 10) << all;
+}
+
 TEST(PoissonBoltzmannFilter, ADuplicateAtomCountsOnce)
 {
   KirkwoodSphere ion;
@@ -442,6 +508,15 @@ TEST(PoissonBoltzmannFilter, EveryRefusalHasAMessage)
   ExpectError([&](Filter f, vtkPolyData*) { f->SetInsideIsHigher(0); }, "surface");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(nan); }, "IonicStrength");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(-0.1); }, "IonicStrength");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(150.0); }, "mol/l");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetTemperature(37.0); }, "kelvin");
+  ExpectError(
+    [&](Filter f, vtkPolyData*)
+    {
+      f->AddIon(1.0, 150.0);
+      f->AddIon(-1.0, 150.0);
+    },
+    "from 0 to 10 mol/l");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetSoluteDielectric(0.0); }, "SoluteDielectric");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(-1.0); }, "Padding");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(9e5); }, "are available");

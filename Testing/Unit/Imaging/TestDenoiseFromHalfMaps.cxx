@@ -345,11 +345,17 @@ TEST(HalfMapAgreement, MeanAndHalfDifferenceAreOfTheNarrowestType)
   vtkNew<vtkFloatArray> third;
   third->DeepCopy(one);
   EXPECT_THROW(isthmus::AverageHalfMaps(one, third), std::invalid_argument);
-  third->SetValue(0, 1.0F);
+  third->SetValue(0, 2.0F);
   const isthmus::HalfMapMean narrow = isthmus::AverageHalfMaps(one, third);
   EXPECT_EQ(narrow.Mean->GetDataType(), VTK_FLOAT);
   EXPECT_EQ(narrow.HalfDifference->GetDataType(), VTK_FLOAT);
-  EXPECT_EQ(narrow.HalfDifference->GetComponent(0, 0), 1.0);
+  EXPECT_EQ(narrow.HalfDifference->GetComponent(0, 0), 0.5);
+  for (const float constant : { 0.0F, 7.0F })
+  {
+    third->FillValue(constant);
+    EXPECT_THROW(isthmus::AverageHalfMaps(one, third), std::invalid_argument);
+    EXPECT_THROW(isthmus::AverageHalfMaps(third, one), std::invalid_argument);
+  }
 }
 
 TEST(DenoiseFromHalfMaps, RefusesWithASentence)

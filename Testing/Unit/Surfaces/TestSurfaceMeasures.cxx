@@ -15,6 +15,7 @@
 #include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -137,6 +138,101 @@ TEST(SurfaceMeasures, ErrorsOfSmoothSurfacesAreCovered)
   EXPECT_LE(sphere.AreaError, 8.0 * (4.0 * pi - sphere.Area));
   EXPECT_GE(sphere.VolumeError, 4.0 / 3.0 * pi - sphere.Volume);
   EXPECT_LE(sphere.VolumeError, 5.0 * (4.0 / 3.0 * pi - sphere.Volume));
+}
+
+// The same for levels of volumes: distances, and the edge of a mask, whose area is a tenth too
+// large.
+TEST(CartesianMeasures, ErrorsOfLevelsAreCovered)
+{
+  const double area = 4.0 * pi * 4.0, volume = 4.0 / 3.0 * pi * 8.0;
+  for (const int n : { 20, 33, 64 })
+  {
+    const std::vector<double> distance = SphereDistance(n);
+    std::vector<double> mask(distance.size());
+    std::transform(
+      distance.begin(), distance.end(), mask.begin(), [](double d) { return d > 0.0 ? 1.0 : 0.0; });
+    for (const bool isMask : { false, true })
+    {
+      vtkNew<vtkSurfaceMeasures> filter;
+      filter->SetInputData(MakeImage(isMask ? mask : distance, n, VTK_DOUBLE));
+      filter->SetLevel(isMask ? 0.5 : 0.0);
+      filter->Update();
+      vtkDataObject* output = filter->GetOutputDataObject(0);
+      const double areaError = std::abs(area - Number(output, "Area"));
+      const double volumeError = std::abs(volume - Number(output, "Volume"));
+      EXPECT_GE(Number(output, "AreaError"), areaError) << n;
+      EXPECT_LE(Number(output, "AreaError"), 10.0 * areaError) << n;
+      EXPECT_GE(Number(output, "VolumeError"), volumeError) << n;
+      EXPECT_LE(Number(output, "VolumeError"), 5.0 / n * volume) << n;
+      EXPECT_EQ(
+        filter->GetTable()->GetValueByName(0, "AreaError").ToDouble(), Number(output, "AreaError"));
+    }
+  }
+  // The sides of a box along the axes, between the nodes.
+  std::vector<double> box;
+  for (int i = 0; i < 20 * 20 * 20; ++i)
+  {
+    const double x = std::abs(i % 20 - 9.3), y = std::abs(i / 20 % 20 - 9.3);
+    box.push_back(4.2 - std::max({ x, y, std::abs(i / 400 - 9.3) }));
+  }
+  vtkNew<vtkSurfaceMeasures> filter;
+  filter->SetInputData(MakeImage(box, 20, VTK_DOUBLE));
+  filter->SetLevel(0.0);
+  filter->Update();
+  const double side = 8.4 * 10.0 / 19.0;
+  const double off = std::abs(Number(filter->GetOutputDataObject(0), "Volume") - std::pow(side, 3));
+  EXPECT_GE(Number(filter->GetOutputDataObject(0), "VolumeError"), 0.9 * off);
+}
+
+TEST(vtkSurfaceMeasures, LevelsAtTheBorderAreWarnedAbout)
+{
+  for (const bool reaches : { false, true })
+  {
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkSurfaceMeasures> filter;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetInputData(MakeImage(SphereDistance(21), 21, VTK_FLOAT));
+    filter->SetLevel(reaches ? -3.1 : 0.0); // a sphere of 5.1 in a box of 10
+    filter->Update();
+    EXPECT_EQ(
+      observer->GetWarningMessage().find("reaches the border") != std::string::npos, reaches);
+  }
+}
+
+// A tube with the section of a figure eight, and two surfaces without crossings.
+TEST(vtkSurfaceMeasures, SurfacesThatPassThroughThemselvesAreWarnedAbout)
+{
+  Model eight = Torus(60, 42, 3.0, 1.0); // no points where it crosses itself
+  for (isthmus::Point3& p : eight.Points)
+  {
+    const double ring = std::hypot(p[0], p[1]);
+    p[2] *= ring - 3.0;
+  }
+  const struct
+  {
+    Model Surface;
+    bool Crosses;
+  } rows[] = { { eight, true }, { Torus(60, 40, 3.0, 1.0), false }, { Icosphere(6, 1.0), false } };
+  for (const auto& row : rows)
+  {
+    for (const double scale : { 1e-9, 1.0, 1e12 })
+    {
+      Model model = row.Surface;
+      for (isthmus::Point3& p : model.Points)
+      {
+        p = { scale * p[0], scale * p[1], scale * p[2] };
+      }
+      vtkNew<vtkTest::ErrorObserver> observer;
+      vtkNew<vtkSurfaceMeasures> filter;
+      filter->AddObserver(vtkCommand::WarningEvent, observer);
+      filter->SetInputData(ToPolyData(model));
+      filter->Update();
+      EXPECT_EQ(observer->GetWarningMessage().find("passes through itself") != std::string::npos,
+        row.Crosses)
+        << &row - rows << " " << (&row - rows) << " " << scale << observer->GetWarningMessage();
+      EXPECT_TRUE(std::isfinite(Number(filter->GetOutputDataObject(0), "Volume")));
+    }
+  }
 }
 
 TEST(SurfaceMeasures, BoxFarFromTheOrigin)
@@ -301,7 +397,7 @@ TEST(CartesianMeasures, SharpAndSmearedOnAnyTypeAndSide)
   const double meanVolume = 4.0 / 3.0 * pi * (8.0 + 6.0 * variance);
   EXPECT_NEAR(Number(filter->GetOutputDataObject(0), "SmearedArea"), meanArea, 0.03 * meanArea);
   EXPECT_NEAR(Number(filter->GetOutputDataObject(0), "SmearedVolume"), meanVolume, 1e-3);
-  EXPECT_EQ(filter->GetTable()->GetNumberOfColumns(), 4);
+  EXPECT_EQ(filter->GetTable()->GetNumberOfColumns(), 6);
   EXPECT_DOUBLE_EQ(filter->GetTable()->GetValueByName(0, "Area").ToDouble(), area);
 
   // The same as a field that is lower inside, in another unit, and as integers.

@@ -72,11 +72,36 @@ def read(path):
         module = "vtkIOXML" if "XML" in VTK_READERS[ending] else "vtkIOPLY" if ending == ".ply" else "vtkIOGeometry"
         reader = getattr(importlib.import_module(f"vtkmodules.{module}"), VTK_READERS[ending])()
         reader.SetFileName(path)
+        _check_surface_file(path, ending)
         functions.run(reader, "read")
-        return functions.give(reader.GetOutputDataObject(0))
+        data = reader.GetOutputDataObject(0)
+        if ending in (".stl", ".ply", ".obj") and not data.GetNumberOfCells():
+            raise ValueError(f"read(): {path}: no polygons were found. The file is damaged, or has its surface in a form "
+                             "that VTK's reader does not know (strips, splines): write it as polygons.")
+        return functions.give(data)
     known = sorted({end for endings in READERS.values() for end in endings} | set(VTK_READERS))
     raise ValueError(f"read(): {path}: no reader for the ending {ending or 'of this name'!r}; known are "
                      f"{' '.join(known)}.")
+
+
+def _check_surface_file(path, ending):
+    """ValueError for files of which VTK's readers read garbage, or by which they crash."""
+    if ending == ".stl":
+        size = os.path.getsize(path)
+        with open(path, "rb") as file:
+            start = file.read(512)
+        triangles = int.from_bytes(start[80:84], "little")
+        is_text = start.lstrip()[:5].lower() == b"solid" and b"facet" in start.lower()
+        if len(start) >= 84 and not is_text and size != 84 + 50 * triangles:
+            raise ValueError(f"read(): {path}: {triangles} triangles of 50 bytes need {84 + 50 * triangles} bytes, but the "
+                             f"file has {size}. It is truncated, or no plain binary STL file: write it again.")
+    elif ending == ".ply":
+        with open(path, "rb") as file:
+            header = file.read(65536).split(b"end_header")[0]
+        elements = [words[1] for words in map(bytes.split, header.splitlines()) if words[:1] == [b"element"] and words[1:]]
+        if b"face" in elements and b"vertex" in elements and elements.index(b"face") < elements.index(b"vertex"):
+            raise ValueError(f"read(): {path}: its faces come before its vertices, which VTK's reader does not support: "
+                             "write it with the vertices first.")
 
 
 def _step(pipeline, name, *inputs, **more):

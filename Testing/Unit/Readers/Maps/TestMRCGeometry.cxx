@@ -62,6 +62,49 @@ TEST(MRCGeometry, StartIsPermutedAndOriginIsNot)
   ExpectNear(MakeWorldTransform(image, 0, 0, 0), { 0.0, -5.5, 0.0 });
 }
 
+TEST(MRCGeometry, OriginOfRoundingsIsNotStated)
+{
+  const struct
+  {
+    float Origin;
+    double First;
+  } rows[] = { { 1e-9f, 14.0 }, { -1e-5f, 14.0 }, { -1e-38f, 14.0 }, { 0.001f, 0.001 },
+    { -0.5f, -0.5 } };
+  for (const auto& row : rows)
+  {
+    MRCTestFile map = Ramp({ 3, 4, 5 }, { 1, 2, 3 });
+    map.SetInts(5, { 7, 8, 9 });
+    map.SetFloats(50, { row.Origin, 0.0f, 0.0f });
+    map.AddVoxels([](int c, int r, int s, int) { return 100 * c + 10 * r + s; });
+    const TemporaryFile file(map.Bytes());
+    MRCTestReading reading(file.Path());
+    EXPECT_NEAR(MakeWorldTransform(reading.Update(), 0, 0, 0)[0], row.First, 1e-6) << row.Origin;
+    EXPECT_EQ(reading.Warning(), "");
+  }
+}
+
+TEST(MRCGeometry, SpacingBelowThatOfMapsIsNoted)
+{
+  // The cell of one voxel of 1.5 angstrom; nanometres; a fine X-ray map.
+  const struct
+  {
+    std::array<float, 3> Cell;
+    bool Noted;
+  } rows[] = { { { 0.15f, 0.15f, 0.15f }, true }, { { 20.0f, 60.0f, 1.2f }, true },
+    { { 3.0f, 6.0f, 12.0f }, false } };
+  for (const auto& row : rows)
+  {
+    MRCTestFile map = Ramp({ 3, 4, 5 }, { 1, 2, 3 });
+    map.SetFloats(11, { row.Cell[0], row.Cell[1], row.Cell[2] });
+    map.AddVoxels([](int c, int r, int s, int) { return 100 * c + 10 * r + s; });
+    const TemporaryFile file(map.Bytes());
+    MRCTestReading reading(file.Path());
+    reading.Update();
+    EXPECT_EQ(reading.Warning().find("may be that of one voxel") != std::string::npos, row.Noted)
+      << reading.Warning();
+  }
+}
+
 TEST(MRCGeometry, SkewTransformationComesOnTop)
 {
   MRCTestFile map = Ramp({ 3, 4, 5 }, { 1, 2, 3 });
