@@ -1,5 +1,6 @@
 #include "IsthmusToolbar.h"
 
+#include "IsthmusFigureDialog.h"
 #include "IsthmusProgress.h"
 #include "RunPython.h"
 
@@ -110,7 +111,8 @@ const QList<Task>& Tasks()
     { "Curvature", { "map_to_curvature" },
       { "CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature", "ScalarRegions" } },
     { "Loops, handles and persistence",
-      { "map_to_loops", "surface_to_loops", "trajectory_to_loops", "persistence_diagram" },
+      { "map_to_loops", "surface_to_loops", "trajectory_to_loops", "persistence_diagram",
+        "selected_loops", "all_loops" },
       { "ChokingLoops", "MapHandles", "HandleFilling", "LoopShortening", "ScalarPersistence",
         "FullereneStability" } },
     { "Molecules and their surfaces", { "protein_to_surface" },
@@ -237,6 +239,14 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
   look->setObjectName("Look_of_the_view");
   look->menuAction()->setObjectName(look->objectName());
   AddLooks(look);
+  QAction* figure = menu->addAction("Save figure...");
+  figure->setObjectName("Save_figure");
+  QObject::connect(figure, &QAction::triggered, window,
+    [window]
+    {
+      IsthmusFigureDialog dialog(window);
+      dialog.exec();
+    });
   auto* help = bar->findChild<QMenu*>("menu_Help");
   bar->insertMenu(help ? help->menuAction() : nullptr, menu);
 }
@@ -285,15 +295,33 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
   this->Add("trajectory_to_loops", "TrajectoryToLoops", tr("Trajectory to loops over time"),
     tr("Choking loops in each frame of the selected trajectory, with a chart of their radius over "
        "time"));
+  const auto show = [this](const char* name, const char* icon, const QString& text,
+                      const QString& tip, const char* call)
+  {
+    QObject::connect(this->Make(name, icon, text, tip), &QAction::triggered, this,
+      [call] { isthmus::RunPipelines(call); });
+  };
+  show("selected_loops", "SelectedLoops", tr("Show only the selected loops"),
+    tr("Hides all choking loops but those selected in the table or in the view"),
+    "show_loops(True)");
+  show("all_loops", "AllLoops", tr("Show all loops"), tr("Shows all choking loops again"),
+    "show_loops(False)");
+}
+
+QAction* IsthmusToolbar::Make(
+  const char* name, const char* icon, const QString& text, const QString& tip)
+{
+  auto* action = new QAction(QIcon(QString(":/Isthmus/%1.svg").arg(icon)), text, this);
+  action->setObjectName(QString("Isthmus_%1").arg(name));
+  action->setToolTip("<b>" + text + "</b><br>" + tip);
+  action->setStatusTip(tip);
+  return action;
 }
 
 void IsthmusToolbar::Add(
   const char* function, const char* icon, const QString& text, const QString& tip)
 {
-  auto* action = new QAction(QIcon(QString(":/Isthmus/%1.svg").arg(icon)), text, this);
-  action->setObjectName(QString("Isthmus_%1").arg(function));
-  action->setToolTip("<b>" + text + "</b><br>" + tip);
-  action->setStatusTip(tip);
   const QString call = QString("run(\"%1\")").arg(function);
-  QObject::connect(action, &QAction::triggered, this, [call, text] { Run(call, text); });
+  QObject::connect(this->Make(function, icon, text, tip), &QAction::triggered, this,
+    [call, text] { Run(call, text); });
 }

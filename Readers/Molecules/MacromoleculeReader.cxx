@@ -355,7 +355,7 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   if (found.NoRadius)
   {
     AddSentence(molecule.Warnings,
-      DescribeAtoms(molecule, "no radius in the table (Radius is NaN)",
+      DescribeAtoms(molecule, "no radius in the table",
         [](const Atom& atom) { return std::isnan(atom.Radius); }));
   }
   if (found.ChargedPoint)
@@ -365,12 +365,12 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   }
   if (!found.Charge)
   {
-    AddSentence(molecule.Notes, "The file has no charges: Charge is NaN for all atoms.");
+    AddSentence(molecule.Notes, "The file has no charges; Force Field Charges assigns them.");
   }
   else if (found.NoCharge)
   {
     AddSentence(molecule.Notes,
-      DescribeAtoms(molecule, "no charge in the file (Charge is NaN)",
+      DescribeAtoms(molecule, "no charge in the file",
         [](const Atom& atom) { return std::isnan(atom.Charge); }));
   }
 }
