@@ -260,14 +260,5 @@ void IsthmusFirstLook::Look()
   {
     return;
   }
-  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
-  const QList<pqPipelineSource*> before = model->findItems<pqPipelineSource*>();
   isthmus::RunPipelines("first_look(" + ids.join(", ") + ')');
-  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
-  {
-    if (!before.contains(source))
-    {
-      source->setModifiedState(pqProxy::UNMODIFIED); // a text, which has nothing to apply
-    }
-  }
 }

@@ -33,11 +33,6 @@
 namespace
 {
 
-QList<pqPipelineSource*> Sources()
-{
-  return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
-}
-
 /// Like pressing Apply: a pipeline starts from the values shown in the panel.
 void ApplyPendingChanges()
 {
@@ -48,8 +43,8 @@ void ApplyPendingChanges()
   }
 }
 
-/// Runs a pipeline on the values shown in the panel; its results are up to date, so Apply has
-/// nothing to do. Earlier steps can no longer be undone, since it depends on them.
+/// Runs a pipeline on the values shown in the panel. Earlier steps can no longer be undone, since
+/// it depends on them.
 void Run(const QString& call, const QString& title)
 {
   IsthmusProgress& progress = IsthmusProgress::Instance();
@@ -58,20 +53,12 @@ void Run(const QString& call, const QString& title)
     return;
   }
   ApplyPendingChanges();
-  const QList<pqPipelineSource*> before = Sources();
   QApplication::setOverrideCursor(Qt::BusyCursor);
   progress.Begin(title);
   isthmus::RunPipelines(call);
   progress.End();
   CLEAR_UNDO_STACK();
   QApplication::restoreOverrideCursor();
-  for (pqPipelineSource* source : Sources())
-  {
-    if (!before.contains(source))
-    {
-      source->setModifiedState(pqProxy::UNMODIFIED);
-    }
-  }
 }
 
 /// ParaView adds the toolbar to a row that is full, so that half of it would be hidden behind an

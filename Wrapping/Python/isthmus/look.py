@@ -127,6 +127,8 @@ _plain = {}  # displays in one colour because their array has no values, by glob
 
 def _follow_values(display, view):
     """Colours a display by one colour while its array has no values, and by the array again when it has some."""
+    if not hasattr(display, "UseSeparateColorMap"):  # a molecule of VTK, which has colours of its own
+        return
     key = display.GetGlobalID()
     association, array = _plain.get(key) or display.ColorArrayName[:2]
     if not array or display.Input is None or (key in _plain and display.ColorArrayName[1]):

@@ -575,6 +575,19 @@ def forget():
     pockets_and_pores.close_empty_views()
 
 
+def _surface_on_screen(source):
+    """The Map Surface of a map that the active view shows at a given level, which buttons keep; None if there is none."""
+    view = simple.GetActiveView()
+    for display in view.Representations if view is not None else ():
+        port = getattr(display, "Input", None)
+        if port is None or not display.Visibility or port.SMProxy.GetXMLName() != "MapSurface":
+            continue
+        surface = servermanager._getPyProxy(port.SMProxy)
+        if surface.Input.SMProxy == source.SMProxy and surface.InsideIsHigher and not surface.AutomaticLevel:
+            return surface
+    return None
+
+
 @messages.reports_faults("The button")
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on the source from which it was made; shown
@@ -585,8 +598,13 @@ def run(function):
         return
     source = _upstream(selected, _fits(function))
     before = set(simple.GetSources().values())
+    shown = _surface_on_screen(source) if function.startswith("map_") else None
+    given = {**BY_BUTTON.get(function, {}), **({"level": shown.Level} if shown is not None else {})}
     try:
-        proxies = globals()[function](source, **BY_BUTTON.get(function, {}))
+        if function == "map_to_surface" and shown is not None and not shown.LargestComponents:
+            proxies = (shown,)
+        else:
+            proxies = globals()[function](source, **given)
         if function == "persistence_diagram":
             return
         messages.step()
