@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from shared_data import shared_data
 
-from isthmus_plugin import look  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import molecule_views as molecules
 
 # What mkdssp 4.2.2 (Debian 12) finds; its B, T, S, P and blank are C here.

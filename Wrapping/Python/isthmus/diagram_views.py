@@ -302,7 +302,6 @@ def _share_selection(source, number):
             loop_views.show_only(source, cells)
         if members[changed[0]] in tables:
             loop_views.zoom(source, cells)
-            simple.SetActiveSource(source)  # instead of the table, which has nothing to set
     _show_balls(source, shown)
     simple.RenderAllViews()
 

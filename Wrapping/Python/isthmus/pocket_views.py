@@ -248,13 +248,11 @@ def _features_of(source):
 
 @messages.reports_faults("Showing the residues of what was selected")
 def selection_changed(source):
-    """Shows the residues of the pocket or pore that was selected in a table or in a view, and keeps the panel of the
-    filter that has found it."""
+    """Shows the residues of the pocket or pore that was selected in a table or in a view."""
     features = _features_of(source)
     chosen = _selected(features, source) if features is not None else None
     if chosen is not None:
         choose(features, chosen)
-        simple.SetActiveSource(features)
 
 
 # ---------------------------------------------------------------------------- what is shown
