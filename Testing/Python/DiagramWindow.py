@@ -22,9 +22,9 @@ PAUSE = ("pqClientMainWindow", "pause", "2000")
 # Places in a window of 1600 x 1000: the button of the chart that selects a rectangle (ParaView 6 has one button more before
 # it), rectangles around the point of the tunnel and around a piece of the loop of the handle, the render view and the chart.
 RECTANGLE = (1253 if simple.GetParaViewVersion().major >= 6 else 1236, 183)
-TUNNEL, HANDLE, EMPTY = ((1130, 215), (1190, 270)), ((600, 405), (645, 440)), (900, 250)
-VIEW, CHART = (slice(210, 715), slice(310, 1060)), (slice(205, 715), slice(1100, 1590))
-POINT = (slice(480, 540), slice(1130, 1190))  # of the handle
+TUNNEL, HANDLE, EMPTY = ((1130, 230), (1190, 300)), ((565, 605), (620, 655)), (450, 900)
+VIEW, CHART = (slice(210, 950), slice(310, 1060)), (slice(205, 940), slice(1100, 1590))
+POINT = (slice(640, 710), slice(1130, 1190))  # of the handle
 VERMILION, BLUE = (213, 94, 0), (0, 114, 178)
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from paraview import simple
 
-from isthmus_plugin import pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import loop_views, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import diagram_views as diagrams
 
 path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "selected.txt"
@@ -24,6 +24,7 @@ def change_and_tell(number):
 
 
 pipelines.selection_changed = change_and_tell
+loop_views.show_table = lambda *_: None  # the places of DiagramWindow.py are those without it
 
 surface = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
 simple.Show(surface, simple.GetActiveViewOrCreate("RenderView"))
