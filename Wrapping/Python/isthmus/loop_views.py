@@ -283,7 +283,8 @@ def zoom(loops, cells):
 
 def views_of(loops):
     """The render views that show the loops, or the selected ones of them."""
-    shown = [loops.SMProxy, getattr(only_of(loops), "SMProxy", None)]
+    only = only_of(loops)
+    shown = [loops.SMProxy] if only is None else [loops.SMProxy, only.SMProxy]
     return [view for view in simple.GetViews() if hasattr(view, "HiddenLineRemoval") and any(
         display.Visibility and getattr(getattr(display, "Input", None), "SMProxy", None) in shown and
         getattr(display.Input, "Port", 0) == 0 for display in view.Representations if hasattr(display, "Visibility"))]
