@@ -231,6 +231,7 @@ def select(cartoon, residues):
     """Selects residues in the cartoon, the balls and sticks, and the table; returns their rows."""
     rows = rows_of(cartoon, residues)
     _select(cartoon, rows, (CARTOON, STICKS, RESIDUES))
+    _keep(cartoon)
     return rows
 
 
@@ -271,6 +272,12 @@ def _select(cartoon, rows, ports):
 _last = {}  # rows that were selected last, by the global id of the cartoon and port
 
 
+def _keep(cartoon):
+    """Keeps what is selected, so that the next selection is known from it."""
+    for port in (CARTOON, STICKS, RESIDUES):
+        _last[cartoon.SMProxy.GetGlobalID(), port] = selected(cartoon, port)
+
+
 @messages.reports_faults("Selecting a residue in all outputs")
 def selection_changed(cartoon):
     """Selects what is selected in one output of a cartoon in all of them."""
@@ -279,7 +286,6 @@ def selection_changed(cartoon):
         rows = selected(cartoon, port)
         if rows is not None and rows != _last.get((number, port)):
             _select(cartoon, rows, [other for other in (CARTOON, STICKS, RESIDUES) if other != port])
-            for each in (CARTOON, STICKS, RESIDUES):
-                _last[number, each] = selected(cartoon, each)
+            _keep(cartoon)
             simple.RenderAllViews()  # the window draws the one that was clicked
             break
