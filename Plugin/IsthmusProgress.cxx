@@ -189,7 +189,8 @@ void IsthmusProgress::ReadEvents()
 
 bool IsthmusProgress::eventFilter(QObject* object, QEvent* event)
 {
-  if (!IsInput(event->type()))
+  // A dialog that ParaView opens meanwhile must be answered; Qt itself blocks all other windows.
+  if (!IsInput(event->type()) || QApplication::activeModalWidget())
   {
     return false;
   }

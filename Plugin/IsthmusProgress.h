@@ -4,9 +4,9 @@
  *
  * A button makes its filters one after the other: messages.step() reports each of them by
  * an event, and the filters report their progress. On each of these the window draws itself and
- * reads the mouse and the keyboard, of which only Cancel and Escape are heeded. Between steps,
- * cancelling works with any server; within a filter only with the built-in one, whose filters are
- * asked to abort.
+ * reads the mouse and the keyboard, of which only Cancel and Escape are heeded, and all that a
+ * modal dialog gets. Between steps, cancelling works with any server; within a filter only with the
+ * built-in one, whose filters are asked to abort.
  */
 #ifndef IsthmusProgress_h
 #define IsthmusProgress_h

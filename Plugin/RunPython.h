@@ -12,6 +12,7 @@ namespace isthmus
 {
 
 /// Runs `isthmus_plugin.pipelines.<call>` in ParaView's Python; exceptions are shown as messages.
+/// Sources that it makes are up to date.
 void RunPipelines(const QString& call);
 
 }

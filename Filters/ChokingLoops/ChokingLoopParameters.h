@@ -68,6 +68,9 @@ enum class ThresholdMode
 struct FeatureSelection
 {
   SideSelection Side = SideSelection::Both;
+  bool IncludeHandles = true;
+  bool IncludeTunnels = true;
+  bool IncludeBottlenecks = true; ///< the additional features
   double MaximumRadius = 100.0;
   LengthUnit MaximumRadiusUnit = LengthUnit::Percent;
   double MinimumPersistence = 5.0;

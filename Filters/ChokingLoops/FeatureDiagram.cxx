@@ -459,6 +459,21 @@ double InUnitOfPoints(double length, LengthUnit unit, double reference)
   return unit == LengthUnit::Percent ? 0.01 * length * reference : length;
 }
 
+bool IsWantedKind(const FeatureSelection& selection, FeatureKind kind)
+{
+  switch (kind)
+  {
+    case FeatureKind::Handle:
+      return selection.IncludeHandles;
+    case FeatureKind::Tunnel:
+      return selection.IncludeTunnels;
+    case FeatureKind::Additional:
+      return selection.IncludeBottlenecks;
+    default:
+      return false;
+  }
+}
+
 bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const std::array<double, 2>& leastPersistence, const ShapeFeature& f)
 {
@@ -468,13 +483,12 @@ bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const bool near = f.Radius() <= most * (1.0 + 1e-9);
   if (selection.Side ==
       (f.Side == SpaceSide::Inside ? SideSelection::Outside : SideSelection::Inside) ||
-    (selection.TrustedOnly && !f.Trusted))
+    (selection.TrustedOnly && !f.Trusted) || !IsWantedKind(selection, f.Kind))
   {
     return false;
   }
-  return IsGenerator(f)
-    ? near || selection.AlwaysIncludeHandles
-    : f.Kind == FeatureKind::Additional && near && f.Persistence() >= leastPersistence[side];
+  return IsGenerator(f) ? near || selection.AlwaysIncludeHandles
+                        : near && f.Persistence() >= leastPersistence[side];
 }
 
 }

@@ -358,6 +358,9 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLength: " << this->GetMaximumLength() << "\n";
   os << indent << "MaximumReach: " << this->GetMaximumReach() << "\n";
   os << indent << "LoopOrder: " << this->GetLoopOrder() << "\n";
+  os << indent << "IncludeHandles: " << this->GetIncludeHandles() << "\n";
+  os << indent << "IncludeTunnels: " << this->GetIncludeTunnels() << "\n";
+  os << indent << "IncludeBottlenecks: " << this->GetIncludeBottlenecks() << "\n";
   os << indent << "AlwaysIncludeHandles: " << this->GetAlwaysIncludeHandles() << "\n";
   os << indent << "Filtration: " << this->GetFiltration() << "\n";
   os << indent << "MorseFunction: " << this->GetMorseFunction() << "\n";

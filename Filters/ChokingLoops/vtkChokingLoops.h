@@ -172,6 +172,13 @@ public:
   ///@}
 
   ///@{
+  /// Kinds of features to report; bottlenecks are the additional ones. Default on.
+  ISTHMUS_PARAMETER_SWITCH(IncludeHandles);
+  ISTHMUS_PARAMETER_SWITCH(IncludeTunnels);
+  ISTHMUS_PARAMETER_SWITCH(IncludeBottlenecks);
+  ///@}
+
+  ///@{
   /// Report handles and tunnels of any radius, beyond MaximumRadius as well. Default on.
   ISTHMUS_PARAMETER_SWITCH(AlwaysIncludeHandles);
   ///@}
