@@ -213,6 +213,14 @@ public:
   ///@}
 
   ///@{
+  /// 0 (default): every point of the surface is a sample. Above: a surface with more than 40,000
+  /// points is analysed on as few of them as its thickness requires, and the radii of trusted
+  /// features are then measured on the surface itself to this percentage. Handles and tunnels that
+  /// are thinner than the samples are not `Trusted`. Has no effect with a SampleSpacing.
+  ISTHMUS_PARAMETER(Accuracy, double);
+  ///@}
+
+  ///@{
   /// None: loops run along edges. Rounds: ShorteningRounds rounds of shortening on the surface,
   /// from 1 to 1000 (default 5).
   /// Geodesic (default): until no loop gets shorter.

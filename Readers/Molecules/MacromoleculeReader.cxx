@@ -119,8 +119,8 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   }
   else if (noCharge)
   {
-    molecule.Notes.push_back(DescribeAtoms(molecule, "no charge in the file",
-      [](const Atom& atom) { return std::isnan(atom.Charge); }));
+    molecule.Notes.push_back(DescribeAtoms(
+      molecule, "no charge in the file", [](const Atom& atom) { return std::isnan(atom.Charge); }));
   }
 }
 
