@@ -70,7 +70,7 @@ void IsthmusFigureDialog::ShowPixels()
 
 void IsthmusFigureDialog::accept()
 {
-  // The client writes the file, so that it is one of this machine.
+  // The client writes the file, so the path is on this machine.
   QString path = QFileDialog::getSaveFileName(this, tr("Save Figure"), "figure.png",
     tr("Picture and vectors (*.png)"), nullptr, QFileDialog::DontUseNativeDialog);
   if (path.isEmpty())

@@ -20,7 +20,7 @@ class IsthmusFigureDialog : public QDialog
 public:
   explicit IsthmusFigureDialog(QWidget* parent);
 
-  /// Asks for the file, and writes the figure (pipelines.save_figure()).
+  /// Opens a file dialog, then writes the figure (pipelines.save_figure()).
   void accept() override;
 
 private:

@@ -47,7 +47,7 @@ IsthmusFirstLook::IsthmusFirstLook(QObject* parent)
 
 void IsthmusFirstLook::Start()
 {
-  // Before the first look at what was loaded, which waits for the event loop.
+  // Runs before the first look at loaded sources, which is delayed until the event loop.
   const auto keep = [] { isthmus::RunPipelines("keep_looks()"); };
   QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::stateLoaded, this, keep);
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();

@@ -8,8 +8,8 @@
  * collected until then. Other changes that wait for Apply keep waiting. Nothing is applied before
  * the first Apply.
  *
- * `most`: the slider goes to the field data of that name of the last result, for whole numbers from
- * 1. With `when`, the name of a property: only while that property is not 0.
+ * `most`: the slider's maximum is the field data array of that name in the last result; integer
+ * sliders start at 1. With `when`, the name of a property: only while that property is not 0.
  *
  * `preview="level"`, for the level of a map: while the slider is held, its contour is drawn instead
  * of the filter's result and of all that depends on it, which are made when the slider is released.

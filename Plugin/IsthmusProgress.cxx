@@ -189,7 +189,7 @@ void IsthmusProgress::ReadEvents()
 
 bool IsthmusProgress::eventFilter(QObject* object, QEvent* event)
 {
-  // A dialog that ParaView opens meanwhile must be answered; Qt itself blocks all other windows.
+  // A modal dialog opened meanwhile needs input; Qt itself blocks all other windows.
   if (!IsInput(event->type()) || QApplication::activeModalWidget())
   {
     return false;

@@ -289,7 +289,7 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
       [call] { isthmus::RunPipelines(call); });
   };
   show("selected_loops", "SelectedLoops", tr("Show only the selected loops"),
-    tr("Hides all choking loops but those selected in the table or in the view"),
+    tr("Hides all choking loops except those selected in the table or the view"),
     "show_loops(True)");
   show("all_loops", "AllLoops", tr("Show all loops"), tr("Shows all choking loops again"),
     "show_loops(False)");

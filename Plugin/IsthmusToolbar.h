@@ -1,6 +1,6 @@
 /**
  * @file IsthmusToolbar.h
- * @brief The toolbar: buttons that build a whole pipeline on the active source, and two that choose
+ * @brief The toolbar: buttons that build a whole pipeline on the active source, and two that set
  * which choking loops are shown.
  */
 #ifndef IsthmusToolbar_h

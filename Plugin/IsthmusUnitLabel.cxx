@@ -16,7 +16,7 @@
 namespace
 {
 
-/// Writes the unit behind the label of `widget`, which ParaView writes between tags of HTML.
+/// Appends the unit to the label of `widget`, which ParaView wraps in HTML tags.
 void SetUnit(const pqPropertyWidget* widget, const QString& unit)
 {
   const QWidget* panel = widget->parentWidget();

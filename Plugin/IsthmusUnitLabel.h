@@ -6,7 +6,7 @@
  *
  *     <PropertyWidgetDecorator type="isthmus_unit" unit="mV"/>
  *
- * `when`, the name of a property, and `other`: the unit while that property is not 0.
+ * With `when`, the name of a property: the unit is `other` while that property is not 0.
  *
  * The label of the property itself has no unit, since ParaView makes its name in scripts from it.
  */

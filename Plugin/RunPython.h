@@ -12,7 +12,7 @@ namespace isthmus
 {
 
 /// Runs `isthmus_plugin.pipelines.<call>` in ParaView's Python; exceptions are shown as messages.
-/// Sources that it makes are up to date.
+/// Sources that it creates are marked as up to date, so that Apply is not highlighted.
 void RunPipelines(const QString& call);
 
 }

@@ -1,4 +1,4 @@
-"""What follows the camera of a view: names of residues, scale bars.
+"""Updates when the camera of a view moves: names of residues, scale bars.
 
     from isthmus import cameras                   # or: from isthmus_plugin, with the plugin loaded
     cameras.when_moved(act)                       # act(view, ended) is called for each view that is followed
@@ -8,17 +8,17 @@
 from . import messages
 
 _actions = []
-_followed = {}  # the interactor of each view that is followed, by its address: a view that undo makes again has another one
+_followed = {}  # address of the interactor of each followed view: a view recreated by undo has a new one
 
 
 def when_moved(act):
-    """Registers act(view, ended), which returns whether the view has to be drawn again; ended: False during a rotation."""
+    """Registers act(view, ended), which returns whether the view must be rendered again; ended: False during a rotation."""
     _actions.append(act)
     return act
 
 
 def follow(view):
-    """Calls the actions whenever the mouse or a command has moved the camera of this render view."""
+    """Calls the registered actions whenever the camera of this render view moves, by the mouse or by a command."""
     number = view.SMProxy.GetGlobalID()
     interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
     if interactor is None or _followed.get(number) == interactor.__this__:

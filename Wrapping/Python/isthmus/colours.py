@@ -13,7 +13,7 @@ except ImportError:
 
 
 def sequential():
-    """Viridis, by its name in this version of ParaView: the short one from 6.0 on."""
+    """The name of Viridis in this version of ParaView, which is the short one from 6.0 on."""
     presets = servermanager.vtkSMTransferFunctionPresets.GetInstance() if servermanager else None
     return "Viridis (matplotlib)" if presets and not presets.HasPreset("Viridis") else "Viridis"
 
@@ -25,7 +25,7 @@ def has_values(port, association, array):
 
 
 def colour_by(display, association, array):
-    """Colours a display by an array; by one colour, without a legend, where the array has no values. Returns whether it
+    """Colours a display by an array, or with a solid colour and no legend if the array has no values. Returns whether it
     has any."""
     if has_values(display.Input, association, array):
         simple.ColorBy(display, (association, array))
@@ -35,13 +35,13 @@ def colour_by(display, association, array):
 
 
 def plain(display):
-    """One colour, which simple.ColorBy() refuses for a display that has no array yet."""
+    """Solid colour; simple.ColorBy() fails for a display that has no array yet."""
     if display.ColorArrayName[1]:
         simple.ColorBy(display, None)
 
 
 def set_categories(table, rows):
-    """Rows: (value, name, colour). Names come first, since ParaView's window asks for those of a table without any."""
+    """Rows: (value, name, colour). Names are set first, since ParaView opens a dialog for a table without names."""
     table.Annotations = [word for value, name, _ in rows for word in (value, name)]
     table.IndexedColors = [part for _, _, colour in rows for part in colour]
     table.InterpretValuesAsCategories = 1

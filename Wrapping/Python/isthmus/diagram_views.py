@@ -4,7 +4,7 @@
     chart = diagram_views.show(loops)             # a chart view beside the active view
 
 Births are across, deaths upwards; features far above the diagonal are persistent. Colours are kinds, symbols are sides
-of the surface (discs inside, diamonds outside), a line is the threshold of persistence. A loop that is selected in the
+of the surface (discs inside, diamonds outside), the line is the persistence threshold. A loop that is selected in the
 chart, in the view or in the table of loops is selected in all of them, and the ball of its choke point and its radius are
 shown.
 """
@@ -276,7 +276,7 @@ def follow_threshold(source):
 
 @messages.reports_faults("The selection of a loop")
 def selection_changed(number):
-    """Called by the window with the global id of the source whose selection has changed, by the user or by this module;
+    """Called by the window with the global id of the source whose selection was changed by the user or by this module;
     0: nothing is selected. The loops of Choking Loops, the charts of their diagram and their table share one selection."""
     for source in list(simple.GetSources().values()):
         if source.SMProxy.GetXMLName() in loop_views.LOOPS:
@@ -307,7 +307,7 @@ def _share_selection(source, number):
 
 
 def _with_rows(member, ids):
-    """Those of the features that a member has a row or a loop for."""
+    """The features for which a member has a row or a loop."""
     if not ids:
         return []
     data = servermanager.Fetch(simple.OutputPort(member, 0), 0, 0)
@@ -317,13 +317,13 @@ def _with_rows(member, ids):
 
 
 def cells_of(source, ids):
-    """The lines of features in the first output of Choking Loops."""
+    """The cells (lines) of features in the first output of Choking Loops."""
     return _places(servermanager.Fetch(simple.OutputPort(source, 0), 0, 0), CELL, ids)
 
 
 @messages.reports_faults("Showing some of the loops")
 def show_loops(selected):
-    """The buttons that show only the selected loops, or all of them again, of each Choking Loops that a view shows."""
+    """Shows only the selected loops, or all of them again, for each Choking Loops filter visible in a view."""
     found = False
     for source in list(simple.GetSources().values()):
         if source.SMProxy.GetXMLName() not in loop_views.LOOPS or not loop_views.views_of(source):

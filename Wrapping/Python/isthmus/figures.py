@@ -127,7 +127,7 @@ def _colour_points(view):
 
 @messages.reports_faults("Saving the figure")
 def save_figure(path, width_mm, dpi, background, scale_bar, outlines):
-    """Isthmus > Save figure: the active view as it is seen, without texts about the work."""
+    """Isthmus > Save figure: the active view as shown, without status texts such as the number of loops."""
     try:
         path = path if path.lower().endswith(".png") else path + ".png"
         written = figure(None, width_mm, dpi, path, background=background, scale_bar=scale_bar, shadows=outlines,

@@ -122,12 +122,12 @@ def _title(table, view, array):
         _bar(table, view, array)
 
 
-_plain = {}  # displays in one colour because their array has no values, by global id: (association, array)
+_plain = {}  # displays in a solid colour because their array has no values, by global id: (association, array)
 
 
 def _follow_values(display, view):
-    """Colours a display by one colour while its array has no values, and by the array again when it has some."""
-    if not hasattr(display, "UseSeparateColorMap"):  # a molecule of VTK, which has colours of its own
+    """Uses a solid colour for a display while its array has no values, and colours by the array again once it has some."""
+    if not hasattr(display, "UseSeparateColorMap"):  # a vtkMolecule representation, which has its own colours
         return
     key = display.GetGlobalID()
     association, array = _plain.get(key) or display.ColorArrayName[:2]
@@ -254,8 +254,8 @@ def _show_surface(display, view, name):
 
 
 def _look_at_opened(display, view, name):
-    """What a file that the user has opened shows first: a map its surface, a molecule its cartoon with ligands as balls and
-    sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files switches them off."""
+    """The initial view of a file opened by the user: the surface of a map, or the cartoon of a molecule with ligands as balls
+    and sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files turns them off."""
     if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files():
         return
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
@@ -531,8 +531,8 @@ def live_change(number):
 
 @messages.reports_faults("Keeping the look of what was loaded")
 def keep_looks():
-    """Called by the window after a state was loaded, or a step was undone or redone: what is there keeps its look, and
-    what follows the camera, or is closed with its source, does so as before."""
+    """Called by the window after a state was loaded, or a step was undone or redone: existing displays keep their look,
+    and labels still follow the camera and views still close with their source."""
     for view in simple.GetViews():
         is_render_view = hasattr(view, "HiddenLineRemoval")
         if is_render_view:
@@ -551,7 +551,7 @@ def keep_looks():
 
 
 def _is_ours(proxy):
-    """Whether a filter of Isthmus, or one that a button has put behind it, makes the data."""
+    """Whether the data comes from a filter of Isthmus, or from one that a button has added downstream of it."""
     return "Isthmus" in _menu_of(servermanager._getPyProxy(proxy)) or any(
         _is_ours(proxy.GetProducerProxy(i)) for i in range(proxy.GetNumberOfProducers()))
 

@@ -1,12 +1,13 @@
-"""Choking loops in the window: a text that says how many of them are shown, a table of them, and what a click on a row shows.
+"""Choking loops in the window: a text that says how many of them are shown, a table of them, and the effect of clicking a row.
 
     from isthmus import loop_views                # or: from isthmus_plugin, with the plugin loaded
     loop_views.words(loops)                       # "20 of 557 loops shown"
     loop_views.show_table(loops)                  # beside the active view
 
-A loop that is selected in the table is selected in the view, which turns to it, and has its radius beside it; and the
-other way round (diagram_views). Buttons and menus of the window set the properties in steps.SIGNIFICANT, so that only significant loops are shown;
-functions in scripts report all loops. look.py calls count() for each result that is new or has changed.
+Selecting a loop in the table selects it in the view, points the camera at it and shows its radius; selections in the
+view are shown in the table (diagram_views). Buttons and menus of the window set the properties in steps.SIGNIFICANT,
+so that only significant loops are shown; functions in scripts report all loops. look.py calls count()
+for each result that is new or has changed.
 """
 
 import math
@@ -23,7 +24,7 @@ LOOPS = ("ChokingLoops",)
 STALE = "the loops follow when the slider is released"
 COUNT = " shown"  # ends the names of the texts in the pipeline browser
 CHOKE_POINTS = 2  # port of Choking Loops
-CONTEXT = 3.0  # size of what the camera shows around a loop that was clicked, in sizes of the loop
+CONTEXT = 3.0  # size of the region shown around a clicked loop, relative to the size of the loop
 # Executed where the data is. Inputs: the loops, and the atoms of which the surface was made, if any. The residues of a loop
 # are those of the atoms nearest to its points; its position is the mean of them.
 SCRIPT = """# The table of choking loops, the narrowest one first.
@@ -118,7 +119,7 @@ def words(loops):
 
 
 def _advice(loops):
-    """What may show loops where there are none."""
+    """What the user can change to get loops if there are none."""
     found = [words for words, helps in (
         ("both sides", loops.Side != "Both"),
         ("all kinds", not (loops.IncludeHandles and loops.IncludeTunnels and loops.IncludeBottlenecks)),
@@ -153,7 +154,7 @@ _largest = {}  # MaximumRadius of loops as set here, by their global id
 
 def show_radius(loops):
     """Sets the maximum radius in angstrom to the largest that any loop can have, unless the user has set another one: the
-    slider then begins at its end."""
+    slider then starts at its maximum."""
     number, limit = loops.SMProxy.GetGlobalID(), loops.FieldData["ReferenceLength"]
     if limit is None or (number in _largest and loops.MaximumRadius != _largest[number]):
         return
@@ -255,7 +256,7 @@ def _atoms_of(loops):
 
 
 def show_table(loops, beside=None):
-    """Opens the table of the loops below a view; nothing if there are no loops."""
+    """Opens the table of the loops below a view; does nothing if there are no loops."""
     table = table_of(loops)
     if not table.GetDataInformation().DataInformation.GetNumberOfRows():
         simple.Delete(table)
@@ -282,7 +283,7 @@ def zoom(loops, cells):
 
 
 def views_of(loops):
-    """The render views that show the loops, or the selected ones of them."""
+    """The render views that show the loops, or only the selected ones."""
     only = only_of(loops)
     shown = [loops.SMProxy] if only is None else [loops.SMProxy, only.SMProxy]
     return [view for view in simple.GetViews() if hasattr(view, "HiddenLineRemoval") and any(
@@ -290,10 +291,10 @@ def views_of(loops):
         getattr(display.Input, "Port", 0) == 0 for display in view.Representations if hasattr(display, "Visibility"))]
 
 
-# ---------------------------------------------------------------------------- the selected ones alone
+# ---------------------------------------------------------------------------- only the selected loops
 
 def only_of(loops):
-    """The filter that passes the selected ones of the loops; None while all are shown."""
+    """The filter that extracts the selected loops; None while all are shown."""
     for proxy in simple.GetSources().values():
         given = getattr(proxy, "Input", None) if proxy.SMProxy.GetXMLName() == "ExtractSelection" else None
         if given is not None and given.SMProxy == loops.SMProxy and given.Port == 0:
@@ -309,7 +310,7 @@ def look(display, view):
 
 
 def show_only(loops, cells):
-    """Shows these loops alone; the surface stays. cells: numbers of their lines."""
+    """Shows only these loops; the surface stays visible. cells: ids of their cells (lines)."""
     only = only_of(loops)
     if only is not None:
         only.Selection = selections.of_ids("CELL", cells)

@@ -273,19 +273,19 @@ _last = {}  # rows that were selected last, by the global id of the cartoon and 
 
 
 def _keep(cartoon):
-    """Keeps what is selected, so that the next selection is known from it."""
+    """Stores the current selection, so that the next change can be detected."""
     for port in (CARTOON, STICKS, RESIDUES):
         _last[cartoon.SMProxy.GetGlobalID(), port] = selected(cartoon, port)
 
 
 @messages.reports_faults("Selecting a residue in all outputs")
 def selection_changed(cartoon):
-    """Selects what is selected in one output of a cartoon in all of them."""
+    """Applies a selection made in one output of a cartoon to all of its outputs."""
     number = cartoon.SMProxy.GetGlobalID()
     for port in (CARTOON, STICKS, RESIDUES) if cartoon.SMProxy.GetXMLName() == "MoleculeCartoon" else ():
         rows = selected(cartoon, port)
         if rows is not None and rows != _last.get((number, port)):
             _select(cartoon, rows, [other for other in (CARTOON, STICKS, RESIDUES) if other != port])
             _keep(cartoon)
-            simple.RenderAllViews()  # the window draws the one that was clicked
+            simple.RenderAllViews()  # ParaView itself renders only the view that was clicked
             break

@@ -557,8 +557,8 @@ def use_inverted_contrast(number):
 
 
 def selection_changed(number):
-    """Called by the window with the global id of the source whose selection has changed; 0: nothing is selected. What the
-    source shows is read from the pipeline, so that all of it works after a state was loaded, and for results of scripts."""
+    """Called by the window with the global id of the source whose selection has changed; 0: nothing is selected. What to
+    show is derived from the pipeline, so that it also works after a state was loaded and for results of scripts."""
     diagram_views.selection_changed(number)
     proxy = servermanager.ActiveConnection.Session.GetRemoteObject(number) if number else None
     if proxy is not None:

@@ -134,7 +134,7 @@ def chart_of(pores):
 
 
 def names_of(residues, make=True):
-    """The filter that passes the atoms that carry the names of residues, so that the names can be hidden; make=False:
+    """The filter that extracts the atoms labelled with residue names, so that the names can be hidden; make=False:
     None if there is none yet."""
     found = _fed_by(residues, 0, "ExtractSelection")
     if found is None and make:
@@ -205,7 +205,7 @@ def show_only(pockets, number):
 
 
 def _is_shown(proxy, view, kind=""):
-    """Whether a view has a display of a source, of a kind if one is given."""
+    """Whether a view has a display of a source; kind: only displays of this kind."""
     return proxy is not None and any(
         getattr(display, "Input", None) == proxy and display.SMProxy.GetXMLName().startswith(kind)
         for display in view.Representations)
@@ -237,7 +237,7 @@ def _selected(features, source):
 
 
 def _features_of(source):
-    """The pockets or pores that a source is, or is made from; None if it is something else."""
+    """The source itself if it is pockets or pores, or those it was made from; None otherwise."""
     proxy = source.SMProxy
     while proxy.GetXMLName() not in FEATURES:
         if not proxy.GetNumberOfProducers():
@@ -389,7 +389,7 @@ def _place_names_again(view, ended):
 
 
 def show_labels(source, view, array, digits=None):
-    """Shows an array of the points of a source as texts beside them; digits: behind the point, of lengths in angstrom."""
+    """Shows a point array of a source as labels beside the points; digits: decimals, for lengths in angstrom."""
     if _is_shown(source, view, "DataLabelRepresentation"):
         return
     manager = servermanager.ProxyManager()
@@ -401,7 +401,7 @@ def show_labels(source, view, array, digits=None):
     labels.PointLabelMode = 6  # of vtkLabeledDataMapper: the array of that name
     labels.PointLabelColor, labels.PointLabelBold = view.OrientationAxesLabelColor, 1
     labels.PointLabelFontSize = 13
-    labels.MaximumNumberOfLabels = 1000000  # of residues, nearly all atoms have an empty one
+    labels.MaximumNumberOfLabels = 1000000  # nearly all atoms of residues have an empty label
     if digits is not None:
         labels.PointLabelFormat = f"  {{:.{digits}f}} Å" if "{" in labels.PointLabelFormat else f"  %.{digits}f Å"
         labels.PointLabelFontSize = 18
@@ -517,7 +517,7 @@ def _show_chart(pores, view):
 
 
 def _title_chart(profile, chart):
-    """The title of a chart: the narrowest place, and what passes."""
+    """The title of a chart: the narrowest place, and the radii at which water passes."""
     rows = servermanager.Fetch(profile)
     places = [(rows.GetValueByName(row, "Radius").ToDouble(), rows.GetValueByName(row, "ArcLength").ToDouble())
               for row in range(rows.GetNumberOfRows())]
@@ -526,7 +526,7 @@ def _title_chart(profile, chart):
 
 
 def _narrowest_of(pores, number):
-    """The filter that passes the largest ball at the narrowest place of a pore."""
+    """The filter that extracts the largest ball at the narrowest place of a pore."""
     data = servermanager.Fetch(pores, idx=BOTTLENECKS).GetPointData()
     pore, rank = data.GetArray("PoreId"), data.GetArray("Rank")
     places = [i for i in range(pore.GetNumberOfTuples() if pore else 0) if (pore.GetTuple1(i), rank.GetTuple1(i)) == (number, 1)]
@@ -541,7 +541,7 @@ def _narrowest_of(pores, number):
 
 
 def show_balls(display):
-    """Points as translucent yellow balls of their radius."""
+    """Shows points as translucent yellow balls with their radius."""
     display.SetRepresentationType("Point Gaussian")
     display.ShaderPreset, display.GaussianRadius = "Sphere", 1.0
     display.ScaleByArray, display.UseScaleFunction = 1, 0
