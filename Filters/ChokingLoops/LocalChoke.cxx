@@ -172,15 +172,15 @@ double Surroundings::SquaredWidth(
   return isBetween ? square(middle) : std::min(square(here), square(next));
 }
 
-/// The cell with the widest ball among those around the sample nearest to a place, whose centers
-/// can be reached from there without coming closer to it.
+/// The cell where a path from a place begins: of those around the nearest sample, whose
+/// circumcenters are the corners of its Voronoi cell, the one whose corner is nearest, preferably
+/// one that is farther from the sample than the place.
 Cell Surroundings::Nearest(const Point3& place) const
 {
   const auto vertex = this->Delaunay.nearest_vertex({ place[0], place[1], place[2] });
   const Point3 sample = ToPoint3(vertex->point());
   std::vector<Cell> around;
   this->Delaunay.finite_incident_cells(vertex, std::back_inserter(around));
-  // Of the corners of the sample's Voronoi cell, the one ahead that is nearest to the ray.
   const Point3 away = place - sample;
   Cell best;
   double least = HUGE_VAL;
