@@ -248,7 +248,7 @@ def trajectory_to_loops(source, frames=steps.MOST_FRAMES):
         surface = moving
     (loops,) = surface_to_loops(surface, significant=True)
     tracks = simple.FeatureTracks(
-        simple.OutputPort(loops, diagram_views.CHOKE_POINTS), MinimumLength=2,
+        simple.OutputPort(loops, loop_views.CHOKE_POINTS), MinimumLength=2,
         registrationName=pockets_and_pores.name_of(source, "loops over time"))
     track_views.report_frames(tracks, len(times))
     tracks.UpdatePipeline()
