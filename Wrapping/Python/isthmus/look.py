@@ -256,7 +256,7 @@ def _show_surface(display, view, name):
 def _look_at_opened(display, view, name):
     """The initial view of a file opened by the user: the surface of a map, or the cartoon of a molecule with ligands as balls
     and sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files turns them off."""
-    if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files():
+    if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files() or _has_filters(display.Input):
         return
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
         _show_surface(display, view, "surface")
@@ -272,6 +272,12 @@ def _look_at_opened(display, view, name):
             display.Visibility = 0
         else:
             simple.Delete(cartoon)
+
+
+def _has_filters(source):
+    """True if the user has already applied a filter or pressed a button."""
+    return any(getattr(getattr(other, "Input", None), "SMProxy", None) == source.SMProxy
+               for other in simple.GetSources().values())
 
 
 def _shows_files():
