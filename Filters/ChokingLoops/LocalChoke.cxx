@@ -128,7 +128,7 @@ public:
     this->Delaunay.insert(points.begin(), points.end());
   }
 
-  /// The widest path between two places: the search always goes on through the widest triangle
+  /// The widest path between two places: the search always continues through the widest triangle
   /// reached (as in Prim's algorithm).
   std::optional<Bottleneck> FindPath(const Point3& from, const Point3& to) const;
 
