@@ -20,6 +20,8 @@
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVDataSetAttributesInformation.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMProxyLocator.h>
 #include <vtkSMSourceProxy.h>
 
 #include <QLabel>
@@ -45,6 +47,9 @@ IsthmusFirstLook::IsthmusFirstLook(QObject* parent)
 
 void IsthmusFirstLook::Start()
 {
+  // Runs before the first look at loaded sources, which is delayed until the event loop.
+  const auto keep = [] { isthmus::RunPipelines("keep_looks()"); };
+  QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::stateLoaded, this, keep);
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(
     model, &pqServerManagerModel::representationAdded, this, &IsthmusFirstLook::Follow);
@@ -56,7 +61,7 @@ void IsthmusFirstLook::Start()
     model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
   // A plugin that is loaded automatically starts while the application is still being created.
   QTimer::singleShot(0, this,
-    [this]
+    [this, keep]
     {
       vtkOutputWindow::GetInstance()->AddObserver(
         vtkCommand::UserEvent, this, &IsthmusFirstLook::CollectNote);
@@ -65,11 +70,21 @@ void IsthmusFirstLook::Start()
         QObject::connect(core->selectionManager(), &pqSelectionManager::selectionChanged, this,
           &IsthmusFirstLook::FollowSelection);
       }
+      if (pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack())
+      {
+        QObject::connect(stack, &pqUndoStack::undone, this, keep);
+        QObject::connect(stack, &pqUndoStack::redone, this, keep);
+      }
     });
 }
 
 void IsthmusFirstLook::Stop()
 {
+  QObject::disconnect(pqApplicationCore::instance(), nullptr, this, nullptr);
+  if (pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack())
+  {
+    QObject::disconnect(stack, nullptr, this, nullptr);
+  }
   QObject::disconnect(
     pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
   if (auto* core = pqPVApplicationCore::instance())
@@ -245,14 +260,5 @@ void IsthmusFirstLook::Look()
   {
     return;
   }
-  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
-  const QList<pqPipelineSource*> before = model->findItems<pqPipelineSource*>();
   isthmus::RunPipelines("first_look(" + ids.join(", ") + ')');
-  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
-  {
-    if (!before.contains(source))
-    {
-      source->setModifiedState(pqProxy::UNMODIFIED); // a text, which has nothing to apply
-    }
-  }
 }

@@ -11,6 +11,7 @@
 #include <vtkPVDataInformation.h>
 #include <vtkPVDataSetAttributesInformation.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMUncheckedPropertyHelper.h>
@@ -49,13 +50,14 @@ IsthmusLiveProperty::IsthmusLiveProperty(vtkPVXMLElement* xml, pqPropertyWidget*
     QObject::connect(this->Timer, &QTimer::timeout, this, [this] { this->Apply(); });
   }
   const QString most = xml->GetAttributeOrEmpty("most");
+  const QString when = xml->GetAttributeOrEmpty("when");
   if (!most.isEmpty())
   {
     QObject::connect(this->Source.data(),
       QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
-      [this, most] { this->FitSlider(most); });
+      [this, most, when] { this->FitSlider(most, when); });
     // ParaView sets up the widget after its decorators.
-    QTimer::singleShot(0, this, [this, most] { this->FitSlider(most); });
+    QTimer::singleShot(0, this, [this, most, when] { this->FitSlider(most, when); });
   }
 }
 
@@ -119,25 +121,30 @@ void IsthmusLiveProperty::Apply()
   }
 }
 
-void IsthmusLiveProperty::FitSlider(const QString& most)
+void IsthmusLiveProperty::FitSlider(const QString& most, const QString& when)
 {
   auto* proxy = this->Source ? vtkSMSourceProxy::SafeDownCast(this->Source->getProxy()) : nullptr;
   vtkPVArrayInformation* field = proxy && this->Source->modifiedState() != pqProxy::UNINITIALIZED
     ? proxy->GetDataInformation(0)->GetFieldDataInformation()->GetArrayInformation(
         most.toUtf8().constData())
     : nullptr;
-  if (!field)
+  if (!field ||
+    (!when.isEmpty() && vtkSMPropertyHelper(proxy, when.toUtf8().constData()).GetAsInt() == 0))
   {
     return;
   }
+  const double largest = field->GetComponentFiniteRange(0)[1];
   for (QWidget* slider : this->parentWidget()->findChildren<QWidget*>())
   {
     if (slider->inherits("pqIntRangeWidget"))
     {
       slider->setProperty("minimum", 1);
-      slider->setProperty("maximum",
-        std::max({ 2, slider->property("value").toInt(),
-          static_cast<int>(field->GetComponentRange(0)[1]) }));
+      slider->setProperty(
+        "maximum", std::max({ 2, slider->property("value").toInt(), static_cast<int>(largest) }));
+    }
+    else if (slider->inherits("pqDoubleRangeWidget") && largest > 0.0)
+    {
+      slider->setProperty("maximum", std::max(slider->property("value").toDouble(), largest));
     }
   }
 }

@@ -8,8 +8,8 @@
  * collected until then. Other changes that wait for Apply keep waiting. Nothing is applied before
  * the first Apply.
  *
- * `most`, for whole numbers: the slider goes from 1 to the field data of that name of the last
- * result.
+ * `most`: the slider's maximum is the field data array of that name in the last result; integer
+ * sliders start at 1. With `when`, the name of a property: only while that property is not 0.
  *
  * `preview="level"`, for the level of a map: while the slider is held, its contour is drawn instead
  * of the filter's result and of all that depends on it, which are made when the slider is released.
@@ -36,7 +36,7 @@ private:
   void Finished();
   void Preview();
   void Apply();
-  void FitSlider(const QString& most);
+  void FitSlider(const QString& most, const QString& when);
 
   QPointer<pqPipelineSource> Source;
   QTimer* Timer;

@@ -189,7 +189,8 @@ void IsthmusProgress::ReadEvents()
 
 bool IsthmusProgress::eventFilter(QObject* object, QEvent* event)
 {
-  if (!IsInput(event->type()))
+  // A modal dialog opened meanwhile needs input; Qt itself blocks all other windows.
+  if (!IsInput(event->type()) || QApplication::activeModalWidget())
   {
     return false;
   }

@@ -3,10 +3,10 @@
  * @brief Progress of a button in the status bar, and its Cancel.
  *
  * A button makes its filters one after the other: messages.step() reports each of them by
- * an event, and the filters report their progress. On each of these the window draws itself and
- * reads the mouse and the keyboard, of which only Cancel and Escape are heeded. Between steps,
- * cancelling works with any server; within a filter only with the built-in one, whose filters are
- * asked to abort.
+ * an event, and the filters report their progress. On each of these the window redraws and
+ * processes mouse and keyboard events: only Cancel and Escape take effect, except while a modal
+ * dialog is open. Between steps, cancelling works with any server; within a filter only with the
+ * built-in one, whose filters are asked to abort.
  */
 #ifndef IsthmusProgress_h
 #define IsthmusProgress_h

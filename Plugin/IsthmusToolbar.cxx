@@ -1,5 +1,6 @@
 #include "IsthmusToolbar.h"
 
+#include "IsthmusFigureDialog.h"
 #include "IsthmusProgress.h"
 #include "RunPython.h"
 
@@ -32,11 +33,6 @@
 namespace
 {
 
-QList<pqPipelineSource*> Sources()
-{
-  return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
-}
-
 /// Like pressing Apply: a pipeline starts from the values shown in the panel.
 void ApplyPendingChanges()
 {
@@ -47,8 +43,8 @@ void ApplyPendingChanges()
   }
 }
 
-/// Runs a pipeline on the values shown in the panel; its results are up to date, so Apply has
-/// nothing to do. Earlier steps can no longer be undone, since it depends on them.
+/// Runs a pipeline on the values shown in the panel. Earlier steps can no longer be undone, since
+/// it depends on them.
 void Run(const QString& call, const QString& title)
 {
   IsthmusProgress& progress = IsthmusProgress::Instance();
@@ -57,20 +53,12 @@ void Run(const QString& call, const QString& title)
     return;
   }
   ApplyPendingChanges();
-  const QList<pqPipelineSource*> before = Sources();
   QApplication::setOverrideCursor(Qt::BusyCursor);
   progress.Begin(title);
   isthmus::RunPipelines(call);
   progress.End();
   CLEAR_UNDO_STACK();
   QApplication::restoreOverrideCursor();
-  for (pqPipelineSource* source : Sources())
-  {
-    if (!before.contains(source))
-    {
-      source->setModifiedState(pqProxy::UNMODIFIED);
-    }
-  }
 }
 
 /// ParaView adds the toolbar to a row that is full, so that half of it would be hidden behind an
@@ -110,7 +98,8 @@ const QList<Task>& Tasks()
     { "Curvature", { "map_to_curvature" },
       { "CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature", "ScalarRegions" } },
     { "Loops, handles and persistence",
-      { "map_to_loops", "surface_to_loops", "trajectory_to_loops", "persistence_diagram" },
+      { "map_to_loops", "surface_to_loops", "trajectory_to_loops", "persistence_diagram",
+        "selected_loops", "all_loops" },
       { "ChokingLoops", "MapHandles", "HandleFilling", "LoopShortening", "ScalarPersistence",
         "FullereneStability" } },
     { "Molecules and their surfaces", { "protein_to_surface" },
@@ -237,6 +226,14 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
   look->setObjectName("Look_of_the_view");
   look->menuAction()->setObjectName(look->objectName());
   AddLooks(look);
+  QAction* figure = menu->addAction("Save figure...");
+  figure->setObjectName("Save_figure");
+  QObject::connect(figure, &QAction::triggered, window,
+    [window]
+    {
+      IsthmusFigureDialog dialog(window);
+      dialog.exec();
+    });
   auto* help = bar->findChild<QMenu*>("menu_Help");
   bar->insertMenu(help ? help->menuAction() : nullptr, menu);
 }
@@ -285,15 +282,33 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
   this->Add("trajectory_to_loops", "TrajectoryToLoops", tr("Trajectory to loops over time"),
     tr("Choking loops in each frame of the selected trajectory, with a chart of their radius over "
        "time"));
+  const auto show = [this](const char* name, const char* icon, const QString& text,
+                      const QString& tip, const char* call)
+  {
+    QObject::connect(this->Make(name, icon, text, tip), &QAction::triggered, this,
+      [call] { isthmus::RunPipelines(call); });
+  };
+  show("selected_loops", "SelectedLoops", tr("Show only the selected loops"),
+    tr("Hides all choking loops except those selected in the table or the view"),
+    "show_loops(True)");
+  show("all_loops", "AllLoops", tr("Show all loops"), tr("Shows all choking loops again"),
+    "show_loops(False)");
+}
+
+QAction* IsthmusToolbar::Make(
+  const char* name, const char* icon, const QString& text, const QString& tip)
+{
+  auto* action = new QAction(QIcon(QString(":/Isthmus/%1.svg").arg(icon)), text, this);
+  action->setObjectName(QString("Isthmus_%1").arg(name));
+  action->setToolTip("<b>" + text + "</b><br>" + tip);
+  action->setStatusTip(tip);
+  return action;
 }
 
 void IsthmusToolbar::Add(
   const char* function, const char* icon, const QString& text, const QString& tip)
 {
-  auto* action = new QAction(QIcon(QString(":/Isthmus/%1.svg").arg(icon)), text, this);
-  action->setObjectName(QString("Isthmus_%1").arg(function));
-  action->setToolTip("<b>" + text + "</b><br>" + tip);
-  action->setStatusTip(tip);
   const QString call = QString("run(\"%1\")").arg(function);
-  QObject::connect(action, &QAction::triggered, this, [call, text] { Run(call, text); });
+  QObject::connect(this->Make(function, icon, text, tip), &QAction::triggered, this,
+    [call, text] { Run(call, text); });
 }

@@ -1,6 +1,7 @@
 /**
  * @file IsthmusToolbar.h
- * @brief The toolbar: each button builds a whole pipeline on the active source.
+ * @brief The toolbar: buttons that build a whole pipeline on the active source, and two that set
+ * which choking loops are shown.
  */
 #ifndef IsthmusToolbar_h
 #define IsthmusToolbar_h
@@ -15,6 +16,8 @@ public:
   explicit IsthmusToolbar(QObject* parent);
 
 private:
+  QAction* Make(const char* name, const char* icon, const QString& text, const QString& tip);
+  /// A button that runs a pipeline, with progress and Cancel.
   void Add(const char* function, const char* icon, const QString& text, const QString& tip);
 };
 

@@ -6,6 +6,8 @@
  *
  *     <PropertyWidgetDecorator type="isthmus_unit" unit="mV"/>
  *
+ * With `when`, the name of a property: the unit is `other` while that property is not 0.
+ *
  * The label of the property itself has no unit, since ParaView makes its name in scripts from it.
  */
 #ifndef IsthmusUnitLabel_h

@@ -1,5 +1,8 @@
 #include "RunPython.h"
 
+#include <pqApplicationCore.h>
+#include <pqPipelineSource.h>
+#include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
 
 #include <vtkPythonInterpreter.h>
@@ -17,10 +20,19 @@ void RunPipelines(const QString& call)
   const QString statement =
     "import paraview.simple\nimport isthmus_plugin.pipelines\nisthmus_plugin.pipelines." + call +
     '\n';
+  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  const QList<pqPipelineSource*> before = model->findItems<pqPipelineSource*>();
   // Undoing a script's steps one by one breaks its pipeline, and undoing the creation of a table's
   // view crashes ParaView 5.11.
   SCOPED_UNDO_EXCLUDE();
   vtkPythonInterpreter::RunSimpleString(statement.toUtf8().constData());
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    if (!before.contains(source))
+    {
+      source->setModifiedState(pqProxy::UNMODIFIED); // there is nothing to apply
+    }
+  }
 }
 
 }

@@ -12,6 +12,7 @@ namespace isthmus
 {
 
 /// Runs `isthmus_plugin.pipelines.<call>` in ParaView's Python; exceptions are shown as messages.
+/// Sources that it creates are marked as up to date, so that Apply is not highlighted.
 void RunPipelines(const QString& call);
 
 }

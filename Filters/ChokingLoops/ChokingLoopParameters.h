@@ -32,6 +32,12 @@ struct ChokingLoopParameters
   /// cannot be distinguished from the sampling, as long as a round resolves at least half of such
   /// places.
   double SampleSpacing = 0.0;
+  /// 0: every point of the surface is a sample. Above: a surface with more than 40,000 points is
+  /// analysed on as few of them as its thickness requires (AdaptiveSamples.h), and the radii of
+  /// trusted features are then measured on the surface itself to this percentage. Handles and
+  /// tunnels thinner than the samples there are marked as not trusted. Has no effect with a
+  /// SampleSpacing.
+  double Accuracy = 0.0;
   /// Analyse a surface even if it intersects itself. The numbers of handles and tunnels are then
   /// not guaranteed.
   bool AllowSelfIntersections = false;
@@ -68,6 +74,9 @@ enum class ThresholdMode
 struct FeatureSelection
 {
   SideSelection Side = SideSelection::Both;
+  bool IncludeHandles = true;
+  bool IncludeTunnels = true;
+  bool IncludeBottlenecks = true; ///< the additional features
   double MaximumRadius = 100.0;
   LengthUnit MaximumRadiusUnit = LengthUnit::Percent;
   double MinimumPersistence = 5.0;

@@ -1,12 +1,15 @@
 #include "ChokingLoops/ChokingLoops.h"
 
+#include "ChokingLoops/AdaptiveSamples.h"
 #include "ChokingLoops/GeneratorCompletion.h"
 #include "ChokingLoops/GreedyMembrane.h"
+#include "ChokingLoops/LocalChoke.h"
 #include "ChokingLoops/MeshFunctionError.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/MemoryBudget.h"
+#include "Core/ParallelFor.h"
 #include "Core/Stopwatch.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/LowerStarFiltration.h"
@@ -15,6 +18,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -109,17 +113,18 @@ AnalysisCost EstimateCost(const SurfaceView& samples)
 /// Everything known about a surface. Built in order, since each part refers to those before.
 struct ChokingAnalysis
 {
-  ChokingAnalysis(TriangleMesh samples, CellFiltration filtration, std::vector<double> errors,
+  ChokingAnalysis(SurfaceSamples samples, CellFiltration filtration,
     std::vector<CellError> cellErrors, std::vector<double> values, ChokingLoopTimes& times,
     const ProgressCallback& progress)
-    : Samples(std::move(samples))
+    : Samples(std::move(samples.Mesh))
+    , Origin(std::move(samples.Origin))
     , Filtration(std::move(filtration))
     , Pairs(Filtration, Between(progress, 0.0, 0.5))
     , Adjacency(Samples)
     , Homology(Adjacency)
     , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
-    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors),
-      std::move(cellErrors), std::move(values) }
+    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(samples.Error),
+      std::move(cellErrors), std::move(values), std::move(samples.Deviation) }
     , Regions(Context, Between(progress, 0.55, 0.6))
   {
     this->Filtration.DropTriangleRanks();
@@ -130,6 +135,7 @@ struct ChokingAnalysis
     for (const ShapeFeature& feature : this->Found.Diagram.Features)
     {
       this->Found.Centers.push_back(this->Center(feature));
+      this->DeathCenters.push_back(this->DeathCenter(feature));
     }
     this->MakeGeneratorLoops(Between(progress, 0.9, 1.0));
     times.Features += this->Watch.Lap();
@@ -188,24 +194,47 @@ struct ChokingAnalysis
     return this->Context.PointError.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcenter(p, q, r);
   }
 
+  /// The place where the space behind a choke is filled.
+  Point3 DeathCenter(const ShapeFeature& feature) const
+  {
+    const TetrahedronId filler =
+      feature.Dimension == 2 ? this->Pairs.VoidFilled(feature.Choke) : TetrahedronId::None();
+    if (!filler.Exists())
+    {
+      return {};
+    }
+    const auto& t = this->Filtration.Tetrahedra[filler];
+    return Circumcenter(this->Filtration.Points[At(t[0])], this->Filtration.Points[At(t[1])],
+      this->Filtration.Points[At(t[2])], this->Filtration.Points[At(t[3])]);
+  }
+
   /// Voids this persistent, relative to the side's reference length, deserve refinement.
   static constexpr double WorthRefining = 0.05;
 
-  /// Features that a finer sampling would resolve.
+  bool IsUnresolved(std::size_t i) const
+  {
+    const ShapeFeature& f = this->Found.Diagram.Features[i];
+    const std::optional<Membrane>& membrane = this->Found.Membranes[i];
+    return IsGenerator(f)
+      ? !f.Trusted || (membrane && membrane->Loops.empty())
+      : f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted && this->IsPersistent(f);
+  }
+
+  bool IsPersistent(const ShapeFeature& f) const
+  {
+    return f.Persistence() >
+      WorthRefining * this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
+  }
+
+  /// Where a finer sampling would resolve features.
   std::vector<Refinement> UnresolvedFeatures() const
   {
     std::vector<Refinement> wanted;
     for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
     {
-      const ShapeFeature& f = this->Found.Diagram.Features[i];
-      const double reference = this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
-      const std::optional<Membrane>& membrane = this->Found.Membranes[i];
-      const bool generator =
-        IsGenerator(f) && (!f.Trusted || (membrane && membrane->Loops.empty()));
-      const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
-        f.Persistence() > WorthRefining * reference;
-      if (generator || blurredVoid)
+      if (this->IsUnresolved(i))
       {
+        const ShapeFeature& f = this->Found.Diagram.Features[i];
         const double gap =
           std::sqrt(std::max(0.0, f.PairDeath * f.PairDeath - f.PairBirth * f.PairBirth));
         wanted.push_back({ this->Found.Centers[i], 2.0 * f.Radius() + f.Error,
@@ -215,8 +244,112 @@ struct ChokingAnalysis
     return wanted;
   }
 
+  /// Features whose radius should be accurate: those that may be reported.
+  bool Counts(const ShapeFeature& f) const
+  {
+    const double threshold =
+      WorthRefining * this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
+    return IsGenerator(f) ||
+      (f.Kind == FeatureKind::Additional && f.Persistence() > 0.5 * threshold &&
+        f.Persistence() + ComputeUncertainty(f) > threshold);
+  }
+
+  /// Measures the radii of features on the fine surface itself, where the samples are fine enough.
+  void MeasureOn(const FineSurface& fine, double accuracy)
+  {
+    std::vector<ShapeFeature>& features = this->Found.Diagram.Features;
+    this->IsMeasured.assign(features.size(), 0);
+    ParallelFor(0, static_cast<std::int64_t>(features.size()), 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        {
+          ShapeFeature& f = features[i];
+          const std::optional<LocalChoke> choke = f.Trusted && f.Choke.Exists() && this->Counts(f)
+            ? FindLocalChoke(this->Context, fine, f.Choke, 0.1 * accuracy)
+            : std::nullopt;
+          // The class of the surface itself has a death as well, which may be the reference length.
+          const auto death =
+            f.Dimension == 2 && f.Trusted && (f.Kind == FeatureKind::Noise || this->Counts(f))
+            ? FindLocalDeath(
+                this->Context, fine, this->DeathCenters[i], f.PairDeath, 0.1 * accuracy)
+            : std::nullopt;
+          if (death)
+          {
+            f.PairDeath = f.Death = death->Radius;
+          }
+          if (choke)
+          {
+            (f.Dimension == 1 ? f.PairDeath : f.PairBirth) = choke->Radius;
+            f.Error = std::sqrt(choke->Radius * choke->Radius - choke->Lower * choke->Lower);
+            this->Found.Centers[i] = choke->Center;
+            this->IsMeasured[i] = 1;
+          }
+        }
+      });
+    std::array<double, 2> reference{ 0.0, 0.0 };
+    for (const ShapeFeature& f : features)
+    {
+      double& side = reference[static_cast<std::size_t>(f.Side)];
+      side = std::max(side, f.Trusted ? f.PairDeath : 0.0);
+    }
+    this->Found.Diagram.Reference = reference;
+    for (ShapeFeature& f : features)
+    {
+      f.Death =
+        std::max(f.Radius(), std::min(f.Death, reference[static_cast<std::size_t>(f.Side)]));
+    }
+  }
+
+  /// Sorts features by their measured radii.
+  void SortFeatures()
+  {
+    std::vector<std::size_t> order(this->Found.Diagram.Features.size());
+    std::iota(order.begin(), order.end(), std::size_t{ 0 });
+    std::stable_sort(order.begin(), order.end(),
+      [this](std::size_t a, std::size_t b) {
+        return this->Found.Diagram.Features[a].Radius() < this->Found.Diagram.Features[b].Radius();
+      });
+    const auto sort = [&order](auto& values)
+    {
+      auto sorted = values;
+      for (std::size_t i = 0; i < order.size(); ++i)
+      {
+        sorted[i] = std::move(values[order[i]]);
+      }
+      values = std::move(sorted);
+    };
+    sort(this->Found.Diagram.Features);
+    sort(this->Found.Membranes);
+    sort(this->Found.Centers);
+  }
+
+  /**
+   * Where denser samples on a fine surface would resolve features, or determine their radii to
+   * `accuracy` (a fraction). With edges of x radii, points of the surface reach into the choking
+   * ball by up to x^2 / 6 radii, plus the deviation.
+   */
+  std::vector<Refinement> ImpreciseFeatures(double accuracy) const
+  {
+    std::vector<Refinement> wanted;
+    for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
+    {
+      const ShapeFeature& f = this->Found.Diagram.Features[i];
+      const bool isUnresolved = this->IsUnresolved(i);
+      if (isUnresolved ||
+        (!this->IsMeasured[i] && this->Counts(f) && ComputeUncertainty(f) > accuracy * f.Radius()))
+      {
+        wanted.push_back(
+          { this->Found.Centers[i], isUnresolved ? 2.0 * f.Radius() + f.Error : 1.3 * f.Radius(),
+            2.5 * std::sqrt(accuracy) * f.Radius(), accuracy * f.Radius() });
+      }
+    }
+    return wanted;
+  }
+
   Stopwatch Watch;
   TriangleMesh Samples;
+  std::vector<SimplexId> Origin; ///< of samples on a finer surface
   CellFiltration Filtration;
   FiltrationPairs Pairs;
   SurfaceAdjacency Adjacency;
@@ -231,6 +364,9 @@ struct ChokingAnalysis
   ChokingLoopTimes Times;
   AnalysisCost Cost;
   RepairReport Repairs;
+  std::vector<Point3> DeathCenters;  ///< of voids
+  std::vector<char> IsMeasured;      ///< features measured on Fine
+  std::unique_ptr<FineSurface> Fine; ///< with more points than Samples; null: they are the same
   std::string Remark;
 };
 
@@ -239,6 +375,9 @@ namespace
 
 /// Rounds of refinement around features that the sampling does not resolve.
 constexpr int Rounds = 3;
+
+/// The same on a fine surface, whose thickness the first samples follow already.
+constexpr int RoundsOnFine = 1;
 
 /// Features that a uniformly finer sampling does not resolve are not resolved by a locally finer
 /// one either. If a round resolves less than half of its places, the next would resolve fewer and
@@ -289,17 +428,26 @@ ChokingLoops::ChokingLoops(
   times.Check = watch.Lap();
   const bool automatic = parameters.SampleSpacing <= 0.0;
   double spacing = parameters.SampleSpacing;
-  TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
-  times.Sampling = watch.Lap();
   const std::size_t own = surface.Points.size();
+  SurfaceSamples samples;
+  samples.Mesh = FirstSamples(surface, spacing, Between(progress, 0.2, 0.22));
   // A surface that is as fine as its samples is not stored twice.
-  if (samples.Triangles.size() == surface.Triangles.size())
+  if (samples.Mesh.Triangles.size() == surface.Triangles.size())
   {
     surface = {};
   }
+  std::unique_ptr<FineSurface> fine;
+  if (automatic && parameters.Accuracy > 0.0 && own > MostUsualSamples)
+  {
+    fine = std::make_unique<FineSurface>(
+      std::move(samples.Mesh), spacing, parameters.AllowSelfIntersections);
+    samples = fine->Sample(Between(progress, 0.22, 0.25));
+    surface = {};
+  }
+  times.Sampling = watch.Lap();
   std::optional<ConformingMesh> conforming; // made while a finer sampling is analysed
   std::size_t before = 0;                   // places that the previous round left unresolved
-  AnalysisCost cost = EstimateCost(samples);
+  AnalysisCost cost = EstimateCost(samples.Mesh);
   MemoryBudget(parameters.MemoryLimit)
     .Require(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
       "raise SampleSpacing or simplify the surface");
@@ -310,33 +458,53 @@ ChokingLoops::ChokingLoops(
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
     this->AnalyseSamples(std::move(samples), cost, parameters, times, part);
+    if (fine)
+    {
+      this->State->MeasureOn(*fine, 0.01 * parameters.Accuracy);
+    }
     times.LastRound = watch.Lap();
-    const std::vector<Refinement> blurred = this->State->UnresolvedFeatures();
-    const bool isLast = round == Rounds || (round > 0 && IsInVain(before, blurred.size()));
-    if (!automatic || isLast || blurred.empty())
+    const std::vector<Refinement> blurred = fine
+      ? this->State->ImpreciseFeatures(0.01 * parameters.Accuracy)
+      : this->State->UnresolvedFeatures();
+    const bool isLast = round == (fine ? RoundsOnFine : Rounds) ||
+      (!fine && round > 0 && IsInVain(before, blurred.size()));
+    if (!automatic || isLast || blurred.empty() || (fine && !fine->Refine(blurred)))
     {
       break;
     }
     before = blurred.size();
-    if (surface.Points.empty())
+    samples = {};
+    if (fine)
     {
-      surface = this->State->Samples;
+      samples = fine->Sample(Between(progress, to, to));
     }
-    samples = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
-      spacing * std::pow(0.6, Rounds), Between(progress, to, to));
+    else
+    {
+      if (surface.Points.empty())
+      {
+        surface = this->State->Samples;
+      }
+      samples.Mesh = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
+        spacing * std::pow(0.6, Rounds), Between(progress, to, to));
+    }
     times.Sampling += watch.Lap();
-    cost = NextCost(samples, *this->State, times, round + 1, own);
-    if (samples.Points.empty() || !MemoryBudget(parameters.MemoryLimit).Allows(cost.Bytes))
+    cost = NextCost(samples.Mesh, *this->State, times, round + 1, own);
+    if (samples.Mesh.Points.empty() || !MemoryBudget(parameters.MemoryLimit).Allows(cost.Bytes))
     {
       break; // too expensive: unresolved features stay marked as not trusted
     }
-    if (!conforming && MayNeedCompletion(*this->State, cost, own, parameters.MemoryLimit))
+    if (!fine && !conforming && MayNeedCompletion(*this->State, cost, own, parameters.MemoryLimit))
     {
       conforming.emplace(surface);
     }
   }
   this->Complete(parameters, surface, own, conforming ? &*conforming : nullptr, times,
     Between(progress, 0.96, 1.0));
+  if (fine)
+  {
+    this->State->SortFeatures();
+    this->State->Fine = std::move(fine);
+  }
   this->State->Times = times;
   this->State->Repairs = std::move(repairs);
   Report(progress, 1.0);
@@ -363,7 +531,7 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Surfa
   times.LastRound += took;
 }
 
-void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
+void ChokingLoops::AnalyseSamples(SurfaceSamples samples, AnalysisCost cost,
   const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
   const ProgressCallback& progress)
 {
@@ -377,17 +545,19 @@ void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
   };
   tell();
   this->State.reset(); // results of a coarser round
-  std::vector<double> errors = SamplingErrors(samples);
-  CellFiltration filtration = DelaunayFiltration(samples.Points, Between(progress, 0.0, 0.6),
+  if (samples.Error.empty())
+  {
+    samples.Error = SamplingErrors(samples.Mesh);
+  }
+  CellFiltration filtration = DelaunayFiltration(samples.Mesh.Points, Between(progress, 0.0, 0.6),
     [&](double seconds)
     {
       cost = cost.After(seconds);
       tell();
     });
   times.Filtration += watch.Lap();
-  this->State =
-    std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration), std::move(errors),
-      std::vector<CellError>{}, std::vector<double>{}, times, Between(progress, 0.6, 1.0));
+  this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
+    std::vector<CellError>{}, std::vector<double>{}, times, Between(progress, 0.6, 1.0));
   this->State->Cost = cost;
 }
 
@@ -397,15 +567,16 @@ ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& me
 {
   ChokingLoopTimes times;
   Stopwatch watch;
-  TriangleMesh checked = CheckedSurface(CopyMesh(surface), true, Between(progress, 0.0, 0.1));
+  SurfaceSamples samples;
+  samples.Mesh = CheckedSurface(CopyMesh(surface), true, Between(progress, 0.0, 0.1));
   times.Check = watch.Lap();
   CellFiltration filtration =
-    LowerStarFiltration(mesh, values, checked, Between(progress, 0.1, 0.5));
+    LowerStarFiltration(mesh, values, samples.Mesh, Between(progress, 0.1, 0.5));
   times.Filtration = watch.Lap();
   std::vector<CellError> cellErrors =
     errors ? DistanceErrors(filtration, values, *errors) : RangeErrors(filtration, values);
-  this->State = std::make_unique<ChokingAnalysis>(std::move(checked), std::move(filtration),
-    std::vector<double>{}, std::move(cellErrors), values, times, Between(progress, 0.5, 1.0));
+  this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
+    std::move(cellErrors), values, times, Between(progress, 0.5, 1.0));
   this->State->Times = times;
   this->State->Remark = MeshRemark(this->State->Found.Diagram);
 }
@@ -422,6 +593,16 @@ const FeatureDiagram& ChokingLoops::Diagram() const
 const TriangleMesh& ChokingLoops::Samples() const
 {
   return this->State->Samples;
+}
+
+const FineSurface* ChokingLoops::Fine() const
+{
+  return this->State->Fine.get();
+}
+
+SimplexId ChokingLoops::PointOfFine(SimplexId sample) const
+{
+  return this->State->Origin[At(sample)];
 }
 
 const SurfaceAdjacency& ChokingLoops::Adjacency() const

@@ -5,6 +5,7 @@
 #ifndef isthmus_ChokingLoops_h
 #define isthmus_ChokingLoops_h
 
+#include "ChokingLoops/AdaptiveSamples.h"
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "ChokingLoops/FeatureDiagram.h"
 #include "ChokingLoops/FeatureMembrane.h"
@@ -124,8 +125,15 @@ public:
 
   const FeatureDiagram& Diagram() const;
 
-  /// The surface after splitting for sampling: loops and membranes refer to its points.
+  /// The samples and their triangles: the surface after splitting, or a coarser one of its points
+  /// (Fine()). Loops and membranes refer to its points.
   const TriangleMesh& Samples() const;
+
+  /// The surface itself if it has more points than its samples, otherwise null; and the point of it
+  /// that a sample is.
+  const FineSurface* Fine() const;
+  SimplexId PointOfFine(SimplexId sample) const;
+
   const SurfaceAdjacency& Adjacency() const;
   const SurfaceHomology& Homology() const;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const ChokingLoopTimes& Times() const;
@@ -174,7 +182,7 @@ public:
   Point3 ChokePoint(std::size_t feature) const;
 
 private:
-  void AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
+  void AnalyseSamples(SurfaceSamples samples, AnalysisCost cost,
     const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
     const ProgressCallback& progress);
   void Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,

@@ -294,9 +294,9 @@ public:
   FeatureDiagram Finish(std::size_t expected);
 
 private:
-  /// `birth`, `death` and `error2` are squares.
+  /// `birth` and `death` are squares. `error2` is the squared error at a squared radius.
   ShapeFeature Make(int dimension, TriangleId choke, SpaceSide side, double birth, double death,
-    double error2) const
+    const std::function<double(double)>& error2) const
   {
     ShapeFeature feature;
     feature.Dimension = dimension;
@@ -304,11 +304,13 @@ private:
     feature.Side = side;
     feature.PairBirth = std::sqrt(std::max(birth, 0.0));
     feature.PairDeath = std::sqrt(death);
-    feature.Error = std::sqrt(error2);
+    const double radius2 = dimension == 1 ? death : birth;
+    feature.Error = std::sqrt(this->Context.SquaredError(this->F.TrianglePoints(choke), radius2));
     feature.FunctionError = this->Levels.UpTo(feature.PairDeath, side);
     // A handle or tunnel exists at birth, without an error.
     const double errors = (birth > 0.0 ? 2.0 : 1.0) * feature.FunctionError;
-    feature.Trusted = death - birth > error2 && feature.PairDeath - feature.PairBirth > errors;
+    feature.Trusted =
+      death - birth > error2(birth) && feature.PairDeath - feature.PairBirth > errors;
     return feature;
   }
 
@@ -335,9 +337,12 @@ void Collector::AddVoids()
     {
       continue;
     }
-    const double error2 = std::max(this->Context.SquaredError(this->F.TrianglePoints(t)),
-      this->Context.SquaredError(this->F.Tetrahedra[filler]));
-    if (death <= error2)
+    const auto error2 = [&](double squared)
+    {
+      return std::max(this->Context.SquaredError(this->F.TrianglePoints(t), squared),
+        this->Context.SquaredError(this->F.Tetrahedra[filler], squared));
+    };
+    if (death <= error2(0.0))
     {
       continue;
     }
@@ -346,7 +351,7 @@ void Collector::AddVoids()
     feature.Death = feature.PairDeath;
     feature.Kind = feature.Trusted ? FeatureKind::Additional : FeatureKind::Noise;
     this->Found.emplace_back(feature, region);
-    if (!region.empty() && birth <= error2)
+    if (!region.empty() && birth <= error2(0.0))
     {
       const auto best = own.emplace(region, this->Found.size() - 1).first;
       if (this->Found[best->second].first.PairDeath < feature.PairDeath)
@@ -382,8 +387,9 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
     {
       continue;
     }
-    const double error2 = this->Context.SquaredError(this->F.TrianglePoints(t));
-    if (generator == byFiller.end() && death <= error2)
+    const auto error2 = [&](double squared)
+    { return this->Context.SquaredError(this->F.TrianglePoints(t), squared); };
+    if (generator == byFiller.end() && death <= error2(0.0))
     {
       continue;
     }
@@ -459,6 +465,21 @@ double InUnitOfPoints(double length, LengthUnit unit, double reference)
   return unit == LengthUnit::Percent ? 0.01 * length * reference : length;
 }
 
+bool IsWantedKind(const FeatureSelection& selection, FeatureKind kind)
+{
+  switch (kind)
+  {
+    case FeatureKind::Handle:
+      return selection.IncludeHandles;
+    case FeatureKind::Tunnel:
+      return selection.IncludeTunnels;
+    case FeatureKind::Additional:
+      return selection.IncludeBottlenecks;
+    default:
+      return false;
+  }
+}
+
 bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const std::array<double, 2>& leastPersistence, const ShapeFeature& f)
 {
@@ -468,13 +489,12 @@ bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const bool near = f.Radius() <= most * (1.0 + 1e-9);
   if (selection.Side ==
       (f.Side == SpaceSide::Inside ? SideSelection::Outside : SideSelection::Inside) ||
-    (selection.TrustedOnly && !f.Trusted))
+    (selection.TrustedOnly && !f.Trusted) || !IsWantedKind(selection, f.Kind))
   {
     return false;
   }
-  return IsGenerator(f)
-    ? near || selection.AlwaysIncludeHandles
-    : f.Kind == FeatureKind::Additional && near && f.Persistence() >= leastPersistence[side];
+  return IsGenerator(f) ? near || selection.AlwaysIncludeHandles
+                        : near && f.Persistence() >= leastPersistence[side];
 }
 
 }

@@ -14,6 +14,7 @@
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace isthmus
@@ -79,18 +80,27 @@ struct FeatureContext
     PointError; ///< SamplingErrors() (SurfacePreparation.h); empty if M is part of the complex
   std::vector<CellError> CellErrors; ///< of each tetrahedron, if M is part of the complex
   std::vector<double> PointValue{};  ///< the function at points, if M is part of the complex
+  /// How far M is from the samples' triangles (AdaptiveSamples.h); empty if they are M.
+  std::vector<double> PointDeviation{};
 
-  /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
+  /**
+   * The largest possible d_S^2 - d_M^2 (ChokingLoops/AdaptiveSamples.h) where d_M^2 is `squared`,
+   * by the errors at the corners of a simplex: e^2 for samples on M, e^2 + h^2 + 2 h d_M with a
+   * deviation h; with a margin for rounding.
+   */
   template <std::size_t N>
-  double SquaredError(const std::array<SimplexId, N>& corners) const
+  double SquaredError(const std::array<SimplexId, N>& corners, double squared = 0.0) const
   {
     double e = 0.0;
+    double h = 0.0;
     for (const SimplexId p : corners)
     {
-      e =
-        std::max(e, this->PointError.empty() ? 0.0 : this->PointError[static_cast<std::size_t>(p)]);
+      const auto i = static_cast<std::size_t>(p);
+      e = std::max(e, this->PointError.empty() ? 0.0 : this->PointError[i]);
+      h = std::max(h, this->PointDeviation.empty() ? 0.0 : this->PointDeviation[i]);
     }
-    return (1.0 + 1e-7) * e * e;
+    // The sampling error of M itself is included in e, so that sqrt(d_M^2 + t^2) is at most this.
+    return (1.0 + 1e-7) * (e * e + h * (h + 2.0 * std::sqrt(squared + e * e)));
   }
 
   /// True for a triangle of the complex that may cross M or be part of it.
@@ -184,7 +194,9 @@ struct ShapeFeature
   /// exceeds twice the error of the function (for a handle or tunnel, its radius exceeds that
   /// error).
   bool Trusted = false;
-  double Error = 0.0; ///< the local sampling error
+  /// The true radius lies between sqrt(Radius()^2 - Error^2) and Radius(): for samples on M, the
+  /// local sampling error.
+  double Error = 0.0;
   /// On a mesh: the largest error of the function at radii up to PairDeath. Birth and death are
   /// known up to this error.
   double FunctionError = 0.0;
@@ -198,6 +210,16 @@ struct ShapeFeature
   double Birth() const { return this->Radius(); }
   double Persistence() const { return this->Death - this->Birth(); }
 };
+
+/// How far the true radius may lie below Radius() (ShapeFeature::Error). With a function on a mesh:
+/// how far it may lie below or above (ShapeFeature::FunctionError).
+inline double ComputeUncertainty(const ShapeFeature& feature)
+{
+  const double d = feature.Radius();
+  return feature.FunctionError > 0.0
+    ? feature.FunctionError
+    : d - std::sqrt(std::max(0.0, d * d - feature.Error * feature.Error));
+}
 
 inline bool IsGenerator(const ShapeFeature& feature)
 {

@@ -2,6 +2,7 @@
 
 #include "ChokingLoops/LoopShortening.h"
 #include "Core/Geometry.h"
+#include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/Stopwatch.h"
 
@@ -26,16 +27,6 @@ namespace
 /// Number of points of the hull to try; far fewer already give the nearest one to 1 %.
 constexpr int Steps = 200;
 
-}
-
-double ComputeUncertainty(const ShapeFeature& feature)
-{
-  if (feature.FunctionError > 0.0)
-  {
-    return feature.FunctionError;
-  }
-  const double d = feature.Radius();
-  return d - std::sqrt(std::max(0.0, d * d - feature.Error * feature.Error));
 }
 
 double ShortestGirth(const ShapeFeature& feature)
@@ -154,26 +145,25 @@ private:
   SurfaceView Samples;
 };
 
-/// The points of a shortened curve, new ones where it crosses edges.
-std::vector<SimplexId> AddCurve(
-  const SurfaceAdjacency& surface, const SurfaceCurve& curve, LoopFeature& feature)
+/// The points of a shortened curve on the samples' triangles or on the fine surface, as new ones.
+std::vector<SimplexId> AddCurve(const SurfaceAdjacency& surface, const SurfaceView& samples,
+  const SurfaceCurve& curve, LoopFeature& feature)
 {
   std::vector<SimplexId> loop;
   for (const SurfaceCurvePoint& c : curve.Crossings)
   {
     const Point3 p = ComputePosition(surface, c);
     // Edges crossed at one point, as around a corner of the surface, make one point of the curve.
-    if (!loop.empty() &&
-      Distance(feature.Point(loop.back(), surface.Mesh()), p) <= 1e-9 * curve.Length)
+    if (!loop.empty() && Distance(feature.Point(loop.back(), samples), p) <= 1e-9 * curve.Length)
     {
       continue;
     }
-    loop.push_back(static_cast<SimplexId>(surface.Mesh().Points.size() + feature.Extra.size()));
+    loop.push_back(static_cast<SimplexId>(samples.Points.size() + feature.Extra.size()));
     feature.Extra.push_back(p);
   }
   if (loop.size() > 3 &&
-    Distance(feature.Point(loop.back(), surface.Mesh()),
-      feature.Point(loop.front(), surface.Mesh())) <= 1e-9 * curve.Length)
+    Distance(feature.Point(loop.back(), samples), feature.Point(loop.front(), samples)) <=
+      1e-9 * curve.Length)
   {
     loop.pop_back();
   }
@@ -189,12 +179,28 @@ std::vector<SimplexId> PinsOn(
   return on;
 }
 
+/// The nearer ends of the edges that a curve crosses.
+std::vector<SimplexId> WalkAlong(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
+{
+  std::vector<SimplexId> walk;
+  for (const SurfaceCurvePoint& c : curve.Crossings)
+  {
+    const SimplexId p = c.Fraction < 0.5 ? surface.From(c.HalfEdge) : surface.To(c.HalfEdge);
+    if (walk.empty() || walk.back() != p)
+    {
+      walk.push_back(p);
+    }
+  }
+  return walk;
+}
+
 /// Replaces a loop by a shortest curve and adapts the membrane.
 void Follow(const SurfaceAdjacency& surface, const SurfaceCurve& tight, double cut,
   std::vector<SimplexId>& loop, LoopFeature& feature)
 {
   const SurfaceCurve curve = CutCorners(surface, tight, SharpestUncut, cut);
-  const std::vector<SimplexId> shortened = AddCurve(surface, curve, feature);
+  feature.Walks.back() = WalkAlong(surface, curve);
+  const std::vector<SimplexId> shortened = AddCurve(surface, surface.Mesh(), curve, feature);
   Zipper(feature, surface.Mesh()).Close(loop, shortened);
   loop = shortened;
   feature.Converged = feature.Converged && curve.Converged;
@@ -265,6 +271,7 @@ LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
       AddFan(loop, feature.Membrane); // one of several borders, contractible on M: filled
       continue;
     }
+    feature.Walks.push_back(loop);
     if (holds(i) && !tight.empty())
     {
       Follow(surface, tight[i], cut, loop, feature);
@@ -526,7 +533,10 @@ std::optional<LoopFeature> DrawnBy(MembraneMethod method, ChokingLoops& loops, s
 
 }
 
-LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
+namespace
+{
+
+LoopFeature DrawnOnSamples(ChokingLoops& loops, std::size_t index, int rounds,
   const ProgressCallback& progress, const LoopTolerances& tolerances, MembraneMethod method)
 {
   if (std::optional<LoopFeature> asked = DrawnBy(method, loops, index, rounds, progress))
@@ -577,6 +587,167 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
     fit.TryHeld(*last, true);
   }
   return fit.Take();
+}
+
+/// A closed walk without steps that return at once.
+std::vector<SimplexId> WithoutSpikes(const std::vector<SimplexId>& walk)
+{
+  std::vector<SimplexId> kept;
+  for (const SimplexId p : walk)
+  {
+    if (!kept.empty() && kept.back() == p)
+    {
+      continue;
+    }
+    if (kept.size() > 1 && kept[kept.size() - 2] == p)
+    {
+      kept.pop_back();
+      continue;
+    }
+    kept.push_back(p);
+  }
+  std::size_t first = 0;
+  while (kept.size() - first > 2 &&
+    (kept.back() == kept[first] || kept.back() == kept[first + 1] ||
+      kept[kept.size() - 2] == kept[first]))
+  {
+    if (kept.back() == kept[first + 1])
+    {
+      ++first;
+    }
+    kept.pop_back();
+  }
+  return { kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end() };
+}
+
+/// Paths on the surface are longer than edges between samples by at most the first factor, or,
+/// where it is very rough, by the last.
+constexpr std::array<double, 3> DetoursOnFine{ 2.0, 8.0, 64.0 };
+
+/// The closed walk on the fine surface through these samples; empty if there is none.
+std::vector<SimplexId> WalkOnFine(const ChokingLoops& loops, const std::vector<SimplexId>& samples)
+{
+  const SurfaceAdjacency& surface = loops.Fine()->Adjacency();
+  const auto& points = surface.Mesh().Points;
+  std::vector<SimplexId> walk;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const SimplexId from = loops.PointOfFine(samples[i]);
+    const SimplexId to = loops.PointOfFine(samples[(i + 1) % samples.size()]);
+    const double straight = Distance(points[At(from)], points[At(to)]);
+    std::vector<SimplexId> back;
+    for (std::size_t k = 0; k < DetoursOnFine.size() && from != to && back.empty(); ++k)
+    {
+      const SurfacePaths paths(surface, from, DetoursOnFine[k] * straight, to);
+      for (SimplexId p = to; paths.Has(to) && p != from; p = surface.From(paths.Last(p)))
+      {
+        back.push_back(p);
+      }
+    }
+    if (from != to && back.empty())
+    {
+      return {};
+    }
+    walk.push_back(from);
+    walk.insert(walk.end(), back.rbegin(), back.rend());
+  }
+  return WithoutSpikes(walk);
+}
+
+/// Some points of a walk, evenly spread.
+std::vector<SimplexId> SomeOf(const std::vector<SimplexId>& walk, std::size_t count)
+{
+  std::vector<SimplexId> some;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    some.push_back(walk[i * walk.size() / count]);
+  }
+  some.erase(std::unique(some.begin(), some.end()), some.end());
+  return some;
+}
+
+/// Points at which a loop is fixed that would slide off otherwise.
+constexpr std::size_t Fixed = 12;
+
+/// The feature with its loops on the fine surface, fixed there or not.
+LoopFeature MovedToFine(const ChokingLoops& loops, const LoopFeature& coarse,
+  const std::vector<std::vector<SimplexId>>& walks, int rounds, bool isFixed,
+  const ProgressCallback& progress)
+{
+  const SurfaceAdjacency& surface = loops.Fine()->Adjacency();
+  LoopFeature feature = coarse;
+  feature.Lengths.clear();
+  feature.Area = 0.0;
+  LoopShorteningParameters parameters;
+  parameters.MaximumRounds = rounds;
+  for (std::size_t i = 0; i < walks.size(); ++i)
+  {
+    SurfaceCurve curve;
+    if (rounds > 0)
+    {
+      curve = isFixed
+        ? ShortenPinned(surface, walks[i], SomeOf(walks[i], Fixed), parameters, progress)
+        : ShortenLoop(surface, walks[i], parameters, progress);
+    }
+    std::vector<SimplexId> loop;
+    if (rounds > 0 && !curve.Contractible)
+    {
+      feature.Converged = feature.Converged && curve.Converged;
+      loop = AddCurve(surface, loops.Samples(), curve, feature);
+    }
+    else
+    {
+      feature.Collapsed = feature.Collapsed || rounds > 0;
+      for (const SimplexId p : walks[i])
+      {
+        loop.push_back(
+          static_cast<SimplexId>(loops.Samples().Points.size() + feature.Extra.size()));
+        feature.Extra.push_back(surface.Mesh().Points[At(p)]);
+      }
+    }
+    Zipper(feature, loops.Samples()).Close(feature.Loops[i], loop);
+    feature.Loops[i] = std::move(loop);
+  }
+  Measure(loops.Samples(), feature);
+  return feature;
+}
+
+/// A feature drawn on the samples becomes one on the surface. A loop that does not stay at the
+/// choke point is fixed at some points.
+LoopFeature DrawnOnFine(const ChokingLoops& loops, std::size_t index, const LoopFeature& coarse,
+  int rounds, const ProgressCallback& progress)
+{
+  std::vector<std::vector<SimplexId>> walks;
+  for (const std::vector<SimplexId>& samples : coarse.Walks)
+  {
+    walks.push_back(WalkOnFine(loops, samples));
+    if (walks.back().size() < 3)
+    {
+      return coarse;
+    }
+  }
+  if (!coarse.Held && !coarse.Collapsed)
+  {
+    LoopFeature feature = MovedToFine(loops, coarse, walks, rounds, false, progress);
+    if (!feature.Collapsed &&
+      (BelongsToChokePoint(loops, index, feature) || !BelongsToChokePoint(loops, index, coarse)))
+    {
+      return feature;
+    }
+  }
+  return MovedToFine(loops, coarse, walks, coarse.Collapsed ? 0 : rounds, true, progress);
+}
+
+}
+
+LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
+  const ProgressCallback& progress, const LoopTolerances& tolerances, MembraneMethod method)
+{
+  LoopFeature feature =
+    DrawnOnSamples(loops, index, rounds, Between(progress, 0.0, 0.8), tolerances, method);
+  return loops.Fine() && !feature.Loops.empty()
+    ? DrawnOnFine(loops, index, feature, rounds, Between(progress, 0.8, 1.0))
+    : feature;
 }
 
 // ------------------------------------------------------------------------------------------

@@ -22,13 +22,6 @@ namespace isthmus
 // Does a loop belong to its choke point?
 
 /**
- * How far the true radius may lie below d = Radius(): it is between sqrt(d^2 - e^2) and d, since
- * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S. With a function on a mesh: how
- * far it may lie below or above (ShapeFeature::FunctionError).
- */
-double ComputeUncertainty(const ShapeFeature& feature);
-
-/**
  * Lower bound for the length of a loop that surrounds a choke point: 2 pi (Radius() -
  * ComputeUncertainty()).
  *
@@ -57,6 +50,8 @@ struct LoopFeature
   std::vector<std::vector<SimplexId>> Loops;
   std::vector<double> Lengths;
   std::vector<SimplexId> Anchors; ///< per loop: a point of the samples on the same component
+  /// Per loop: the samples that it passes, the nearer end of each edge crossed.
+  std::vector<std::vector<SimplexId>> Walks;
   std::vector<std::array<SimplexId, 3>> Membrane;
   std::vector<Point3> Extra;
   double Area = 0.0;
@@ -138,6 +133,10 @@ bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t feature,
  * class that bounds there (ComputeEncirclingMembranes()) is not longer, that loop is used. If all
  * of these are hairpins, a geodesic loop of the class elsewhere is used, which does not surround
  * the choke point.
+ *
+ * Loops are found on the samples. If these are coarser than the surface (ChokingLoops::Fine()),
+ * they are moved to the surface and shortened there, and the membrane is extended to them; all
+ * points of the loops are then Extra points.
  *
  * With a `method` other than Automatic, its membrane is used and the loops are shortened, without
  * any of these choices. If the method finds no membrane, the automatic one is used and Method is

@@ -8,6 +8,7 @@
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -84,13 +85,18 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh,
 // ------------------------------------------------------------------------------------------
 // Sampling of a surface for its choking loops, and local refinement.
 
-/// A place where the samples should be denser, and the spacing wanted there.
+/// A place where the samples should be denser: the longest edge wanted there, and how far the
+/// surface may be from the samples' triangles.
 struct Refinement
 {
   Point3 Center;
   double Radius;
   double EdgeLength;
+  double Deviation = HUGE_VAL;
 };
+
+/// Surfaces with more points than this are analysed on coarser samples (AdaptiveSamples.h).
+constexpr std::size_t MostUsualSamples = 40000;
 
 /// If more places than this need refinement, the sampling is considered too coarse everywhere.
 constexpr std::size_t ManyPlaces = 64;

@@ -89,7 +89,7 @@ class vtkChokingLoops::vtkInternals
 public:
   /// Surface, mesh and what the analysis depends on.
   using Key = std::tuple<isthmus::ObjectState, isthmus::ObjectState, isthmus::LoopFiltration,
-    isthmus::MeshFunction, std::string, double, bool, bool, int>;
+    isthmus::MeshFunction, std::string, double, double, bool, bool, int>;
   struct Analysis
   {
     std::unique_ptr<isthmus::ChokingLoops> Loops;
@@ -168,8 +168,8 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
 {
   const isthmus::LoopSearchParameters& p = this->Parameters;
   const vtkInternals::Key key{ isthmus::GetState(surface), isthmus::GetState(grid), p.Filtration,
-    p.MorseFunction, p.MorseArrayName, p.SampleSpacing, p.AllowSelfIntersections, p.CapHoles,
-    p.MemoryLimit };
+    p.MorseFunction, p.MorseArrayName, p.SampleSpacing, p.Accuracy, p.AllowSelfIntersections,
+    p.CapHoles, p.MemoryLimit };
   this->Internals->Cache.Get(key,
     [&]
     {
@@ -358,11 +358,15 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLength: " << this->GetMaximumLength() << "\n";
   os << indent << "MaximumReach: " << this->GetMaximumReach() << "\n";
   os << indent << "LoopOrder: " << this->GetLoopOrder() << "\n";
+  os << indent << "IncludeHandles: " << this->GetIncludeHandles() << "\n";
+  os << indent << "IncludeTunnels: " << this->GetIncludeTunnels() << "\n";
+  os << indent << "IncludeBottlenecks: " << this->GetIncludeBottlenecks() << "\n";
   os << indent << "AlwaysIncludeHandles: " << this->GetAlwaysIncludeHandles() << "\n";
   os << indent << "Filtration: " << this->GetFiltration() << "\n";
   os << indent << "MorseFunction: " << this->GetMorseFunction() << "\n";
   os << indent << "MorseArrayName: " << this->GetMorseArrayName() << "\n";
   os << indent << "SampleSpacing: " << this->GetSampleSpacing() << "\n";
+  os << indent << "Accuracy: " << this->GetAccuracy() << "\n";
   os << indent << "Shortening: " << this->GetShortening() << "\n";
   os << indent << "ShorteningRounds: " << this->GetShorteningRounds() << "\n";
   os << indent << "MembraneMethod: " << this->GetMembraneMethod() << "\n";

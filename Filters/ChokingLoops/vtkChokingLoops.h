@@ -172,6 +172,13 @@ public:
   ///@}
 
   ///@{
+  /// Kinds of features to report; bottlenecks are the additional ones. Default on.
+  ISTHMUS_PARAMETER_SWITCH(IncludeHandles);
+  ISTHMUS_PARAMETER_SWITCH(IncludeTunnels);
+  ISTHMUS_PARAMETER_SWITCH(IncludeBottlenecks);
+  ///@}
+
+  ///@{
   /// Report handles and tunnels of any radius, beyond MaximumRadius as well. Default on.
   ISTHMUS_PARAMETER_SWITCH(AlwaysIncludeHandles);
   ///@}
@@ -203,6 +210,14 @@ public:
   /// Edges of the surface are split until none is longer than this, in the unit of the points. 0
   /// (default): automatic, about 20,000 samples, and more if a feature is too small for them.
   ISTHMUS_PARAMETER(SampleSpacing, double);
+  ///@}
+
+  ///@{
+  /// 0 (default): every point of the surface is a sample. Above: a surface with more than 40,000
+  /// points is analysed on as few of them as its thickness requires, and the radii of trusted
+  /// features are then measured on the surface itself to this percentage. Handles and tunnels that
+  /// are thinner than the samples are not `Trusted`. Has no effect with a SampleSpacing.
+  ISTHMUS_PARAMETER(Accuracy, double);
   ///@}
 
   ///@{

@@ -244,10 +244,26 @@ int vtkPoreProfile::RequestData(
     });
 }
 
+namespace
+{
+
+void TakeRadiiOfHole(const std::vector<int>& elements, isthmus::MoleculeAtoms& atoms)
+{
+  for (std::size_t i = 0; i < atoms.Balls.size(); ++i)
+  {
+    const double radius = isthmus::VanDerWaalsRadius(
+      elements[static_cast<std::size_t>(atoms.Points[i])], isthmus::RadiusTable::UnitedAtom);
+    atoms.Balls[i].Radius = std::isnan(radius) ? atoms.Balls[i].Radius : radius;
+  }
+}
+
+}
+
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
 {
   isthmus::Check(this->Parameters);
   isthmus::RequireRange("Mode", this->Mode, Automatic, PointAndDirection);
+  isthmus::RequireRange("RadiusTable", this->RadiusTable, OfInput, Hole);
   isthmus::PolymerOptions keep;
   keep.Hydrogens = this->IncludeHydrogens;
   keep.Ions = this->IncludeIons;
@@ -257,6 +273,10 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   which.SurfacePoints = true;
   which.MinimumConfidence = this->MinimumConfidence;
   isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
+  if (this->RadiusTable == Hole && atoms.HasElements)
+  {
+    TakeRadiiOfHole(isthmus::AtomElements(input), atoms);
+  }
   isthmus::PoreOptions options = this->Parameters;
   options.Predicted = isthmus::WarnAboutLongTriangulation(this);
   if (atoms.IsSurface)
@@ -293,6 +313,7 @@ void vtkPoreProfile::PrintSelf(ostream& os, vtkIndent indent)
   vector("Point2", this->Point2);
   vector("Point", this->Point);
   vector("Direction", this->Direction);
+  os << indent << "RadiusTable: " << this->RadiusTable << "\n";
   os << indent << "EndRadius: " << this->GetEndRadius() << "\n";
   os << indent << "Spacing: " << this->GetSpacing() << "\n";
   os << indent << "MinimumRadius: " << this->GetMinimumRadius() << "\n";

@@ -58,6 +58,20 @@ public:
   /// Input array 0 is the point array of the radii, `Radius` by default.
   ISTHMUS_NAMED_INPUT_ARRAYS();
 
+  enum RadiusTables
+  {
+    OfInput = 0,
+    Hole = 1
+  };
+
+  ///@{
+  /// OfInput (default): the radii of the input array. Hole: the simple radii of HOLE by element, as
+  /// isthmus::RadiusTable::UnitedAtom; an element that is not in the table keeps the radius of the
+  /// input.
+  vtkSetMacro(RadiusTable, int);
+  vtkGetMacro(RadiusTable, int);
+  ///@}
+
   enum Modes
   {
     Automatic = 0,
@@ -164,6 +178,7 @@ private:
 
   void Compute(vtkPointSet* atoms, vtkInformationVector* outputs);
 
+  int RadiusTable = OfInput;
   int Mode = Automatic;
   double Point1[3] = { 0.0, 0.0, 0.0 };
   double Point2[3] = { 0.0, 0.0, 0.0 };

@@ -105,7 +105,7 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   }
   if (noRadius)
   {
-    molecule.Warnings.push_back(DescribeAtoms(molecule, "no radius in the table (Radius is NaN)",
+    molecule.Warnings.push_back(DescribeAtoms(molecule, "no radius in the table",
       [](const Atom& atom) { return std::isnan(atom.Radius); }));
   }
   if (chargedPoint)
@@ -115,12 +115,12 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   }
   if (!charge)
   {
-    molecule.Notes.emplace_back("The file has no charges: Charge is NaN for all atoms.");
+    molecule.Notes.emplace_back("The file has no charges; Force Field Charges assigns them.");
   }
   else if (noCharge)
   {
-    molecule.Notes.push_back(DescribeAtoms(molecule, "no charge in the file (Charge is NaN)",
-      [](const Atom& atom) { return std::isnan(atom.Charge); }));
+    molecule.Notes.push_back(DescribeAtoms(
+      molecule, "no charge in the file", [](const Atom& atom) { return std::isnan(atom.Charge); }));
   }
 }
 

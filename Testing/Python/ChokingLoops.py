@@ -93,7 +93,7 @@ shorter = servermanager.Fetch(short)
 assert shorter.GetCellData().GetArray("Converged").GetRange() == (1.0, 1.0)
 
 print("loop shortening passed", flush=True)
-offset = OffsetSurface(Input=shape, Distance=0.05, Resolution=24)
+offset = OffsetSurface(Input=shape, Distance=0.05, Resolution=40)
 UpdatePipeline(proxy=offset)
 assert servermanager.Fetch(offset).GetNumberOfCells() > 300
 

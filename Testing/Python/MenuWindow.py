@@ -22,7 +22,7 @@ def by_task(task, entry):
 
 
 # Each filter has a task.
-toolbar = (PANELS / "IsthmusToolbar.cxx").read_text()
+toolbar = (Path(__file__).parents[2] / "Plugin" / "IsthmusToolbar.cxx").read_text()
 for panel in PANELS.glob("*.xml"):
     for name, body in re.findall(r'<SourceProxy name="(\w+)"(.*?)</SourceProxy>', panel.read_text(), re.S):
         assert "<ShowInMenu" not in body or f'"{name}"' in toolbar, f"{name} is in no submenu of the menu Isthmus"

@@ -3,7 +3,7 @@
 import numpy
 from paraview import servermanager, simple
 
-from isthmus_plugin import pocket_views  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import pipelines, pocket_views  # there once paraview.simple has loaded the plugin
 import pocket_tools as tools
 from shared_data import shared_data
 
@@ -119,6 +119,7 @@ assert opacities() == {(2.0, 2.0): pocket_views.STRONG}, opacities()
 pocket_views.show_only(pockets, 0)
 assert opacities() == {(1.0, 3.0): pocket_views.FAINT, (1.0, 1.0): pocket_views.STRONG}, opacities()
 headed.SMProxy.SetSelectionInput(0, simple.IDSelectionSource(FieldType="ROW", IDs=[-1, 3]).SMProxy, 0)
+pipelines.selection_changed(headed.GetGlobalID())  # as the window does
 chosen = pocket_views.residues_of(pockets)
 assert chosen.LowerThreshold == 4.0, chosen.LowerThreshold
 

@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from shared_data import shared_data
 
-from isthmus_plugin import look  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import molecule_views as molecules
 
 # What mkdssp 4.2.2 (Debian 12) finds; its B, T, S, P and blank are C here.
@@ -121,10 +121,12 @@ assert molecules.selected(lysozyme, molecules.RESIDUES) == [34, 51, 129, 130, 13
 # A row of the table that a user selects is selected in the cartoon, and polygons in the table.
 picked = simple.IDSelectionSource(FieldType="POINT", IDs=[-1, 10])
 lysozyme.SMProxy.SetSelectionInput(molecules.RESIDUES, picked.SMProxy, 0)
+pipelines.selection_changed(lysozyme.GetGlobalID())  # as the window does
 assert molecules.selected(lysozyme, molecules.CARTOON) == [10]
 polygons = vtk_to_numpy(servermanager.Fetch(lysozyme, idx=0).GetCellData().GetArray("ResidueIndex"))
 picked = simple.IDSelectionSource(FieldType="CELL", IDs=[-1, int(numpy.flatnonzero(polygons == 20)[0])])
 lysozyme.SMProxy.SetSelectionInput(molecules.CARTOON, picked.SMProxy, 0)
+pipelines.selection_changed(lysozyme.GetGlobalID())
 assert molecules.selected(lysozyme, molecules.RESIDUES) == [20]
 # A spreadsheet of residues begins with what names them.
 sheet = simple.CreateView("SpreadSheetView")

@@ -89,9 +89,10 @@ def complaints_about(proxy_element):
 
 
 def unit_of_label(element):
-    """The unit behind the label, which the decorator IsthmusUnitLabel writes; "" without one."""
+    """The unit behind the label, which the decorator IsthmusUnitLabel writes; "" without one, or if it depends on another
+    property."""
     found = [decorator.get("unit") for decorator in element.iter("PropertyWidgetDecorator")
-             if decorator.get("type") == "isthmus_unit"]
+             if decorator.get("type") == "isthmus_unit" and not decorator.get("when")]
     return found[0] if found else ""
 
 

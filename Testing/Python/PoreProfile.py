@@ -42,6 +42,9 @@ pores = profile(gramicidin)
 table = tools.columns(pores.GetPoreTable())
 assert len(table["Radius"]) == 1, table
 assert abs(table["Radius"][0] - 1.200) <= 0.005, table["Radius"]
+same = profile(molecule("molecules/channels/1grm_hole_example.pdb", hole_radii=False),
+               RadiusTable=isthmus.vtkPoreProfile.Hole)
+assert abs(tools.columns(same.GetPoreTable())["Radius"][0] - table["Radius"][0]) < 1e-9
 
 # HOLE's planes lie across y of this file.
 rows = csv.DictReader(open(shared_data("molecules/channels/1grm_hole_profile.csv")))

@@ -115,7 +115,9 @@ class Session:
         self.has_no_complaints()
 
     def has_no_complaints(self):
-        said = complaints(self.log.read_text(errors="replace"))
+        # The trajectory has the C-alpha atoms alone.
+        said = [line for line in complaints(self.log.read_text(errors="replace"))
+                if "Side chains or bases are missing" not in line]
         assert not said, said
 
 

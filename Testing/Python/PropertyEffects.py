@@ -79,6 +79,7 @@ SILENT = {
     **{("BindingSitesInPockets", name): "a ball has no pockets: BindingSites.py has a molecule's"
        for name in ("Amplitude", "Classes", "MergeDistance", "MinimumArea", "Quantile", "RankBy",
                     "Threshold", "AutomaticThreshold")},
+    ("ChokingLoops", "Accuracy"): "it concerns more than 40,000 points: TestAdaptiveSamples has them",
     ("ChokingLoops", "AllowSelfIntersections"): "the ring does not cross itself: TestChokingInput has what does",
     ("ChokingLoops", "CapHoles"): "the ring is closed: TestChokingInput has what is not",
     ("ChokingLoops", "LoopOrder"):

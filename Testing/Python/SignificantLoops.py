@@ -72,14 +72,14 @@ assert denoised.surface.GetFieldData().HasArray("EstimatedGain")
 assert not calm.surface.GetFieldData().HasArray("EstimatedGain")
 
 # By the button: the same, and it is said. A second press, with the loops selected, begins at the map again.
-source = opened(ring(NOISE))
-for selected in (source, None):
+noisy = opened(ring(NOISE))  # the script of a table puts numpy's source() in the place of a variable of that name
+for selected in (noisy, None):
     loops, said = run(selected or loops)
     assert "denoised first, estimated gain" in text() and not said, (text(), said)
     names = [loop_views.registered_name(proxy) for proxy in (loops, loops.Input, loops.Input.Input)]
     number = "" if selected else " 2"
     assert names == [f"ring {what}{number}" for what in ("loops", "surface", "denoised")], names
-    assert loops.Input.Input.Input.SMProxy == source.SMProxy
+    assert loops.Input.Input.Input.SMProxy == noisy.SMProxy
     simple.Delete(simple.FindSource(names[0] + loop_views.COUNT))
 clear()
 

@@ -225,7 +225,8 @@ def load(window, state):
         xdotool("windowfocus", dialog)
         keys("Return")
     window.until("loaded state", has(window, "ChokingLoops", "ProgrammableFilter"))
-    return window.sources(), pixels_of(window.reached("9_loaded", 0.003))
+    shown = pixels_of(window.reached("9_loaded", 0.003))
+    return window.sources(), shown
 
 
 saved = FOLDER / "walk.pvsm"

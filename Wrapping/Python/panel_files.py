@@ -3,9 +3,9 @@
 
     panel_files.py SOURCE FOLDER
 
-writes the panels of the tree SOURCE into FOLDER, as the plugin takes them. In their sources,
-@MOLECULE_FORMATS@ stands for the entries of the list of formats, @MOLECULE_NAMES@ for their names, and
-@MOLECULE_ENDINGS@ for the endings of file names.
+writes the panels of the tree SOURCE into FOLDER, in the form that the plugin build needs. In their sources,
+@MOLECULE_FORMATS@ is replaced by the entries of the list of formats, @MOLECULE_NAMES@ by their names, and
+@MOLECULE_ENDINGS@ by the file name extensions.
 """
 import pathlib
 import re
@@ -21,12 +21,12 @@ def molecule_formats(root):
     table = (pathlib.Path(root) / "Readers/Molecules/MoleculeFormats.h").read_text()
     rows = [(name, label, endings.split()) for name, label, endings in ROW.findall(table)]
     if not rows or len(rows) != table.count("\n  FORMAT("):
-        raise SystemExit("panel_files.py: rows of MoleculeFormats.h that are not of the form FORMAT(NAME, \"...\", \"...\")")
+        raise SystemExit("panel_files.py: MoleculeFormats.h has rows that are not of the form FORMAT(NAME, \"...\", \"...\")")
     return rows
 
 
 def panel_text(path):
-    """The text of a panel, complete."""
+    """The text of a panel with all placeholders replaced."""
     path = pathlib.Path(path)
     text = path.read_text()
     if "@MOLECULE_" not in text:
@@ -46,7 +46,7 @@ def read_panel(path):
 
 
 def extensions(proxy):
-    """The endings of file names of a reader, without those of compressed files."""
+    """The file name extensions of a reader, without those of compressed files."""
     hint = proxy.find("./Hints/ReaderFactory")
     words = hint.get("extensions").split() if hint is not None else []
     return [word for word in words if not word.endswith(PACKED[1:])]
@@ -57,7 +57,7 @@ if __name__ == "__main__":
     folder.mkdir(parents=True, exist_ok=True)
     for panel in [*sorted((source / "Plugin").glob("*.xml")), source / "Plugin" / "Isthmus.qrc"]:
         written, text = folder / panel.name, panel_text(panel)
-        if not written.exists() or written.read_text() != text:  # keeps the time of files that stay the same
+        if not written.exists() or written.read_text() != text:  # unchanged files keep their modification time
             written.write_text(text)
     for old in folder.glob("*.xml"):
         if not (source / "Plugin" / old.name).exists():

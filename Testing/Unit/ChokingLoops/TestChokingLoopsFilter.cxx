@@ -119,6 +119,22 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
     { [loops] { loops->SetAlwaysIncludeHandles(false); }, 12 },
     { [loops] { loops->SetMaximumRadiusUnit(vtkChokingLoops::Absolute); }, 31 + 1 },
     { [loops] { loops->SetShorteningRounds(2); }, 31 + 1 },
+    { [loops] { loops->SetIncludeBottlenecks(false); }, 31 },
+    { [loops] { loops->SetIncludeTunnels(false); }, 0 },
+    { [loops]
+      {
+        loops->SetSide(vtkChokingLoops::Inside);
+        loops->SetAlwaysIncludeHandles(true);
+      },
+      31 },
+    { [loops] { loops->SetIncludeHandles(false); }, 0 },
+    { [loops]
+      {
+        loops->SetSide(vtkChokingLoops::Outside);
+        loops->SetIncludeTunnels(true);
+        loops->SetIncludeBottlenecks(true);
+      },
+      31 + 1 },
   };
   for (const auto& [change, count] : changes)
   {

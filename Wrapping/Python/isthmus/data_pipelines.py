@@ -76,8 +76,8 @@ def read(path):
         functions.run(reader, "read")
         data = reader.GetOutputDataObject(0)
         if ending in (".stl", ".ply", ".obj") and not data.GetNumberOfCells():
-            raise ValueError(f"read(): {path}: no polygons were found. The file is damaged, or has its surface in a form "
-                             "that VTK's reader does not know (strips, splines): write it as polygons.")
+            raise ValueError(f"read(): {path}: no polygons were found. The file is damaged, or stores its surface in a form "
+                             "that VTK's reader does not support (strips, splines): write it as polygons.")
         return functions.give(data)
     known = sorted({end for endings in READERS.values() for end in endings} | set(VTK_READERS))
     raise ValueError(f"read(): {path}: no reader for the ending {ending or 'of this name'!r}; known are "
@@ -85,7 +85,7 @@ def read(path):
 
 
 def _check_surface_file(path, ending):
-    """ValueError for files of which VTK's readers read garbage, or by which they crash."""
+    """Raises ValueError for files that VTK's readers misread or crash on."""
     if ending == ".stl":
         size = os.path.getsize(path)
         with open(path, "rb") as file:
@@ -94,7 +94,7 @@ def _check_surface_file(path, ending):
         is_text = start.lstrip()[:5].lower() == b"solid" and b"facet" in start.lower()
         if len(start) >= 84 and not is_text and size != 84 + 50 * triangles:
             raise ValueError(f"read(): {path}: {triangles} triangles of 50 bytes need {84 + 50 * triangles} bytes, but the "
-                             f"file has {size}. It is truncated, or no plain binary STL file: write it again.")
+                             f"file has {size}. It is truncated, or not a plain binary STL file: write it again.")
     elif ending == ".ply":
         with open(path, "rb") as file:
             header = file.read(65536).split(b"end_header")[0]

@@ -4,8 +4,9 @@
     chart = diagram_views.show(loops)             # a chart view beside the active view
 
 Births are across, deaths upwards; features far above the diagonal are persistent. Colours are kinds, symbols are sides
-of the surface (discs inside, diamonds outside), a line is the threshold of persistence. A loop that is selected, in the
-chart or in the view, is selected in the other one as well, and the ball of its choke point is shown.
+of the surface (discs inside, diamonds outside), the line is the persistence threshold. A loop that is selected in the
+chart, in the view or in the table of loops is selected in all of them, and the ball of its choke point and its radius are
+shown.
 """
 
 import importlib
@@ -21,7 +22,6 @@ from . import loop_views, messages, selections
 from . import pocket_views as pockets_and_pores
 
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
-CHOKE_POINTS = 2  # port of Choking Loops
 CELL, ROW = 1, 6  # of vtkDataObject's attribute types
 # Pixels: width of a chart's legend, height of each of its rows, and space that the axes and the title of a chart need.
 LEGEND_WIDTH, ROW_HEIGHT, LEFT_SPACE, BELOW_SPACE = 145, 18, 75, 90
@@ -30,7 +30,6 @@ DISC, DIAMOND = "4", "5"  # marker styles of a chart
 SELECTED_WIDTH = 15.0 if servermanager and servermanager.vtkSMProxyManager.GetVersionMinor() == 13 else 9.0
 VERMILION, ORANGE, GREEN, BLUE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.0, 0.620, 0.451), (0.0, 0.447, 0.698), (0.72, 0.72, 0.72))
-BALL = (0.941, 0.894, 0.259)
 # Series of the chart: label, the values of these columns, symbol, colour, size.
 LOOPS = (
     ("no loop, inside", {"Kind": 3, "Side": 0}, DISC, GREY, 4),
@@ -113,7 +112,6 @@ def show(source):
         layout.SplitViewHorizontal(view, 0.6)
         simple.AssignViewToLayout(view=chart, layout=layout)
     _draw(source, plot, chart)
-    link(source, plot)
     simple.Render(chart)
     if view:
         simple.SetActiveView(view)
@@ -263,53 +261,88 @@ def follow_threshold(source):
                 if any(getattr(display, "Input", None) == plot for display in view.Representations):
                     _draw(source, plot, view)
                     view.SMProxy.StillRender()
-        if source.SMProxy.GetXMLName() in loop_views.LOOPS:
-            _select_loops(source, _selected_ids(plot))
+    tables = loop_views.tables_of(source)
+    if source.SMProxy.GetXMLName() in loop_views.LOOPS and (tables or plots_of(source)):
+        # The chart has all features, so that its rows stay the same.
+        ids = [number for plot in plots_of(source) for number in _selected_ids(plot)]
+        _select_loops(source, ids)
+        for table in tables:
+            _select(table, "ROW", _places(servermanager.Fetch(table), ROW, ids))
+        loop_views.show_all(source)
+        _show_balls(source, _selected_ids(source))
 
 
-# ---------------------------------------------------------------------------- one selection in chart and view
-
-_linked = {}  # (loops, the filter of their chart), by their global ids
-
-
-def link(source, plot):
-    """Links the selections of chart and view: features that are selected in one are selected in the other.
-    For Scalar Persistence, only the chart has a selection."""
-    if source.SMProxy.GetXMLName() in loop_views.LOOPS:
-        _linked[source.SMProxy.GetGlobalID(), plot.SMProxy.GetGlobalID()] = source, plot
-
+# ---------------------------------------------------------------------------- one selection in chart, table and view
 
 @messages.reports_faults("The selection of a loop")
 def selection_changed(number):
-    """Called by the window with the global id of the source whose selection has changed, by the user or by this module;
-    0: nothing is selected."""
-    there = {proxy.SMProxy.GetGlobalID() for proxy in simple.GetSources().values()}
-    for key, (source, plot) in list(_linked.items()):
-        if not there.issuperset(key):
-            del _linked[key]
+    """Called by the window with the global id of the source whose selection was changed by the user or by this module;
+    0: nothing is selected. The loops of Choking Loops, the charts of their diagram and their table share one selection."""
+    for source in list(simple.GetSources().values()):
+        if source.SMProxy.GetXMLName() in loop_views.LOOPS:
+            _share_selection(source, number)
+
+
+def _share_selection(source, number):
+    tables = loop_views.tables_of(source)
+    members = [source, *plots_of(source), *tables]
+    selected = [_selected_ids(member) for member in members]
+    changed = [i for i, member in enumerate(members) if member.SMProxy.GetGlobalID() == number]
+    if len(members) == 1 or not changed and not any(selected):
+        return
+    wanted = selected[changed[0]] if changed else []
+    for i, member in enumerate(members):
+        if i not in changed and _with_rows(member, wanted) != selected[i]:
+            _select_loops(source, wanted) if member is source else _select(
+                member, "ROW", _places(servermanager.Fetch(member), ROW, wanted))
+    shown = _selected_ids(source)
+    if shown and changed:
+        cells = cells_of(source, shown)
+        if loop_views.only_of(source) is not None:
+            loop_views.show_only(source, cells)
+        if members[changed[0]] in tables:
+            loop_views.zoom(source, cells)
+    _show_balls(source, shown)
+    simple.RenderAllViews()
+
+
+def _with_rows(member, ids):
+    """The features for which a member has a row or a loop."""
+    if not ids:
+        return []
+    data = servermanager.Fetch(simple.OutputPort(member, 0), 0, 0)
+    arrays = [data.GetAttributes(kind).GetArray("FeatureId") for kind in (CELL, ROW) if data.GetAttributes(kind)]
+    there = {int(array.GetTuple1(i)) for array in arrays if array for i in range(array.GetNumberOfTuples())}
+    return [number for number in ids if number in there]
+
+
+def cells_of(source, ids):
+    """The cells (lines) of features in the first output of Choking Loops."""
+    return _places(servermanager.Fetch(simple.OutputPort(source, 0), 0, 0), CELL, ids)
+
+
+@messages.reports_faults("Showing some of the loops")
+def show_loops(selected):
+    """Shows only the selected loops, or all of them again, for each Choking Loops filter visible in a view."""
+    found = False
+    for source in list(simple.GetSources().values()):
+        if source.SMProxy.GetXMLName() not in loop_views.LOOPS or not loop_views.views_of(source):
             continue
-        in_view, in_chart = _selected_ids(source), _selected_ids(plot)
-        if number == key[1] and _with_loops(source, in_chart) != in_view:
-            _select_loops(source, in_chart)
-        elif number == key[0] and in_view != _with_loops(source, in_chart):
-            _select(plot, "ROW", _places(servermanager.Fetch(plot), ROW, in_view))
-        elif number not in key and (in_view or in_chart):
-            _select(plot, "ROW", [])
-            _select(source, "CELL", [])
-        _show_balls(source, _selected_ids(source))
-        simple.RenderAllViews()
-
-
-def _with_loops(source, ids):
-    """Those of the features that have a loop in the view."""
-    array = servermanager.Fetch(simple.OutputPort(source, 0), 0, 0).GetCellData().GetArray("FeatureId")
-    shown = {int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples())} if array else set()
-    return [number for number in ids if number in shown]
+        ids = _selected_ids(source)
+        if selected and ids:
+            loop_views.show_only(source, cells_of(source, ids))
+        elif not selected:
+            loop_views.show_all(source)
+        found = found or bool(ids) or not selected
+        for view in loop_views.views_of(source):
+            loop_views.count(source, view)
+    if not found:
+        messages.show_note("Select loops first: click rows of their table, or press S over the view and drag a rectangle.")
+    simple.RenderAllViews()
 
 
 def _select_loops(source, ids):
-    lines = servermanager.Fetch(simple.OutputPort(source, 0), 0, 0)
-    _select(source, "CELL", _places(lines, CELL, ids))
+    _select(source, "CELL", cells_of(source, ids))
     for view in simple.GetViews():
         for display in view.Representations:
             if hasattr(display, "SelectionLineWidth") and getattr(
@@ -353,7 +386,7 @@ def balls_of(source):
     """The filter that passes the choke points of the loops that are selected; None before the first."""
     for proxy in simple.GetSources().values():
         given = getattr(proxy, "Input", None) if proxy.SMProxy.GetXMLName() == "ExtractSelection" else None
-        if given is not None and given.SMProxy == source.SMProxy and given.Port == CHOKE_POINTS:
+        if given is not None and given.SMProxy == source.SMProxy and given.Port == loop_views.CHOKE_POINTS:
             return proxy
     return None
 
@@ -361,34 +394,27 @@ def balls_of(source):
 def _show_balls(source, ids):
     """The balls that get stuck in the selected loops, in the views that show the loops."""
     balls = balls_of(source)
-    places = _places(servermanager.Fetch(source, idx=CHOKE_POINTS), 0, ids)
+    places = _places(servermanager.Fetch(source, idx=loop_views.CHOKE_POINTS), 0, ids)
     if balls is None:
         if not places:
             return
         selected = simple.GetActiveSource()
         balls = simple.ExtractSelection(
-            simple.OutputPort(source, CHOKE_POINTS), Selection=selections.of_ids("POINT", []),
+            simple.OutputPort(source, loop_views.CHOKE_POINTS), Selection=selections.of_ids("POINT", []),
             registrationName=pockets_and_pores.name_of(source, "selected balls"))
         simple.SetActiveSource(selected)
     balls.Selection = selections.of_ids("POINT", places)
     balls.UpdatePipeline()
-    for view in simple.GetViews():
-        shows = [display for display in view.Representations if getattr(display, "Visibility", 0) and
-                 getattr(getattr(display, "Input", None), "SMProxy", None) == source.SMProxy]
-        if not shows or not hasattr(view, "HiddenLineRemoval"):  # no render view
-            continue
-        known = [display for display in view.Representations if getattr(display, "Input", None) == balls]
-        display = known[0] if known else _ball_display(balls, view)
-        display.Visibility = int(bool(places))
+    for view in loop_views.views_of(source):
+        if not [display for display in view.Representations if getattr(display, "Input", None) == balls]:
+            _ball_display(balls, view)
+            pockets_and_pores.show_labels(balls, view, "Radius", 2)
+        for display in view.Representations:
+            if getattr(display, "Input", None) == balls:
+                display.Visibility = int(bool(places))
 
 
 def _ball_display(balls, view):
     display = simple.Show(balls, view)
-    display.SetRepresentationType("Point Gaussian")
-    display.ShaderPreset, display.GaussianRadius = "Sphere", 1.0
-    display.ScaleByArray, display.UseScaleFunction = 1, 0
-    display.SetScaleArray = ["POINTS", "Radius"]
-    simple.ColorBy(display, None)
-    display.DiffuseColor = display.AmbientColor = BALL
-    display.Opacity, display.Pickable = 0.4, 0
+    pockets_and_pores.show_balls(display)
     return display

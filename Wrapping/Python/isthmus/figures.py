@@ -32,7 +32,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import messages
+from . import cameras, loop_views, messages
 
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
 WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
@@ -57,7 +57,7 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
 
     path: of the PNG file; None: a new one in the folder for temporary files.
     font_points: size of all text in print.
-    background: red, green, blue from 0 to 1. Text is black on a light one, white on a dark one.
+    background: red, green, blue from 0 to 1; None: as in the view. Text is black on a light one, white on a dark one.
     scale_bar: of a round length, in angstrom below 100 angstrom, else in nanometres. With parallel projection it holds
     everywhere; with perspective only in the plane of the focal point, as its text then states. Charts have none. shadows:
      ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
@@ -123,6 +123,19 @@ def _colour_points(view):
         plot.SetLookupTable(look)
         plot.SelectColorArray(0)
         plot.ScalarVisibilityOn()
+
+
+@messages.reports_faults("Saving the figure")
+def save_figure(path, width_mm, dpi, background, scale_bar, outlines):
+    """Isthmus > Save figure: the active view as shown, without status texts such as the number of loops."""
+    try:
+        path = path if path.lower().endswith(".png") else path + ".png"
+        written = figure(None, width_mm, dpi, path, background=background, scale_bar=scale_bar, shadows=outlines,
+                         silhouettes=outlines)
+    except (ValueError, OSError) as error:
+        messages.show_error(str(error))
+        return
+    messages.show_note(f"Saved {written[0]} and, with text as vectors, {os.path.basename(written[1])}.")
 
 
 class _Changes:
@@ -201,7 +214,7 @@ def scale_bar(view=None, on=None):
     for ruler, display in known:
         display.Visibility = int(on)
         _place_bar(view, ruler, display)
-        _follow_camera(view)
+        cameras.follow(view)
     simple.Render(view)
     return on
 
@@ -269,30 +282,13 @@ def _place_bar(view, ruler, display):
     display.AxisColor = list(display.Color)  # of texts, which follows the palette
 
 
-_following = set()  # views whose scale bar follows the camera, by global id
-
-
-def _follow_camera(view):
-    """Places the bar again whenever the camera has moved."""
-    number = view.SMProxy.GetGlobalID()
-    interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
-    if interactor is None or number in _following:
-        return
-    _following.add(number)
-
-    def moved(caller, event):
-        try:
-            bars = [(ruler, display) for ruler, display in _bars(view) if display.Visibility]
-            for ruler, display in bars:
-                _place_bar(view, ruler, display)
-            if bars and event != "InteractionEvent":
-                view.SMProxy.StillRender()
-        except Exception:  # moving the camera must not fail
-            messages.fault("Placing the scale bar")
-
-    for event in ("InteractionEvent", "EndInteractionEvent", "MouseWheelForwardEvent", "MouseWheelBackwardEvent"):
-        interactor.AddObserver(event, moved)
-    view.SMProxy.AddObserver("ResetCameraEvent", lambda *_: moved(None, "InteractionEvent"))
+@cameras.when_moved
+def _place_bars(view, _):
+    """Places the bars again whenever the camera has moved."""
+    bars = [(ruler, display) for ruler, display in _bars(view) if display.Visibility]
+    for ruler, display in bars:
+        _place_bar(view, ruler, display)
+    return bool(bars)
 
 
 # ---------------------------------------------------------------------------- figures
@@ -317,9 +313,15 @@ def _names(view):
 
 
 def _prepare(view, change, background, scale_bar):
-    ink = _ink(background)
-    change.set(view, UseColorPaletteForBackground=0, BackgroundColorMode="Single Color", Background=background,
-               OrientationAxesVisibility=0, CenterAxesVisibility=0)
+    change.set(view, OrientationAxesVisibility=0, CenterAxesVisibility=0)
+    if background is None:
+        ink = list(view.OrientationAxesLabelColor)  # of texts, which follows the palette
+    else:
+        ink = _ink(background)
+        change.set(view, UseColorPaletteForBackground=0, BackgroundColorMode="Single Color", Background=background)
+    for text in _texts(view):
+        if loop_views.registered_name(text.Input).endswith(loop_views.COUNT):
+            change.set(text, Visibility=0)
     if scale_bar:
         _add_scale_bar(view, change, ink)
     for bar in _legends(view):

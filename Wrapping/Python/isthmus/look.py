@@ -7,20 +7,13 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import diagram_views, loop_views, messages, steps, track_views
+from . import cameras, colours, diagram_views, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
 from . import pocket_views as pockets_and_pores
 
-
-def _sequential():
-    """Viridis, by its name in this version of ParaView: the short one from 6.0 on."""
-    presets = servermanager.vtkSMTransferFunctionPresets.GetInstance() if servermanager else None
-    return "Viridis (matplotlib)" if presets and not presets.HasPreset("Viridis") else "Viridis"
-
-
 # Colours. A signed quantity spans a range symmetric about 0, so that its neutral colour means 0.
 DIVERGING = "Cool to Warm"
-SEQUENTIAL = _sequential()
+SEQUENTIAL = colours.sequential()
 CURVATURES = ("MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature")
 SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
@@ -29,9 +22,8 @@ SITES = ("BindingSites", "BindingSitesInPockets")
 IONS = ("IonTransport", "IonTransportOnSurface", "IonTransportMovingSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
+MAPS = ("DensityMapReader",)
 DENOISERS = ("DenoiseMap", "DenoiseFromHalfMaps", "HighOrderDiffusion")  # their output is a map, displayed as a surface
-# Contour a map: a menu shows the automatic level as a given one, so that the slider begins there.
-LEVELLED = ("MapSurface", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels
 # Surfaces that are shown in the place of a molecule.
 ENVELOPES = ("MolecularFlowSurface", "SolvationSurface", "PoissonBoltzmann", "PoissonBoltzmannOnSurface")
@@ -100,10 +92,7 @@ def colour_range(port, association, array):
 
 
 def _set_categories(table, array):
-    rows = CATEGORIES[array]
-    table.InterpretValuesAsCategories = 1
-    table.Annotations = [word for value, name, _ in rows for word in (value, name)]
-    table.IndexedColors = [part for _, _, colour in rows for part in colour]
+    colours.set_categories(table, CATEGORIES[array])
     table.NanColor = FURTHER  # values without a name of their own
 
 
@@ -121,6 +110,7 @@ def _bar(table, view, array):
 # Colour maps that first_look() has set, by global id: the range it gave them. A map whose range has
 # changed since was changed by the user.
 _ranges = {}
+_named = set()  # colour maps whose categories first_look() has named
 _titled = set()  # (colour map, view) whose legend has its title
 
 
@@ -132,7 +122,40 @@ def _title(table, view, array):
         _bar(table, view, array)
 
 
+_plain = {}  # displays in a solid colour because their array has no values, by global id: (association, array)
+
+
+def _follow_values(display, view):
+    """Uses a solid colour for a display while its array has no values, and colours by the array again once it has some."""
+    if not hasattr(display, "UseSeparateColorMap"):  # a vtkMolecule representation, which has its own colours
+        return
+    key = display.GetGlobalID()
+    association, array = _plain.get(key) or display.ColorArrayName[:2]
+    if not array or display.Input is None or (key in _plain and display.ColorArrayName[1]):
+        _plain.pop(key, None)  # the user has chosen another array meanwhile
+    elif not colours.has_values(display.Input, association, array):
+        if key not in _plain:
+            _plain[key] = association, array
+            colours.plain(display)
+            simple.HideUnusedScalarBars(view)
+    elif key in _plain:
+        del _plain[key]
+        colours.colour_by(display, association, array)
+        display.SetScalarBarVisibility(view, True)
+
+
+def _name_kinds(table, display):
+    """A legend of the kinds that are shown."""
+    data = servermanager.Fetch(display.Input)
+    array = data.GetCellData().GetArray("Kind") if data.IsA("vtkDataSet") else None
+    there = {str(int(array.GetTuple1(i))) for i in range(array.GetNumberOfTuples())} if array else set()
+    rows = [row for row in CATEGORIES["Kind"] if row[0] in there]
+    if rows and list(table.Annotations)[::2] != [value for value, *_ in rows]:
+        colours.set_categories(table, rows)
+
+
 def _colour(display, view):
+    _follow_values(display, view)
     association, array = display.ColorArrayName[0], display.ColorArrayName[1]
     if not array or (array not in CATEGORIES and array not in SIGNED and
                      array not in UNSIGNED and array not in FIXED):
@@ -142,7 +165,10 @@ def _colour(display, view):
     if array in CATEGORIES:
         if key not in _ranges:
             _ranges[key] = None
+            _named.add(key)
             _set_categories(table, array)
+        if array == "Kind" and key in _named:
+            _name_kinds(table, display)
         _title(table, view, array)
         return
     now = (table.RGBPoints[0], table.RGBPoints[-4])
@@ -169,9 +195,9 @@ def _colour(display, view):
 def _look_at_loops(display, view, port):
     """Loops as tubes coloured by kind, on a translucent surface; nothing else."""
     if port == 0:
-        display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
-        simple.ColorBy(display, ("CELLS", "Kind"))
-        display.SetScalarBarVisibility(view, True)
+        if display.Input.SMProxy.GetGlobalID() in _by_hand:
+            loop_views.show_radius(servermanager._getPyProxy(display.Input.SMProxy))
+        loop_views.look(display, view)
         # For a map, the contour is an output; for a surface, it is the input.
         loops = servermanager._getPyProxy(display.Input.SMProxy)
         own = loops.SMProxy.GetNumberOfOutputPorts() > 4
@@ -192,8 +218,8 @@ def _look_at_ions(display, view):
     display.SetRepresentationType("Slice")
     display.SliceMode = "XZ Plane" if upright else "XY Plane"
     display.Slice = (extent[2 * across + 1] - extent[2 * across]) // 2
-    simple.ColorBy(display, ("POINTS", "Potential"))
-    display.SetScalarBarVisibility(view, True)
+    if colours.colour_by(display, "POINTS", "Potential"):
+        display.SetScalarBarVisibility(view, True)
     middle = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
     simple.ResetCameraToDirection(middle, [0, 1, 0] if upright else [0, 0, -1], normal, view)
 
@@ -204,28 +230,66 @@ def _look_at_mesh(display, view):
     _colour_if_it_differs(display, view, "RegionId")
 
 
-def _look_at_denoised(display, view):
-    """The surface of a denoised map instead of its box, by a separate Map Surface with its own level."""
+def _show_surface(display, view, name):
+    """The surface of a map, by a separate Map Surface with its own level, and the box of the map as an outline."""
     if display.Representation != "Outline" or not _is_map(display.Input):
-        return
+        return None
     selected = simple.GetActiveSource()
     surface = simple.MapSurface(
-        display.Input, registrationName=pockets_and_pores.name_of(display.Input, "denoised surface"),
-        **steps.FIRST["MapSurface"])
+        display.Input, registrationName=pockets_and_pores.name_of(display.Input, name), **steps.FIRST["MapSurface"])
     surface.UpdatePipeline()
+    if surface.FieldData["InvertedContrast"]:
+        surface.InsideIsHigher = 0
+        surface.UpdatePipeline()
     level = surface.FieldData["Level"]
     if level is not None:
         surface.AutomaticLevel, surface.Level = 0, level.GetRange()[0]
+        surface.UpdatePipeline()
     simple.SetActiveSource(selected)
+    if not data_of(surface).GetNumberOfCells():
+        simple.Delete(surface)
+        return None
     simple.Show(surface, view)
-    display.Visibility = 0
+    return surface
+
+
+def _look_at_opened(display, view, name):
+    """The initial view of a file opened by the user: the surface of a map, or the cartoon of a molecule with ligands as balls
+    and sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files turns them off."""
+    if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files() or _has_filters(display.Input):
+        return
+    if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
+        _show_surface(display, view, "surface")
+    elif name in MOLECULES and getattr(display.Input, "Port", 0) == 0 and display.Input.PointData["ResidueId"] is not None:
+        selected = simple.GetActiveSource()
+        cartoon = simple.MoleculeCartoon(
+            display.Input, registrationName=pockets_and_pores.name_of(display.Input, "cartoon"))
+        cartoon.UpdatePipeline()
+        simple.SetActiveSource(selected)
+        if data_of(cartoon).GetNumberOfCells():
+            molecules.show(cartoon, view)
+            _hide_molecule(display.Input, view)
+            display.Visibility = 0
+        else:
+            simple.Delete(cartoon)
+
+
+def _has_filters(source):
+    """True if the user has already applied a filter or pressed a button."""
+    return any(getattr(getattr(other, "Input", None), "SMProxy", None) == source.SMProxy
+               for other in simple.GetSources().values())
+
+
+def _shows_files():
+    settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
+    return settings is None or bool(settings.SurfaceAndCartoonOfFiles)
 
 
 def _colour_if_it_differs(display, view, array):
     """A plain colour if a cell array has a single value: a colour bar would be empty."""
     cells = _range_of_cells(display.Input, array)
     if cells is None or cells[0] == cells[1]:
-        simple.ColorBy(display, None)
+        colours.plain(display)
         simple.HideUnusedScalarBars(view)
 
 
@@ -326,8 +390,8 @@ def _look_at_shape(display, view, source, name):
     if name in loop_views.LOOPS:
         _look_at_loops(display, view, port)
     elif name in SITES and port == 0:
-        simple.ColorBy(display, ("POINTS", "BindingSite"))
-        display.SetScalarBarVisibility(view, True)
+        if colours.colour_by(display, "POINTS", "BindingSite"):
+            display.SetScalarBarVisibility(view, True)
     elif name in IONS and port == 0:
         _look_at_ions(display, view)
     elif name == "MapHandles":
@@ -339,7 +403,10 @@ def _look_at_shape(display, view, source, name):
     elif name in ENVELOPES:
         _hide_molecule(source.Input, view)
     elif name in DENOISERS and port == 0 and source.SMProxy.GetGlobalID() in _by_hand:
-        _look_at_denoised(display, view)
+        if _show_surface(display, view, "denoised surface"):
+            display.Visibility = 0
+    elif name in MAPS + MOLECULES:
+        _look_at_opened(display, view, name)
     elif name == "AtomSelection":
         pockets_and_pores.sticks(display, view)
     elif name == "MoleculeCartoon":
@@ -468,6 +535,33 @@ def live_change(number):
         diagram_views.follow_threshold(proxy)
 
 
+@messages.reports_faults("Keeping the look of what was loaded")
+def keep_looks():
+    """Called by the window after a state was loaded, or a step was undone or redone: existing displays keep their look,
+    and labels still follow the camera and views still close with their source."""
+    for view in simple.GetViews():
+        is_render_view = hasattr(view, "HiddenLineRemoval")
+        if is_render_view:
+            cameras.follow(view)
+        for display in view.Representations:
+            source = getattr(display, "Input", None)
+            if source is None:
+                continue
+            _seen.add(display.GetGlobalID())
+            if not is_render_view and _is_ours(source.SMProxy):
+                pockets_and_pores.own_views.add(view.SMProxy.GetGlobalID())
+            table = getattr(display, "LookupTable", None)
+            if table is not None:
+                _ranges.setdefault(table.GetGlobalID(), None)
+                _titled.add((table.GetGlobalID(), view.SMProxy.GetGlobalID()))
+
+
+def _is_ours(proxy):
+    """Whether the data comes from a filter of Isthmus, or from one that a button has added downstream of it."""
+    return "Isthmus" in _menu_of(servermanager._getPyProxy(proxy)) or any(
+        _is_ours(proxy.GetProducerProxy(i)) for i in range(proxy.GetNumberOfProducers()))
+
+
 _by_hand = set()  # global ids of filters that a menu has created
 
 
@@ -487,7 +581,7 @@ def first_values(number):
         return
     if name == "ScalarPersistence":
         proxy.Superlevel = 1  # the dense region is the object
-    elif name in LEVELLED and proxy.AutomaticLevel:
+    elif name in steps.LEVELLED and proxy.AutomaticLevel:
         level = _proposed_level(proxy.Input)
         if level is not None:
             proxy.AutomaticLevel, proxy.Level = 0, level
@@ -541,6 +635,9 @@ def show(*proxies, view=None, tables=False):
     if display is not None and display.LookupTable is not None and display.ColorArrayName[1]:
         display.SetScalarBarVisibility(view, True)
     simple.ResetCamera(view)
+    if tables and proxies[-1].SMProxy.GetXMLName() in loop_views.LOOPS:
+        loop_views.show_table(proxies[-1], view)
+        simple.SetActiveView(view)
     return display
 
 
@@ -555,7 +652,7 @@ def _show_sites(sites, display, view, beside):
     other = pockets_and_pores.new_view("RenderView", view, "right", 0.5)
     potential = simple.Show(sites, other, "GeometryRepresentation")
     _seen.add(potential.GetGlobalID())  # is displayed here
-    simple.ColorBy(potential, ("POINTS", "Potential"))
+    colours.colour_by(potential, "POINTS", "Potential")
     _colour(potential, other)
     potential.SetScalarBarVisibility(other, True)
     _face(sites, found, other)
@@ -572,9 +669,7 @@ def _name_sites(sites, display, view):
     found = servermanager.Fetch(sites, idx=1)
     rows = CATEGORIES["BindingSite"]
     table = display.LookupTable
-    named = rows[:1 + found.GetNumberOfRows()]
-    table.Annotations = [word for value, name, _ in named for word in (value, name)]
-    table.IndexedColors = [part for _, _, colour in named for part in colour]
+    colours.set_categories(table, rows[:1 + found.GetNumberOfRows()])
     bar = simple.GetScalarBar(table, view)
     bar.DrawNanAnnotation, bar.NanAnnotation = int(found.GetNumberOfRows() >= len(rows)), "further sites"
     return found

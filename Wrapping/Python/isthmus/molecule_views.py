@@ -18,7 +18,7 @@ try:
 except ImportError:
     servermanager = simple = algorithms = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import messages, selections
+from . import colours, messages, selections
 
 CARTOON, STICKS, RESIDUES = 0, 1, 2  # the ports
 MOST_NAMES = 12  # of chains in a legend
@@ -64,7 +64,7 @@ def show_with_map(cartoon, coloured, view=None):
     view = view or simple.GetActiveViewOrCreate("RenderView")
     show(cartoon, view, colour_by="ChainIndex")
     display = simple.Show(coloured, view, "GeometryRepresentation")
-    simple.ColorBy(display, ("POINTS", "ChainIndex"))
+    colours.colour_by(display, "POINTS", "ChainIndex")
     display.SetScalarBarVisibility(view, False)
     display.Opacity, display.Pickable = 0.4, 0
     simple.ResetCamera(view)
@@ -79,11 +79,9 @@ def _count(cartoon, port):
 def look(display, view, port):
     """The array that the window colours by first: confidence of a prediction, otherwise chains, otherwise
     secondary structure."""
-    cartoon = servermanager._getPyProxy(display.Input.SMProxy)
-    follow(cartoon)
-    if port == STICKS:
+    if port == STICKS and colours.has_values(display.Input, "CELLS", "Element"):
         colour(display, view, "Element")
-    if port != CARTOON:
+    if port != CARTOON or not colours.has_values(display.Input, "CELLS", "SecondaryStructure"):
         return
     cells = display.Input.CellData
     chains = cells["ChainIndex"]
@@ -102,23 +100,17 @@ def colour(display, view, array):
     if array == "pLDDT":
         _set_confidence(table)
     elif array == "BFactor":
-        table.ApplyPreset(_sequential(), True)
+        table.ApplyPreset(colours.sequential(), True)
         low, high = display.Input.CellData[array].GetRange(0)
         table.RescaleTransferFunction(low, high if high > low else low + 1.0)
     else:
-        _set_categories(table, _categories(display, array))
+        colours.set_categories(table, _categories(display, array))
     has_legend = array != "Element" and len(table.Annotations) <= 2 * MOST_NAMES
     display.SetScalarBarVisibility(view, has_legend)
     if has_legend:
         bar = simple.GetScalarBar(table, view)
         bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
     simple.HideUnusedScalarBars(view)
-
-
-def _sequential():
-    """Viridis, by its name in this version of ParaView."""
-    presets = servermanager.vtkSMTransferFunctionPresets.GetInstance()
-    return "Viridis (matplotlib)" if not presets.HasPreset("Viridis") else "Viridis"
 
 
 def _set_confidence(table):
@@ -128,12 +120,6 @@ def _set_confidence(table):
     table.RGBPoints = [number for low, high, rgb in CONFIDENCE
                        for number in (low if low == 0.0 else low + 1e-4, *rgb, high, *rgb)]
     table.AutomaticRescaleRangeMode = "Never"
-
-
-def _set_categories(table, rows):
-    table.InterpretValuesAsCategories = 1
-    table.Annotations = [word for value, name, _ in rows for word in (value, name)]
-    table.IndexedColors = [part for _, _, rgb in rows for part in rgb]
 
 
 def _categories(display, array):
@@ -245,6 +231,7 @@ def select(cartoon, residues):
     """Selects residues in the cartoon, the balls and sticks, and the table; returns their rows."""
     rows = rows_of(cartoon, residues)
     _select(cartoon, rows, (CARTOON, STICKS, RESIDUES))
+    _keep(cartoon)
     return rows
 
 
@@ -282,35 +269,23 @@ def _select(cartoon, rows, ports):
         selections.select(cartoon, port, selections.of_query("Point Data" if port == RESIDUES else "Cell Data", query))
 
 
-_followed = {}
-_busy = set()
+_last = {}  # rows that were selected last, by the global id of the cartoon and port
 
 
-def follow(cartoon):
-    """Links the selections of the outputs: what is selected in one is selected in all."""
+def _keep(cartoon):
+    """Stores the current selection, so that the next change can be detected."""
+    for port in (CARTOON, STICKS, RESIDUES):
+        _last[cartoon.SMProxy.GetGlobalID(), port] = selected(cartoon, port)
+
+
+@messages.reports_faults("Selecting a residue in all outputs")
+def selection_changed(cartoon):
+    """Applies a selection made in one output of a cartoon to all of its outputs."""
     number = cartoon.SMProxy.GetGlobalID()
-    if number in _followed:
-        return
-
-    def picked(*_):
-        if number in _busy:
-            return
-        _busy.add(number)
-        try:
-            for port in (CARTOON, STICKS, RESIDUES):
-                rows = selected(cartoon, port)
-                if rows is not None and rows != _last.get((number, port)):
-                    _select(cartoon, rows, [other for other in (CARTOON, STICKS, RESIDUES) if other != port])
-                    for each in (CARTOON, STICKS, RESIDUES):
-                        _last[number, each] = selected(cartoon, each)
-                    simple.RenderAllViews()  # the window draws the one that was clicked
-                    break
-        except Exception:  # a failed click must not cause an error
-            messages.fault("Selecting a residue in all outputs")
-        finally:
-            _busy.discard(number)
-
-    _followed[number] = cartoon.SMProxy.AddObserver("SelectionChangedEvent", picked)
-
-
-_last = {}
+    for port in (CARTOON, STICKS, RESIDUES) if cartoon.SMProxy.GetXMLName() == "MoleculeCartoon" else ():
+        rows = selected(cartoon, port)
+        if rows is not None and rows != _last.get((number, port)):
+            _select(cartoon, rows, [other for other in (CARTOON, STICKS, RESIDUES) if other != port])
+            _keep(cartoon)
+            simple.RenderAllViews()  # ParaView itself renders only the view that was clicked
+            break

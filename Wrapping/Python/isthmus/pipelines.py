@@ -37,9 +37,9 @@ BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"signif
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
 colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
-figure, change_look = figures.figure, figures.change_look
+figure, save_figure, change_look = figures.figure, figures.save_figure, figures.change_look
 background, soft_shadows, scale_bar = figures.background, figures.soft_shadows, figures.scale_bar
-selection_changed = diagram_views.selection_changed
+keep_looks, show_loops = look.keep_looks, diagram_views.show_loops
 live_change, preview_level, end_preview = look.live_change, look.preview_level, look.end_preview
 
 
@@ -218,6 +218,8 @@ def surface_to_loops(source, significant=False):
         loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
         raise ValueError(steps.NOTHING["loops"])
+    if significant:
+        loop_views.show_radius(loops)
     return (loops,)
 
 
@@ -246,7 +248,7 @@ def trajectory_to_loops(source, frames=steps.MOST_FRAMES):
         surface = moving
     (loops,) = surface_to_loops(surface, significant=True)
     tracks = simple.FeatureTracks(
-        simple.OutputPort(loops, diagram_views.CHOKE_POINTS), MinimumLength=2,
+        simple.OutputPort(loops, loop_views.CHOKE_POINTS), MinimumLength=2,
         registrationName=pockets_and_pores.name_of(source, "loops over time"))
     track_views.report_frames(tracks, len(times))
     tracks.UpdatePipeline()
@@ -538,7 +540,7 @@ def use_proposed_threshold(number):
     sides = [side for side, other in ((0, "Outside"), (1, "Inside")) if loops.Side != other]
     rows = [told.GetTuple(side) for side in sides]
     gaps = [threshold for threshold, width in rows if width > 0.0]
-    loops.PersistenceUnit = "Unit of the points"
+    loops.PersistenceUnit = "Angstrom"
     loops.MinimumPersistence = min(gaps or [threshold for threshold, _ in rows])
     loops.UpdatePipeline()
     simple.RenderAllViews()
@@ -554,12 +556,36 @@ def use_inverted_contrast(number):
     simple.RenderAllViews()
 
 
+def selection_changed(number):
+    """Called by the window with the global id of the source whose selection has changed; 0: nothing is selected. What to
+    show is derived from the pipeline, so that it also works after a state was loaded and for results of scripts."""
+    diagram_views.selection_changed(number)
+    proxy = servermanager.ActiveConnection.Session.GetRemoteObject(number) if number else None
+    if proxy is not None:
+        source = servermanager._getPyProxy(proxy)
+        pockets_and_pores.selection_changed(source)
+        molecules.selection_changed(source)
+
+
 @messages.reports_faults("Closing what belongs to a deleted source")
 def forget():
     """Called by the window when sources were deleted: deletes their texts, tables and charts."""
     loop_views.forget()
     diagram_views.forget()
     pockets_and_pores.close_empty_views()
+
+
+def _surface_on_screen(source):
+    """The Map Surface of a map that the active view shows at a given level, which buttons keep; None if there is none."""
+    view = simple.GetActiveView()
+    for display in view.Representations if view is not None else ():
+        port = getattr(display, "Input", None)
+        if port is None or not display.Visibility or port.SMProxy.GetXMLName() != "MapSurface":
+            continue
+        surface = servermanager._getPyProxy(port.SMProxy)
+        if surface.Input.SMProxy == source.SMProxy and surface.InsideIsHigher and not surface.AutomaticLevel:
+            return surface
+    return None
 
 
 @messages.reports_faults("The button")
@@ -572,8 +598,13 @@ def run(function):
         return
     source = _upstream(selected, _fits(function))
     before = set(simple.GetSources().values())
+    shown = _surface_on_screen(source) if function.startswith("map_") else None
+    given = {**BY_BUTTON.get(function, {}), **({"level": shown.Level} if shown is not None else {})}
     try:
-        proxies = globals()[function](source, **BY_BUTTON.get(function, {}))
+        if function == "map_to_surface" and shown is not None and not shown.LargestComponents:
+            proxies = (shown,)
+        else:
+            proxies = globals()[function](source, **given)
         if function == "persistence_diagram":
             return
         messages.step()

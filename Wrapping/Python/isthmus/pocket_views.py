@@ -14,7 +14,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import messages, selections, steps
+from . import cameras, colours, messages, selections, steps
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # The arrays that number the features, and the output ports of the parts shown.
@@ -40,6 +40,9 @@ HIDDEN_COLUMNS = {
 UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "MouthRadius": "Å", "Length": "Å", "Span": "Å",
          "CenterX": "Å", "CenterY": "Å", "CenterZ": "Å", "BottleneckX": "Å", "BottleneckY": "Å", "BottleneckZ": "Å",
          "MeanDepth": "Å", "MeanPotential": "kT/e", "MeanPolarized": "kT/(e Å)"}
+RADII = {"Of the atoms": "radii of the atoms", "HOLE": "radii of HOLE"}
+BOTTLENECKS = 3  # port of Pore Profile
+BALL = (0.941, 0.894, 0.259)
 WATERS = ("1.15", "2.30")  # smallest radii that let one and two water molecules pass (as in HOLE)
 ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
             ("8", "O", (0.835, 0.2, 0.1)), ("16", "S", (0.902, 0.75, 0.1)),
@@ -130,10 +133,11 @@ def chart_of(pores):
     return found
 
 
-def names_of(residues):
-    """The filter that passes the atoms that carry the names of residues, so that the names can be hidden."""
+def names_of(residues, make=True):
+    """The filter that extracts the atoms labelled with residue names, so that the names can be hidden; make=False:
+    None if there is none yet."""
     found = _fed_by(residues, 0, "ExtractSelection")
-    if found is None:
+    if found is None and make:
         found = simple.ExtractSelection(residues, registrationName=name_of(residues, "residue names"),
                                         Selection=selections.of_ids("POINT", [0]))
     return found
@@ -171,6 +175,10 @@ def choose(features, number):
         chart.MinValue = chart.MaxValue = number
         chart.UpdatePipeline()
         changed.append(chart)
+        _narrowest_of(features, number)
+        for view in simple.GetViews():
+            if _is_shown(chart, view):
+                _title_chart(chart, view)
     for view in simple.GetViews():
         for proxy in changed:
             shown = simple.GetRepresentation(proxy, view) if _is_shown(proxy, view) else None
@@ -196,8 +204,11 @@ def show_only(pockets, number):
                 display.Visibility = int(number == 0)
 
 
-def _is_shown(proxy, view):
-    return any(getattr(display, "Input", None) == proxy for display in view.Representations)
+def _is_shown(proxy, view, kind=""):
+    """Whether a view has a display of a source; kind: only displays of this kind."""
+    return proxy is not None and any(
+        getattr(display, "Input", None) == proxy and display.SMProxy.GetXMLName().startswith(kind)
+        for display in view.Representations)
 
 
 def _shows(features, view):
@@ -225,34 +236,30 @@ def _selected(features, source):
     return None
 
 
-_followed = {}
+def _features_of(source):
+    """The source itself if it is pockets or pores, or those it was made from; None otherwise."""
+    proxy = source.SMProxy
+    while proxy.GetXMLName() not in FEATURES:
+        if not proxy.GetNumberOfProducers():
+            return None
+        proxy = proxy.GetProducerProxy(0)
+    return servermanager._getPyProxy(proxy)
 
 
-def follow(features, source=None):
-    """Makes each later selection of a pocket or pore in `source` show its residues."""
-    source = source or features
-    number = source.SMProxy.GetGlobalID()
-    if number in _followed:
-        return
-
-    def picked(*_):
-        try:
-            chosen = _selected(features, source)
-            if chosen is not None:
-                choose(features, chosen)
-        except Exception:  # a click must never fail
-            messages.fault("Showing the residues of what was selected")
-
-    _followed[number] = source.SMProxy.AddObserver("SelectionChangedEvent", picked)
+@messages.reports_faults("Showing the residues of what was selected")
+def selection_changed(source):
+    """Shows the residues of the pocket or pore that was selected in a table or in a view."""
+    features = _features_of(source)
+    chosen = _selected(features, source) if features is not None else None
+    if chosen is not None:
+        choose(features, chosen)
 
 
 # ---------------------------------------------------------------------------- what is shown
 
 def look(display, view, port):
     """The display that an output gets when the window first shows it: only coloured shapes."""
-    features = display.Input
-    kind = FEATURES[features.SMProxy.GetXMLName()]
-    follow(features)
+    kind = FEATURES[display.Input.SMProxy.GetXMLName()]
     if port == kind["shapes"]:
         colour_shapes(display, view)
     elif port != 0 or "chart" in kind:
@@ -264,7 +271,8 @@ def look(display, view, port):
 def colour_shapes(display, view):
     kind = FEATURES[display.Input.SMProxy.GetXMLName()]
     if "chart" in kind:
-        simple.ColorBy(display, ("POINTS", "WidthClass"))
+        if colours.colour_by(display, "POINTS", "WidthClass"):
+            display.SetScalarBarVisibility(view, True)
     else:
         # Balls of their true size; ParaView multiplies the radius set here by the array.
         display.SetRepresentationType("Point Gaussian")
@@ -274,19 +282,17 @@ def colour_shapes(display, view):
         display.SetScaleArray = ["POINTS", "Radius"]
         display.UseScaleFunction = 0
         _colour_by_rank(display, "POINTS", view)
-    display.SetScalarBarVisibility(view, True)
 
 
 def _colour_by_rank(display, association, view, pockets=None):
     """Gives each of the best pockets a colour, labelled by its rank."""
     pockets = pockets or display.Input
-    simple.ColorBy(display, (association, "PocketId"))
+    if not colours.colour_by(display, association, "PocketId"):
+        return
     count = pockets.SMProxy.GetDataInformation(1).GetNumberOfRows()
     table = display.LookupTable
-    table.InterpretValuesAsCategories = 1
     names = _names_of(pockets, min(count, len(COLOURS)))
-    table.Annotations = [word for rank, name in enumerate(names, 1) for word in (str(rank), name)]
-    table.IndexedColors = [part for colour in COLOURS[:max(count, 1)] for part in colour]
+    colours.set_categories(table, [(str(rank), name, colour) for rank, (name, colour) in enumerate(zip(names, COLOURS), 1)])
     table.NanColor = FURTHER
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = "Pockets by rank", ""
@@ -306,12 +312,9 @@ def sticks(display, view):
     """Bonds as sticks, coloured by element."""
     display.SetRepresentationType("Surface")
     display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
-    simple.ColorBy(display, ("POINTS", "Element"))
-    table = display.LookupTable
-    table.InterpretValuesAsCategories = 1
-    table.Annotations = [word for value, name, _ in ELEMENTS for word in (value, name)]
-    table.IndexedColors = [part for _, _, colour in ELEMENTS for part in colour]
-    display.SetScalarBarVisibility(view, False)
+    if colours.colour_by(display, "POINTS", "Element"):
+        colours.set_categories(display.LookupTable, ELEMENTS)
+        display.SetScalarBarVisibility(view, False)
 
 
 def _show_residues(residues, view):
@@ -319,8 +322,8 @@ def _show_residues(residues, view):
     sticks(display, view)
     display.Pickable = 0
     place_names(residues, view)
-    _show_names(names_of(residues), view)
-    _place_names_again(residues, view)
+    show_labels(names_of(residues), view, "ResidueLabel")
+    cameras.follow(view)
     return display
 
 
@@ -375,46 +378,35 @@ def _areas_of(residues):
     return areas
 
 
-_placed_again = set()
-
-
-def _place_names_again(residues, view):
+@cameras.when_moved
+def _place_names_again(view, ended):
     """Chooses the names again whenever the mouse has rotated or zoomed the view."""
-    pair = residues.SMProxy.GetGlobalID(), view.SMProxy.GetGlobalID()
-    interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
-    if interactor is None or pair in _placed_again:
-        return
-    _placed_again.add(pair)
-
-    def moved(*_):
-        try:
-            if _is_shown(residues, view):
-                place_names(residues, view)
-                view.SMProxy.StillRender()
-        except Exception:  # moving the camera must not fail either
-            messages.fault("Placing the names of residues")
-
-    interactor.AddObserver("EndInteractionEvent", moved)
-    interactor.AddObserver("MouseWheelForwardEvent", moved)
-    interactor.AddObserver("MouseWheelBackwardEvent", moved)
+    shown = [display.Input for display in view.Representations if ended and getattr(display, "Input", None) is not None and
+             display.Input.SMProxy.GetXMLName() == "Threshold" and _is_shown(names_of(display.Input, False), view)]
+    for residues in shown:
+        place_names(residues, view)
+    return bool(shown)
 
 
-def _show_names(names, view):
-    """Shows the name of each residue at one of its atoms."""
-    if _is_shown(names, view):
+def show_labels(source, view, array, digits=None):
+    """Shows a point array of a source as labels beside the points; digits: decimals, for lengths in angstrom."""
+    if _is_shown(source, view, "DataLabelRepresentation"):
         return
     manager = servermanager.ProxyManager()
     labels = servermanager._getPyProxy(
         manager.SMProxyManager.NewProxy("representations", "DataLabelRepresentation"))
-    labels.Input = names
+    labels.Input = source
     labels.PointLabelVisibility, labels.CellLabelVisibility = 1, 0
-    labels.PointFieldDataArrayName = "ResidueLabel"
+    labels.PointFieldDataArrayName = array
     labels.PointLabelMode = 6  # of vtkLabeledDataMapper: the array of that name
     labels.PointLabelColor, labels.PointLabelBold = view.OrientationAxesLabelColor, 1
     labels.PointLabelFontSize = 13
-    labels.MaximumNumberOfLabels = 1000000  # nearly all atoms have an empty one
+    labels.MaximumNumberOfLabels = 1000000  # nearly all atoms of residues have an empty label
+    if digits is not None:
+        labels.PointLabelFormat = f"  {{:.{digits}f}} Å" if "{" in labels.PointLabelFormat else f"  %.{digits}f Å"
+        labels.PointLabelFontSize = 18
     labels.UpdateVTKObjects()
-    manager.RegisterProxy("representations", "ResidueNames%s" % labels.SMProxy.GetGlobalIDAsString(), labels)
+    manager.RegisterProxy("representations", f"Labels{labels.SMProxy.GetGlobalIDAsString()}", labels)
     view.Representations.append(labels)
 
 
@@ -424,7 +416,6 @@ def _show_surfaces(pockets, view):
     for name, last, opacity in ((BEST_SURFACES, BEST, FAINT), (CHOSEN_SURFACE, 1, STRONG)):
         surface = surface_of(pockets, name, last)
         surface.UpdatePipeline()
-        follow(pockets, surface)
         shown = simple.Show(surface, view)
         shown.SetRepresentationType("Surface")
         shown.Opacity = opacity
@@ -481,15 +472,14 @@ def close_empty_views():
 
 
 def show_table(source, port, hidden, beside, kind, share):
-    """Opens a table with units in the headers of its columns, and without the columns `hidden`; returns its view and the
-    source that it shows."""
+    """Opens a table with units in the headers of its columns, and without the columns `hidden`; returns its view."""
     table = simple.RenameArrays(simple.OutputPort(source, port), registrationName=name_of(source, "table"))
     table.RowArrays = [name for column in _columns(source, port) if column in UNITS
                        for name in (column, _with_unit(column))]
     sheet = new_view("SpreadSheetView", beside, kind, share)
     sheet.HiddenColumnLabels = [_with_unit(column) for column in hidden]
     simple.Show(table, sheet, "SpreadSheetRepresentation")
-    return sheet, table
+    return sheet
 
 
 def _with_unit(column):
@@ -504,9 +494,7 @@ def _columns(source, port):
 
 def _show_table(features, beside, kind, share):
     name = features.SMProxy.GetXMLName()
-    sheet, table = show_table(features, FEATURES[name]["table"], HIDDEN_COLUMNS[name], beside, kind, share)
-    follow(features, table)
-    return sheet
+    return show_table(features, FEATURES[name]["table"], HIDDEN_COLUMNS[name], beside, kind, share)
 
 
 def _show_chart(pores, view):
@@ -518,9 +506,9 @@ def _show_chart(pores, view):
     lines.SeriesVisibility = ["Radius"]
     lines.SeriesLineThickness = ["Radius", "3"]
     chart.BottomAxisTitle = "Along the pore (Å)"
-    chart.LeftAxisTitle = "Radius (Å)"
-    chart.ChartTitle = "One water passes from 1.15 Å, two from 2.30 Å"
+    chart.LeftAxisTitle = f"Radius (Å), {RADII[str(pores.RadiusTable)]}"
     chart.ChartTitleFontSize = 12
+    _title_chart(chart_of(pores), chart)
     chart.LeftAxisUseCustomLabels = 1
     chart.LeftAxisLabels = [word for value in ("0", *WATERS, "3", "4", "5") for word in (value, value)]
     chart.LeftAxisUseCustomRange = 1
@@ -528,12 +516,46 @@ def _show_chart(pores, view):
     return chart
 
 
+def _title_chart(profile, chart):
+    """The title of a chart: the narrowest place, and the radii at which water passes."""
+    rows = servermanager.Fetch(profile)
+    places = [(rows.GetValueByName(row, "Radius").ToDouble(), rows.GetValueByName(row, "ArcLength").ToDouble())
+              for row in range(rows.GetNumberOfRows())]
+    narrowest = "Narrowest: %.2f Å, at %.1f Å. " % min(places) if places else ""
+    chart.ChartTitle = narrowest + "One water passes from 1.15 Å, two from 2.30 Å"
+
+
+def _narrowest_of(pores, number):
+    """The filter that extracts the largest ball at the narrowest place of a pore."""
+    data = servermanager.Fetch(pores, idx=BOTTLENECKS).GetPointData()
+    pore, rank = data.GetArray("PoreId"), data.GetArray("Rank")
+    places = [i for i in range(pore.GetNumberOfTuples() if pore else 0) if (pore.GetTuple1(i), rank.GetTuple1(i)) == (number, 1)]
+    found = _fed_by(pores, BOTTLENECKS, "ExtractSelection")
+    if found is None:
+        found = simple.ExtractSelection(simple.OutputPort(pores, BOTTLENECKS), Selection=selections.of_ids("POINT", places),
+                                        registrationName=name_of(pores, "narrowest place"))
+    else:
+        found.Selection = selections.of_ids("POINT", places)
+    found.UpdatePipeline()
+    return found
+
+
+def show_balls(display):
+    """Shows points as translucent yellow balls with their radius."""
+    display.SetRepresentationType("Point Gaussian")
+    display.ShaderPreset, display.GaussianRadius = "Sphere", 1.0
+    display.ScaleByArray, display.UseScaleFunction = 1, 0
+    display.SetScaleArray = ["POINTS", "Radius"]
+    colours.plain(display)
+    display.DiffuseColor = display.AmbientColor = BALL
+    display.Opacity, display.Pickable = 0.4, 0
+
+
 def show(features, view=None, tables=True):
     """Shows shapes, molecule and residues in `view`, and beside it the table and, for a pore, the chart."""
     name = features.SMProxy.GetXMLName()
     kind = FEATURES[name]
     view = view or simple.GetActiveViewOrCreate("RenderView")
-    follow(features)
     _show_molecule(features.Input, view)
     if "chart" in kind:
         display = simple.Show(simple.OutputPort(features, kind["shapes"]), view)
@@ -541,6 +563,10 @@ def show(features, view=None, tables=True):
     else:
         display = _show_surfaces(features, view)
     _show_residues(residues_of(features), view)
+    if "chart" in kind:
+        narrowest = _narrowest_of(features, 1)
+        show_balls(simple.Show(narrowest, view))
+        show_labels(narrowest, view, "Radius", 2)
     simple.ResetCamera(view)
     view.GetActiveCamera().Zoom(1.3)  # the camera has made room for stray water molecules
     place_names(residues_of(features), view)

@@ -21,6 +21,8 @@ MOST_NODES = 30000000  # of a map whose noise is estimated, which takes about 30
 
 # Properties that menus and buttons of the window set on a new filter, for a first look; scripts get all results.
 # Testing/check_defaults.py compares the pipelines with it and with the panels.
+# Contour a map: filters added from a menu copy the automatic level to the Level slider.
+LEVELLED = ("MapSurface", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 WATER = {"SolventDielectric": 78.54, "IonicStrength": 0.15}  # at 25 degrees Celsius, with a cell's salt (mol/l)
 SIGNIFICANT = {"MaximumNumberOfLoops": 20, "TrustedOnly": 1}  # few enough to look at, and not caused by the sampling
 FIRST = {

@@ -17,7 +17,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import messages
+from . import colours, messages
 from . import pocket_views as pockets_and_pores
 
 CHARTED = 8  # tracks at most in the chart
@@ -149,16 +149,13 @@ def show(loops, tracks, view, beside=False):
     display = simple.Show(simple.OutputPort(tracks, PATHS), view)
     display.SetRepresentationType("Surface")
     display.RenderLinesAsTubes, display.LineWidth = 1, 4.0
-    simple.ColorBy(display, ("POINTS", "Track"))
-    rows = _charted(tracks)
-    table = display.LookupTable
-    table.InterpretValuesAsCategories = 1
-    table.Annotations = [word for column, name, _ in rows for word in (column.split()[-1], name)]
-    table.IndexedColors = [part for _, _, colour in rows for part in colour]
-    table.NanColor = FURTHER
-    bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = "Paths of loops", ""
-    display.SetScalarBarVisibility(view, bool(rows))
+    if colours.colour_by(display, "POINTS", "Track"):
+        table = display.LookupTable
+        colours.set_categories(table, [(column.split()[-1], name, colour) for column, name, colour in _charted(tracks)])
+        table.NanColor = FURTHER
+        bar = simple.GetScalarBar(table, view)
+        bar.Title, bar.ComponentTitle = "Paths of loops", ""
+        display.SetScalarBarVisibility(view, True)
     if beside:
         show_chart(tracks, view)
         simple.SetActiveView(view)

@@ -112,7 +112,7 @@ Integers Delta(const Integers& values, Json& encoding)
   return steps;
 }
 
-/// Each encoding in turn.
+/// Tests each encoding separately.
 Json EncodeIntegers(const Integers& values, std::size_t way, Json encoding = Json::array())
 {
   const bool isPositive =

@@ -1,0 +1,47 @@
+"""Colours of arrays in views of ParaView: by value, or by category with a name and a colour for each.
+
+    from isthmus import colours                   # or: from isthmus_plugin, with the plugin loaded
+    colours.colour_by(display, "CELLS", "Kind")
+
+An array without values gets no colours and no legend: ParaView would open a dialog for its categories.
+"""
+
+try:
+    from paraview import servermanager, simple
+except ImportError:
+    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
+
+
+def sequential():
+    """The name of Viridis in this version of ParaView, which is the short one from 6.0 on."""
+    presets = servermanager.vtkSMTransferFunctionPresets.GetInstance() if servermanager else None
+    return "Viridis (matplotlib)" if presets and not presets.HasPreset("Viridis") else "Viridis"
+
+
+def has_values(port, association, array):
+    """Whether an output has an array of that name with at least one tuple."""
+    found = (port.PointData if association == "POINTS" else port.CellData)[array]
+    return found is not None and found.GetNumberOfTuples() > 0
+
+
+def colour_by(display, association, array):
+    """Colours a display by an array, or with a solid colour and no legend if the array has no values. Returns whether it
+    has any."""
+    if has_values(display.Input, association, array):
+        simple.ColorBy(display, (association, array))
+        return True
+    plain(display)
+    return False
+
+
+def plain(display):
+    """Solid colour; simple.ColorBy() fails for a display that has no array yet."""
+    if display.ColorArrayName[1]:
+        simple.ColorBy(display, None)
+
+
+def set_categories(table, rows):
+    """Rows: (value, name, colour). Names are set first, since ParaView opens a dialog for a table without names."""
+    table.Annotations = [word for value, name, _ in rows for word in (value, name)]
+    table.IndexedColors = [part for _, _, colour in rows for part in colour]
+    table.InterpretValuesAsCategories = 1
