@@ -11,9 +11,9 @@
 #define IsthmusFirstLook_h
 
 #include <QElapsedTimer>
+#include <QList>
 #include <QObject>
 #include <QPointer>
-#include <QList>
 #include <QSet>
 #include <QStringList>
 
@@ -47,7 +47,7 @@ private:
   QStringList Notes; ///< to be shown soon
   bool NotesWait = false;
   QList<unsigned int> Selected; ///< global ids of sources whose selection is to be followed
-  QElapsedTimer SinceButton; ///< the note of a button, which notes of its filters do not hide
+  QElapsedTimer SinceButton;    ///< the note of a button, which notes of its filters do not hide
   QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed
   bool Forgets = false;
 };
