@@ -96,12 +96,25 @@ void IsthmusFirstLook::Stop()
 }
 
 // After ParaView's own windows have processed the selection; before, their contents are not yet
-// there.
+// there. ParaView emits several signals for one click.
 void IsthmusFirstLook::FollowSelection(pqOutputPort* port)
 {
   const unsigned int id = port ? port->getSource()->getProxy()->GetGlobalID() : 0;
-  QTimer::singleShot(
-    0, this, [id] { isthmus::RunPipelines(QString("selection_changed(%1)").arg(id)); });
+  if (this->Selected.isEmpty())
+  {
+    QTimer::singleShot(0, this,
+      [this]
+      {
+        QList<unsigned int> ids;
+        ids.swap(this->Selected);
+        for (const unsigned int each : ids)
+        {
+          isthmus::RunPipelines(QString("selection_changed(%1)").arg(each));
+        }
+      });
+  }
+  this->Selected.removeAll(id);
+  this->Selected << id;
 }
 
 // A note explains a correct result; the Information panel keeps it as field data.

@@ -11,6 +11,7 @@
 #define IsthmusFirstLook_h
 
 #include <QElapsedTimer>
+#include <QList>
 #include <QObject>
 #include <QPointer>
 #include <QSet>
@@ -45,7 +46,8 @@ private:
 
   QStringList Notes; ///< to be shown soon
   bool NotesWait = false;
-  QElapsedTimer SinceButton; ///< the note of a button, which notes of its filters do not hide
+  QList<unsigned int> Selected; ///< global ids of sources whose selection is to be followed
+  QElapsedTimer SinceButton;    ///< the note of a button, which notes of its filters do not hide
   QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed
   bool Forgets = false;
 };

@@ -226,6 +226,12 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
   look->setObjectName("Look_of_the_view");
   look->menuAction()->setObjectName(look->objectName());
   AddLooks(look);
+  QAction* compare = menu->addAction("Compare in a second view");
+  compare->setObjectName("Compare");
+  compare->setStatusTip("Moves what is shown of the selected source to a second view, with linked "
+                        "cameras and one range of colours");
+  QObject::connect(
+    compare, &QAction::triggered, window, [] { isthmus::RunPipelines("compare()"); });
   QAction* figure = menu->addAction("Save figure...");
   figure->setObjectName("Save_figure");
   QObject::connect(figure, &QAction::triggered, window,

@@ -1,3 +1,5 @@
+#include <vtkPython.h> // before all others
+
 #include "RunPython.h"
 
 #include <pqApplicationCore.h>
@@ -6,6 +8,7 @@
 #include <pqUndoStack.h>
 
 #include <vtkPythonInterpreter.h>
+#include <vtkSmartPyObject.h>
 
 namespace isthmus
 {
@@ -33,6 +36,17 @@ void RunPipelines(const QString& call)
       source->setModifiedState(pqProxy::UNMODIFIED); // there is nothing to apply
     }
   }
+}
+
+QString AskPipelines(const QString& call)
+{
+  RunPipelines("answer = isthmus_plugin.pipelines." + call);
+  vtkPythonScopeGilEnsurer gil;
+  vtkSmartPyObject module(PyImport_ImportModule("isthmus_plugin.pipelines"));
+  vtkSmartPyObject answer(module ? PyObject_GetAttrString(module, "answer") : nullptr);
+  const char* text = answer && PyUnicode_Check(answer) ? PyUnicode_AsUTF8(answer) : nullptr;
+  PyErr_Clear();
+  return text ? QString::fromUtf8(text) : QString();
 }
 
 }

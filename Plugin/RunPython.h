@@ -15,6 +15,9 @@ namespace isthmus
 /// Sources that it creates are marked as up to date, so that Apply is not highlighted.
 void RunPipelines(const QString& call);
 
+/// The text that `isthmus_plugin.pipelines.<call>` returns.
+QString AskPipelines(const QString& call);
+
 }
 
 #endif

@@ -98,6 +98,23 @@ ChosenLevel ChooseLevel(
   return chosen;
 }
 
+void AddAutomaticLevel(const ChosenLevel& used, vtkImageData* image, vtkDataArray* scalars,
+  bool insideIsHigher, vtkDataObject* output)
+{
+  double range[2];
+  scalars->GetFiniteRange(range, 0);
+  if (range[0] > range[1])
+  {
+    return;
+  }
+  const ChosenLevel automatic = used.Source == LevelSource::Given
+    ? ChooseLevel(true, used.Level, image, scalars, insideIsHigher)
+    : used;
+  vtkFieldData* fields = output->GetFieldData();
+  AddColumn<vtkDoubleArray>(fields, "AutomaticLevel", { automatic.Level });
+  AddColumn<vtkStringArray>(fields, "AutomaticLevelSource", { SourceText(automatic.Source) });
+}
+
 void AddLevel(const ChosenLevel& level, vtkDataObject* output)
 {
   vtkFieldData* fields = output->GetFieldData();

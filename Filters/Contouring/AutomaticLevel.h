@@ -51,6 +51,11 @@ const unsigned char* NoDataMask(vtkImageData* image);
 /// The level that the depositors of the map recommend: field data `RecommendedLevel`.
 VTKISTHMUSFILTERSCONTOURING_EXPORT std::optional<double> RecommendedLevel(vtkImageData* image);
 
+/// Writes the level that is automatic, whichever is used, into the field data of an output:
+/// `AutomaticLevel`, and `AutomaticLevelSource` as text. Nothing if no value is finite.
+VTKISTHMUSFILTERSCONTOURING_EXPORT void AddAutomaticLevel(const ChosenLevel& used,
+  vtkImageData* image, vtkDataArray* scalars, bool insideIsHigher, vtkDataObject* output);
+
 /// Writes the level into the field data of an output: `Level`, and `LevelSource` as text.
 VTKISTHMUSFILTERSCONTOURING_EXPORT void AddLevel(const ChosenLevel& level, vtkDataObject* output);
 

@@ -96,6 +96,10 @@ const std::vector<isthmus::OutputArray>& vtkMapSurface::OutputArrayTable()
     { 0, ArrayPlace::Field, "Level", 1, "of the scalars", ArrayChoice::None, "the level used" },
     { 0, ArrayPlace::Field, "LevelSource", 1, "", ArrayChoice::None,
       "where the level is from, as text" },
+    { 0, ArrayPlace::Field, "AutomaticLevel", 1, "of the scalars", ArrayChoice::None,
+      "the automatic level, also while another one is used" },
+    { 0, ArrayPlace::Field, "AutomaticLevelSource", 1, "", ArrayChoice::None,
+      "where the automatic level is from, as text" },
     { 0, ArrayPlace::Field, "ComponentsFound", 1, "", ArrayChoice::None,
       "components before dust was hidden" },
     { 0, ArrayPlace::Field, "ComponentArea", 1, "length^2", ArrayChoice::None,
@@ -215,6 +219,7 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
   }
   surface->GetFieldData()->PassData(image->GetFieldData());
   isthmus::AddLevel(chosen, surface);
+  isthmus::AddAutomaticLevel(chosen, image, scalars, this->Contour.InsideIsHigher, surface);
   AddComponents(result, surface);
   if (isInverted)
   {

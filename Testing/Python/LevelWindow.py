@@ -1,5 +1,5 @@
 """The slider of a level in the real ParaView, held and moved: Map Surface with choking loops of its surface. While it is held, the contour of each level is drawn soon, and the loops are hidden; when it is released,
-they are found at the new level. How long a contour takes is printed: no more than PATIENCE seconds until it is drawn.
+they are found at the new level. The histogram above the slider sets the level as well, and the button beside it the automatic one. How long a contour takes is printed: no more than PATIENCE seconds until it is drawn.
 """
 
 import os
@@ -12,6 +12,7 @@ from window_play import NOTHING_TO_APPLY, PANEL, coloured_fraction, complaints, 
 PATIENCE = 2.0  # on a machine with other things to do
 MAP = shared_data("maps/emd_5043.map")
 SLIDER = PANEL + "Level/DoubleRangeWidget/Slider"
+HISTOGRAM, AUTOMATIC = PANEL + "Level/LevelHistogram", PANEL + "Level/UseAutomaticLevel"
 PAUSE = ("pqClientMainWindow", "pause", "3000")
 MIDDLE = 31  # of the slider in pixels, where its handle then is
 
@@ -24,6 +25,13 @@ def held():
 
 def released():
     return [*held(), (SLIDER, "mouseRelease", f"1,0,0,{MIDDLE + 2},12"), PAUSE, PAUSE, PAUSE, NOTHING_TO_APPLY]
+
+
+def by_histogram():
+    """Drags the line in the histogram, then returns to the automatic level."""
+    return [PAUSE, (HISTOGRAM, "mousePress", "1,1,0,60,20"), PAUSE, (HISTOGRAM, "mouseMove", "1,1,0,80,20"), PAUSE,
+            (HISTOGRAM, "mouseRelease", "1,0,0,80,20"), PAUSE, PAUSE, (AUTOMATIC, "activate", ""), PAUSE, PAUSE,
+            NOTHING_TO_APPLY]
 
 
 def session(name, events):
@@ -46,3 +54,10 @@ assert coloured < 0.001, f"loops are drawn on {coloured} of the view while the s
 lines, coloured = session("MapSurface_released", released())
 assert re.match(r"loops \d+ of \d+ loops shown", lines[-1]), lines[-1]
 assert coloured > 0.002, f"loops are drawn on {coloured} of the view only"
+lines, coloured = session("MapSurface_histogram", by_histogram())
+found = [float(line.split()[1]) for line in lines if line.startswith("level")]
+ranges = [list(map(float, line.split()[1:])) for line in lines if line.startswith("range")]
+assert found[1] > 1.2 * found[0], f"the histogram does not set the level: {found}"
+assert abs(found[-1] - found[0]) < 1e-6 * found[0], f"the button does not return to the automatic level: {found}"
+low, high, all_low, all_high = ranges[-1]
+assert all_low < low < found[0] < high < all_high, f"the slider covers {ranges}"

@@ -163,10 +163,13 @@ def pockets(paraview, folder):
         click(*EMPTY_PLACE)
         click(*place, key)
 
+    def row_is_marked():
+        return is_coloured(picture(folder / "row.png")[280:310, 1090:1460], ROW_BLUE).sum() > 2000
+
     second = choose_until(paraview, folder, "a row", lambda: click(*ROW_OF_POCKET_2), 2)
     time.sleep(3)
+    wait(paraview, folder, "the mark of the row", row_is_marked)
     after = picture(folder / "row.png")
-    assert is_coloured(after[280:310, 1090:1460], ROW_BLUE).sum() > 2000, "the row is not selected"
     changed = (abs(after[VIEW] - before[VIEW]).max(axis=-1) > 60).sum()
     assert changed > 1000, f"only {changed} pixels of the view follow the row"
     first = choose_until(

@@ -1,5 +1,6 @@
 """Opens the map of LevelWindow.py with Map Surface and its loops, and records when a preview of a level is asked for, how long it took until it was drawn, and the loops that are shown."""
 
+import json
 import os
 import time
 from pathlib import Path
@@ -32,6 +33,18 @@ def count(loops, view, call=loop_views.count):
     return changed
 
 
+def change(number, call=pipelines.live_change):
+    call(number)
+    write("level", surface.Level)
+
+
+def values(number, call=pipelines.level_values):
+    text = call(number)
+    found = json.loads(text)
+    write("range", found["low"], found["high"], *source.PointData["Density"].GetRange(0))
+    return text
+
+
 drawing = []
 source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
 view = simple.GetActiveViewOrCreate("RenderView")
@@ -40,3 +53,5 @@ pipelines.show(surface, loops)
 simple.SetActiveSource(surface)
 view.GetRenderWindow().AddObserver("StartEvent", lambda *_: drawing.append(time.monotonic()))
 pipelines.preview_level, loop_views.count = preview, count
+pipelines.live_change, pipelines.level_values = change, values
+write("level", surface.Level)

@@ -22,7 +22,7 @@ from shared_data import shared_data
 from window_play import STATUS_BAR, place_of, widen
 
 FILES = ("maps/emd_1832.map", "molecules/1hew.pdb", "surfaces/torus.obj", "surfaces/sphere.off", "molecules/1ubq.pdb",
-         "molecules/channels/1grm.pdb", "maps/1ake.mrc")
+         "molecules/channels/1grm_hole_example.pdb", "maps/1ake.mrc")
 FREEZE = 240  # seconds, for a window that computes
 BUTTON, NEXT, BUTTONS = (818, 122), 34, 13  # of the toolbar, in ParaView 5.11 in a window of 1600 x 1000
 BROWSER, PANEL, VIEWS = (10, 180, 290, 420), (10, 480, 290, 950), (310, 190, 1590, 950)

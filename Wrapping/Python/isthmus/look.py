@@ -107,9 +107,7 @@ def _bar(table, view, array):
     bar.RangeLabelFormat = number_format(bar, "-#.2g")  # 0.17, not 1.7e-01
 
 
-# Colour maps that first_look() has set, by global id: the range it gave them. A map whose range has
-# changed since was changed by the user.
-_ranges = {}
+_ranges = set()  # global ids of colour maps whose range or categories are set: once, by first_look()
 _named = set()  # colour maps whose categories first_look() has named
 _titled = set()  # (colour map, view) whose legend has its title
 
@@ -164,32 +162,30 @@ def _colour(display, view):
     key = table.GetGlobalID()
     if array in CATEGORIES:
         if key not in _ranges:
-            _ranges[key] = None
+            _ranges.add(key)
             _named.add(key)
             _set_categories(table, array)
         if array == "Kind" and key in _named:
             _name_kinds(table, display)
         _title(table, view, array)
         return
-    now = (table.RGBPoints[0], table.RGBPoints[-4])
-    if key in _ranges and _ranges[key] != now:
+    if key in _ranges:  # a legend that rescales unasked cannot be compared
         _title(table, view, array)
         return
     limits = colour_range(display.Input, association, array)
     if not limits:
         return
-    if key not in _ranges:
-        table.ApplyPreset(SEQUENTIAL if array in UNSIGNED else DIVERGING, True)
-        if array == "Potential":
-            table.InvertTransferFunction()  # red is negative, as everywhere in structural biology
-        table.AutomaticRescaleRangeMode = "Never"
-        table.NanColor = GREY
+    table.ApplyPreset(SEQUENTIAL if array in UNSIGNED else DIVERGING, True)
+    if array == "Potential":
+        table.InvertTransferFunction()  # red is negative, as everywhere in structural biology
+    table.AutomaticRescaleRangeMode = "Never"
+    table.NanColor = GREY
     _title(table, view, array)
     table.RescaleTransferFunction(*limits)
     opacity = display.OpacityTransferFunction
     if opacity:
         opacity.RescaleTransferFunction(*limits)
-    _ranges[key] = (table.RGBPoints[0], table.RGBPoints[-4])
+    _ranges.add(key)
 
 
 def _look_at_loops(display, view, port):
@@ -258,6 +254,7 @@ def _look_at_opened(display, view, name):
     and sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files turns them off."""
     if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files() or _has_filters(display.Input):
         return
+    before = set(simple.GetSources().values())
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
         _show_surface(display, view, "surface")
     elif name in MOLECULES and getattr(display.Input, "Port", 0) == 0 and display.Input.PointData["ResidueId"] is not None:
@@ -272,6 +269,24 @@ def _look_at_opened(display, view, name):
             display.Visibility = 0
         else:
             simple.Delete(cartoon)
+    _first_sights.update(source.SMProxy.GetGlobalID() for source in set(simple.GetSources().values()) - before)
+
+
+_first_sights = set()  # global ids of the filters that _look_at_opened() has made
+
+
+def _hide_first_sight(source, view):
+    """Hides the surface or cartoon of an opened file, which a filter that the user has applied to it would be drawn over."""
+    given = getattr(getattr(source, "Input", None), "SMProxy", None)
+    if given is None or source.SMProxy.GetGlobalID() in _first_sights:
+        return
+    for display in view.Representations:
+        shown = getattr(display, "Input", None)
+        if shown is None or shown.SMProxy.GetGlobalID() not in _first_sights or not display.Visibility:
+            continue
+        if shown.SMProxy.GetProducerProxy(0) == given:
+            display.Visibility = 0
+    simple.HideUnusedScalarBars(view)
 
 
 def _has_filters(source):
@@ -387,6 +402,8 @@ def _look_at_table(display, view, name):
 
 def _look_at_shape(display, view, source, name):
     port = getattr(source, "Port", 0)
+    if source.SMProxy.GetGlobalID() in _by_hand and hasattr(view, "HiddenLineRemoval"):
+        _hide_first_sight(source, view)
     if name in loop_views.LOOPS:
         _look_at_loops(display, view, port)
     elif name in SITES and port == 0:
@@ -414,6 +431,11 @@ def _look_at_shape(display, view, source, name):
         _hide_molecule(source.Input, view)
     elif name in pockets_and_pores.FEATURES:
         pockets_and_pores.look(display, view, port)
+
+
+def is_displayed(display):
+    """Remembers that a display has its look."""
+    _seen.add(display.GetGlobalID())
 
 
 def _look(display):
@@ -488,7 +510,7 @@ def _begin_preview(source):
         if not hasattr(view, "HiddenLineRemoval"):  # no render view
             continue
         shown = [display for display in view.Representations if getattr(display, "Input", None) is not None and
-                 display.Visibility and hasattr(display, "Opacity") and _comes_from(display.Input.SMProxy, source.SMProxy)]
+                 display.Visibility and hasattr(display, "Opacity") and comes_from(display.Input.SMProxy, source.SMProxy)]
         if not shown:
             continue
         hidden += shown
@@ -500,13 +522,13 @@ def _begin_preview(source):
         drawn.append((view, contour))
     for display in hidden:
         display.Visibility = 0
-    loop_views.mark_stale(lambda proxy: _comes_from(proxy, source.SMProxy))
+    loop_views.mark_stale(lambda proxy: comes_from(proxy, source.SMProxy))
     return surface, drawn, hidden
 
 
-def _comes_from(proxy, origin):
+def comes_from(proxy, origin):
     """Whether a source is `origin` or made from it."""
-    return proxy == origin or any(_comes_from(proxy.GetProducerProxy(i), origin)
+    return proxy == origin or any(comes_from(proxy.GetProducerProxy(i), origin)
                                   for i in range(proxy.GetNumberOfProducers()))
 
 
@@ -552,7 +574,7 @@ def keep_looks():
                 pockets_and_pores.own_views.add(view.SMProxy.GetGlobalID())
             table = getattr(display, "LookupTable", None)
             if table is not None:
-                _ranges.setdefault(table.GetGlobalID(), None)
+                _ranges.add(table.GetGlobalID())
                 _titled.add((table.GetGlobalID(), view.SMProxy.GetGlobalID()))
 
 

@@ -13,6 +13,7 @@ The buttons of the toolbar are run(); the window calls first_look() for each res
 """
 
 import importlib
+import json
 import os
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow
@@ -23,7 +24,7 @@ except ImportError:
     # With the vtk package alone, the module can be imported; its functions report what they need (end of this file).
     servermanager = simple = None
 
-from . import diagram_views, figures, look, loop_views, messages, steps, track_views
+from . import comparisons, diagram_views, figures, levels, look, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
 
 from . import pocket_views as pockets_and_pores
@@ -554,6 +555,27 @@ def use_inverted_contrast(number):
     surface.InsideIsHigher = 0
     surface.UpdatePipeline()
     simple.RenderAllViews()
+
+
+@messages.reports_faults("Compare")
+def compare():
+    """The entry Compare of the menu, for the selected source."""
+    source = simple.GetActiveSource()
+    if source is None:
+        messages.show_note("Compare: select a source that the active 3D view shows; it moves to a second view.")
+        return
+    comparisons.compare(source)
+
+
+def level_values(number):
+    """Called by the panel with the global id of a filter with a level: levels.describe() as JSON, "" if it has nothing."""
+    try:
+        surface = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+        found = levels.describe(surface, surface.Scalars[1] or _point_array(surface.Input))
+    except Exception:
+        messages.fault("The histogram of the level")
+        return ""
+    return json.dumps(found) if found else ""
 
 
 def selection_changed(number):

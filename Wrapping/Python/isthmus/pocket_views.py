@@ -506,7 +506,7 @@ def _show_chart(pores, view):
     lines.SeriesVisibility = ["Radius"]
     lines.SeriesLineThickness = ["Radius", "3"]
     chart.BottomAxisTitle = "Along the pore (Å)"
-    chart.LeftAxisTitle = f"Radius (Å), {RADII[str(pores.RadiusTable)]}"
+    chart.LeftAxisTitle = f"Radius (Å), {RADII[pores.RadiusTable.GetData()]}"
     chart.ChartTitleFontSize = 12
     _title_chart(chart_of(pores), chart)
     chart.LeftAxisUseCustomLabels = 1
