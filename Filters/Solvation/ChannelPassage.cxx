@@ -126,11 +126,14 @@ bool IsRimOpen(
       const auto [along, off] = d.AxialAndRadial(ball.Center);
       return std::abs(along) < half && off - ball.Radius < membrane.LumenRadius;
     });
+  // The rim is nearer than the atoms, which in a pore are before it.
   const auto isOfRim = [&](std::int64_t node)
   {
     const auto [along, off] = d.AxialAndRadial(d.Place(node));
-    return grid.Distance[static_cast<std::size_t>(node)] > 0.0F && std::abs(along) <= half &&
-      off <= membrane.LumenRadius && off > membrane.LumenRadius - rim * d.Spacing;
+    const double distance = grid.Distance[static_cast<std::size_t>(node)];
+    const double toRim = membrane.LumenRadius - off;
+    return distance > 0.0 && std::abs(along) <= half && toRim >= 0.0 && toRim < rim * d.Spacing &&
+      distance > toRim - MembraneExcess * d.Spacing - 1e-3 * d.Spacing;
   };
   const std::array<std::int64_t, 3> steps = d.Steps();
   const std::int64_t below = d.Size();

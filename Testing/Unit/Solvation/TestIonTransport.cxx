@@ -75,6 +75,8 @@ TEST(IonTransport, WarnsIfIonsPassBesideTheMolecule)
     return said->GetWarning() &&
       said->GetWarningMessage().find("rim lies within the molecule") != std::string::npos;
   };
+  EXPECT_FALSE(says(3.0));
+  EXPECT_FALSE(says(3.5));
   EXPECT_FALSE(says(4.4));
   EXPECT_FALSE(says(5.0));
   EXPECT_TRUE(says(14.0));
