@@ -271,9 +271,9 @@ SurfaceSamples FineSurface::Sample(const ProgressCallback& progress)
   CoarseSurface coarse = this->Coarse(Between(progress, 0.5, 1.0));
   SurfaceSamples samples;
   samples.Mesh = std::move(coarse.Mesh);
-  samples.Deviation = std::move(coarse.Deviation);
+  samples.Errors.Deviation = std::move(coarse.Deviation);
   samples.Origin.assign(coarse.Origin.begin(), coarse.Origin.end());
-  samples.Error = SamplingErrors(samples.Mesh);
+  samples.Errors.Point = SamplingErrors(samples.Mesh);
   std::vector<double> own(samples.Mesh.Points.size(), 0.0);
   for (std::size_t p = 0; p < this->OwnError.size(); ++p)
   {
@@ -292,7 +292,7 @@ SurfaceSamples FineSurface::Sample(const ProgressCallback& progress)
   }
   for (std::size_t i = 0; i < own.size(); ++i)
   {
-    samples.Error[i] = std::hypot(samples.Error[i], own[i]);
+    samples.Errors.Point[i] = std::hypot(samples.Errors.Point[i], own[i]);
   }
   return samples;
 }

@@ -24,9 +24,7 @@ struct SurfaceSamples
 {
   TriangleMesh Mesh;
   /// SamplingErrors() of Mesh, with those of M added in quadrature where Mesh is coarser than M.
-  std::vector<double> Error;
-  /// How far M is from Mesh at most, around each point; empty if they are the same surface.
-  std::vector<double> Deviation;
+  SampleErrors Errors{};
   std::vector<SimplexId> Origin; ///< of each point: the point of M; empty if they are the same
 };
 

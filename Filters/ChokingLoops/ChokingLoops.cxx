@@ -123,8 +123,8 @@ struct ChokingAnalysis
     , Adjacency(Samples)
     , Homology(Adjacency)
     , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
-    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(samples.Error),
-      std::move(cellErrors), std::move(values), std::move(samples.Deviation) }
+    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(samples.Errors),
+      std::move(cellErrors), std::move(values) }
     , Regions(Context, Between(progress, 0.55, 0.6))
   {
     this->Filtration.DropTriangleRanks();
@@ -191,7 +191,7 @@ struct ChokingAnalysis
     const Point3& p = this->Filtration.Points[At(t[0])];
     const Point3& q = this->Filtration.Points[At(t[1])];
     const Point3& r = this->Filtration.Points[At(t[2])];
-    return this->Context.PointError.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcenter(p, q, r);
+    return this->Context.Errors.Point.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcenter(p, q, r);
   }
 
   /// The place where the space behind a choke is filled.
@@ -545,16 +545,19 @@ void ChokingLoops::AnalyseSamples(SurfaceSamples samples, AnalysisCost cost,
   };
   tell();
   this->State.reset(); // results of a coarser round
-  if (samples.Error.empty())
+  if (samples.Errors.Point.empty())
   {
-    samples.Error = SamplingErrors(samples.Mesh);
+    samples.Errors.Point = SamplingErrors(samples.Mesh);
   }
-  CellFiltration filtration = DelaunayFiltration(samples.Mesh.Points, Between(progress, 0.0, 0.6),
+  CellFiltration filtration = DelaunayFiltration(
+    samples.Mesh.Points, Between(progress, 0.0, 0.6),
     [&](double seconds)
     {
       cost = cost.After(seconds);
       tell();
-    });
+    },
+    [&errors = samples.Errors](const SimplexId* corners, std::size_t count)
+    { return errors.Squared(corners, count); });
   times.Filtration += watch.Lap();
   this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
     std::vector<CellError>{}, std::vector<double>{}, times, Between(progress, 0.6, 1.0));
@@ -632,7 +635,7 @@ const AnalysisCost& ChokingLoops::Cost() const
 
 double ChokingLoops::LargestError() const
 {
-  const auto& errors = this->State->Context.PointError;
+  const auto& errors = this->State->Context.Errors.Point;
   double largest = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
   for (const ShapeFeature& feature : this->Diagram().Features)
   {

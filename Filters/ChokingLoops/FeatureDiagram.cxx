@@ -194,7 +194,7 @@ Point3 SpaceRegions::Inner(TetrahedronId deepest) const
   const Point3& q = f.Points[At(t[1])];
   const Point3& r = f.Points[At(t[2])];
   const Point3& s = f.Points[At(t[3])];
-  return this->Context.PointError.empty() ? 0.25 * (p + q + r + s) : Circumcenter(p, q, r, s);
+  return this->Context.Errors.Point.empty() ? 0.25 * (p + q + r + s) : Circumcenter(p, q, r, s);
 }
 
 Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r)

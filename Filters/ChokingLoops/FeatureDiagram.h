@@ -8,6 +8,7 @@
 
 #include "ChokingLoops/ChokingLoopParameters.h"
 #include "ChokingLoops/SurfaceHomology.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "Core/DisjointSets.h"
 #include "Core/Geometry.h"
 #include "Persistence/FiltrationPairs.h"
@@ -76,35 +77,23 @@ struct FeatureContext
   const SurfaceHomology& Homology;
   const SurfaceInComplex& Embedding;
   const SurfaceAdjacency& Surface;
-  std::vector<double>
-    PointError; ///< SamplingErrors() (SurfacePreparation.h); empty if M is part of the complex
+  SampleErrors Errors;
   std::vector<CellError> CellErrors; ///< of each tetrahedron, if M is part of the complex
   std::vector<double> PointValue{};  ///< the function at points, if M is part of the complex
-  /// How far M is from the samples' triangles (AdaptiveSamples.h); empty if they are M.
-  std::vector<double> PointDeviation{};
 
-  /**
-   * The largest possible d_S^2 - d_M^2 (ChokingLoops/AdaptiveSamples.h) where d_M^2 is `squared`,
-   * by the errors at the corners of a simplex: e^2 for samples on M, e^2 + h^2 + 2 h d_M with a
-   * deviation h; with a margin for rounding.
-   */
+  /// SampleErrors::Squared() of a simplex.
   template <std::size_t N>
   double SquaredError(const std::array<SimplexId, N>& corners, double squared = 0.0) const
   {
-    double e = 0.0;
-    double h = 0.0;
-    for (const SimplexId p : corners)
-    {
-      const auto i = static_cast<std::size_t>(p);
-      e = std::max(e, this->PointError.empty() ? 0.0 : this->PointError[i]);
-      h = std::max(h, this->PointDeviation.empty() ? 0.0 : this->PointDeviation[i]);
-    }
-    // The sampling error of M itself is included in e, so that sqrt(d_M^2 + t^2) is at most this.
-    return (1.0 + 1e-7) * (e * e + h * (h + 2.0 * std::sqrt(squared + e * e)));
+    return this->Errors.Squared(corners.data(), N, squared);
   }
 
   /// True for a triangle of the complex that may cross M or be part of it.
-  bool IsWall(TriangleId triangle) const;
+  bool IsWall(TriangleId triangle) const
+  {
+    return (this->Errors.Point.empty() ? this->Filtration.TriangleFirst
+                                       : this->Filtration.TriangleIndistinct)[triangle] != 0;
+  }
 };
 
 /**
@@ -143,13 +132,6 @@ private:
 /// Center of the smallest sphere through the corners of a triangle or tetrahedron.
 Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r);
 Point3 Circumcenter(const Point3& p, const Point3& q, const Point3& r, const Point3& s);
-
-inline bool FeatureContext::IsWall(TriangleId t) const
-{
-  return this->PointError.empty()
-    ? this->Filtration.TriangleFirst[t] != 0
-    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.TrianglePoints(t));
-}
 
 inline const std::vector<int>& SpaceRegions::OfTriangle(TriangleId triangle)
 {

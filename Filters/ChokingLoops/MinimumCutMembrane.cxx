@@ -135,8 +135,8 @@ Point3 ChokeSurroundings::Middle(TetrahedronId cell) const
 {
   const auto& c = this->F.Tetrahedra[cell];
   const auto p = [&](std::size_t k) -> const Point3& { return this->F.Points[At(c[k])]; };
-  return this->Context.PointError.empty() ? 0.25 * (p(0) + p(1) + p(2) + p(3))
-                                          : Circumcenter(p(0), p(1), p(2), p(3));
+  return this->Context.Errors.Point.empty() ? 0.25 * (p(0) + p(1) + p(2) + p(3))
+                                            : Circumcenter(p(0), p(1), p(2), p(3));
 }
 
 double ChokeSurroundings::Area(TriangleId triangle) const

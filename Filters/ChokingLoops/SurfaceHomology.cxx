@@ -227,7 +227,8 @@ SurfaceInComplex::SurfaceInComplex(
     }
     this->OnSurface[image] = e;
     const double half = 0.5 * surface.Length(h);
-    const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[image];
+    const bool first = (!f.EdgeFirst.empty() && f.EdgeFirst[image]) ||
+      (!f.EdgeIndistinct.empty() && f.EdgeIndistinct[image]);
     if (first || f.EdgeValue[image] <= half * half * (1.0 + 1e-9))
     {
       this->InComplex[e] = image; // otherwise it enters late, and the walk avoids it

@@ -7,7 +7,9 @@
 
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
+#include "Persistence/CellFiltration.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -68,6 +70,33 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
  * of M between sqrt(d^2 - e^2) and d. O(n).
  */
 std::vector<double> SamplingErrors(const SurfaceView& mesh);
+
+/// The errors that samples of a surface M cause.
+struct SampleErrors
+{
+  std::vector<double> Point; ///< SamplingErrors(); empty if M itself is part of a complex
+  /// How far M is from the samples' triangles (AdaptiveSamples.h); empty if they are M.
+  std::vector<double> Deviation{};
+
+  /**
+   * The largest possible d_S^2 - d_M^2 (AdaptiveSamples.h) where d_M^2 is `squared`, by the errors
+   * at the corners of a simplex: e^2 for samples on M, e^2 + h^2 + 2 h d_M with a deviation h; with
+   * a margin for rounding.
+   */
+  double Squared(const SimplexId* corners, std::size_t count, double squared = 0.0) const
+  {
+    double e = 0.0;
+    double h = 0.0;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const auto p = static_cast<std::size_t>(corners[k]);
+      e = std::max(e, this->Point.empty() ? 0.0 : this->Point[p]);
+      h = std::max(h, this->Deviation.empty() ? 0.0 : this->Deviation[p]);
+    }
+    // The sampling error of M itself is included in e, so that sqrt(d_M^2 + t^2) is at most this.
+    return (1.0 + 1e-7) * (e * e + h * (h + 2.0 * std::sqrt(squared + e * e)));
+  }
+};
 
 /// Edge length that spreads about `points` samples evenly over the area of `mesh`.
 double EdgeLengthFor(const SurfaceView& mesh, double points);

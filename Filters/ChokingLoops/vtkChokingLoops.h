@@ -215,8 +215,8 @@ public:
   ///@{
   /// 0 (default): every point of the surface is a sample. Above: a surface with more than 40,000
   /// points is analysed on as few of them as its thickness requires, and the radii of trusted
-  /// features are then measured on the surface itself to this percentage. Handles and tunnels that
-  /// are thinner than the samples are not `Trusted`. Has no effect with a SampleSpacing.
+  /// features are then measured on the surface itself to this percentage. Has no effect with a
+  /// SampleSpacing.
   ISTHMUS_PARAMETER(Accuracy, double);
   ///@}
 

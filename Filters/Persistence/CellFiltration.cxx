@@ -5,6 +5,7 @@
 #include "Core/RadixSort.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -31,7 +32,8 @@ namespace
 
 constexpr std::int64_t ValuesPerTask = 1 << 16;
 
-/// 0 for the first entries, otherwise the bits of the value as an integer in the order of entry.
+/// Values as integers in the same order, and their leading bits, with which the first entries come
+/// before all others.
 class EntryKeys
 {
 public:
@@ -39,64 +41,85 @@ public:
     : Value(value)
     , First(first)
   {
-    this->FindRange();
+    this->FindRanges();
   }
 
   std::uint64_t GetKey(std::size_t i) const
   {
-    if (!this->First.empty() && this->First[i])
-    {
-      return 0;
-    }
     const double value = this->Value[i] + 0.0; // no -0.0
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof(bits));
     return bits >> 63 != 0 ? ~bits : bits | Zero;
   }
 
-  /// The leading bits in which keys differ, in the same order; 0 for those below the range.
+  /// The leading bits in which keys differ, in the order of entry; the first of each range for keys
+  /// below it.
   std::uint32_t Short(std::size_t i) const
   {
     const std::uint64_t key = this->GetKey(i);
-    return key < this->Least ? 0
-                             : 1 + static_cast<std::uint32_t>((key - this->Least) >> this->Shift);
+    const Range& range = this->Ranges[this->GetRange(i)];
+    return range.Before +
+      (key < range.Least ? 0 : 1 + static_cast<std::uint32_t>((key - range.Least) >> this->Shift));
   }
 
 private:
-  /// The key of value 0. Without negative values, the range begins with the first above it: the
+  /// The key of value 0. Without negative values, a range begins with the first above it: the
   /// exponents between would take nearly all of it.
   static constexpr std::uint64_t Zero = std::uint64_t{ 1 } << 63;
 
-  void FindRange()
+  struct Range
   {
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    std::uint64_t most = 0;
+    std::uint64_t Least = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t Most = 0;
+    std::uint32_t Before = 0; ///< short keys of the ranges before
+
+    void Add(std::uint64_t low, std::uint64_t high)
+    {
+      this->Least = std::min(this->Least, low);
+      this->Most = std::max(this->Most, high);
+    }
+
+    std::uint64_t ShortKeys(unsigned int shift) const
+    {
+      return this->Most == 0 ? 0 : 2 + ((this->Most - std::min(this->Least, this->Most)) >> shift);
+    }
+  };
+
+  std::size_t GetRange(std::size_t i) const
+  {
+    return !this->First.empty() && this->First[i] != 0 ? 0 : 1;
+  }
+
+  void FindRanges()
+  {
     std::mutex mutex;
     ParallelFor(0, static_cast<std::int64_t>(this->Value.size()), ValuesPerTask,
       [&](std::int64_t begin, std::int64_t end)
       {
-        std::uint64_t low = std::numeric_limits<std::uint64_t>::max();
-        std::uint64_t high = 0;
-        for (std::int64_t i = begin; i < end; ++i)
+        std::array<Range, 2> found;
+        for (auto i = At(begin); i < At(end); ++i)
         {
-          const std::uint64_t key = this->GetKey(At(i));
-          low = key != 0 && key != Zero ? std::min(low, key) : low;
-          high = std::max(high, key);
+          const std::uint64_t key = this->GetKey(i);
+          Range& range = found[this->GetRange(i)];
+          range.Add(key != Zero ? key : range.Least, key);
         }
         const std::lock_guard<std::mutex> lock(mutex);
-        least = std::min(least, low);
-        most = std::max(most, high);
+        for (std::size_t r = 0; r < found.size(); ++r)
+        {
+          this->Ranges[r].Add(found[r].Least, found[r].Most);
+        }
       });
-    this->Least = std::min(least, most);
-    for (const std::uint64_t width = most - this->Least; ((width >> this->Shift) + 1) >> 32 != 0;)
+    while (
+      (this->Ranges[0].ShortKeys(this->Shift) + this->Ranges[1].ShortKeys(this->Shift)) >> 32 != 0)
     {
       ++this->Shift;
     }
+    this->Ranges[1].Before = static_cast<std::uint32_t>(this->Ranges[0].ShortKeys(this->Shift));
   }
 
   const std::vector<double>& Value;
   const std::vector<char>& First;
-  std::uint64_t Least = 0;
+  std::array<Range, 2> Ranges; ///< of the first entries, and of the others
   unsigned int Shift = 0;
 };
 
@@ -609,10 +632,10 @@ void CellFiltration::Connect(const ProgressCallback& progress)
 
 void CellFiltration::Order(const ProgressCallback& progress)
 {
-  this->TrianglesInOrder = SimplexOrder(
-    this->TriangleValue, this->TriangleFirst, this->RankOfTriangle, Between(progress, 0.0, 0.6));
-  this->EdgesInOrder =
-    SimplexOrder(this->EdgeValue, this->EdgeFirst, this->RankOfEdge, Between(progress, 0.6, 1.0));
+  this->TrianglesInOrder = SimplexOrder(this->TriangleValue, this->TriangleIndistinct,
+    this->RankOfTriangle, Between(progress, 0.0, 0.6));
+  this->EdgesInOrder = SimplexOrder(
+    this->EdgeValue, this->EdgeIndistinct, this->RankOfEdge, Between(progress, 0.6, 1.0));
 }
 
 EdgeId CellFiltration::FindEdge(SimplexId a, SimplexId b) const

@@ -132,6 +132,12 @@ struct CellFiltration
   HandleVector<EdgeId, char> EdgeFirst;
   HandleVector<TriangleId, char> TriangleFirst;
 
+  /// Simplices that samples do not distinguish from their surface (DelaunayFiltration.h). Their
+  /// ranks, by which loops are paired, are below all others; voids are paired by values alone.
+  HandleVector<EdgeId, char> EdgeIndistinct;
+  HandleVector<TriangleId, char> TriangleIndistinct;
+  HandleVector<TetrahedronId, char> TetrahedronIndistinct;
+
   /// Throws std::runtime_error beyond 2^29 tetrahedra.
   void RequireNumbers() const;
 
@@ -139,7 +145,7 @@ struct CellFiltration
   /// each tetrahedron in total. Calls RequireNumbers().
   void Connect(const ProgressCallback& progress = {});
 
-  /// Sorts triangles and edges by value, ties by index (CellFiltration.h). O(n).
+  /// Sorts triangles and edges by SimplexOrder(), indistinct ones first. O(n).
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Order(const ProgressCallback& progress = {});
 
   /// The edge between two points, or None.
@@ -200,6 +206,14 @@ struct CellFiltration
     const double atA = this->TriangleValue[a];
     const double atB = this->TriangleValue[b];
     return atA != atB ? atA > atB : a > b;
+  }
+
+  /// True if `a` has a higher rank than `b`. @pre They have values.
+  bool RanksAbove(TriangleId a, TriangleId b) const
+  {
+    const bool differ = !this->TriangleIndistinct.empty() &&
+      this->TriangleIndistinct[a] != this->TriangleIndistinct[b];
+    return differ ? this->TriangleIndistinct[b] != 0 : this->EntersLater(a, b);
   }
 
   /// Frees what only the search for pairs and features needs: EdgeValue and TetrahedronValue.

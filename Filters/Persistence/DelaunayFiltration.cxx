@@ -249,10 +249,49 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
   ValueEdges(f, Between(progress, 0.6, 1.0));
 }
 
+void MarkIndistinct(CellFiltration& f, const IndistinctDistance& distance)
+{
+  f.TriangleIndistinct.assign(f.TriangleCount(), 0);
+  f.TetrahedronIndistinct.assign(f.Tetrahedra.size(), 0);
+  f.EdgeIndistinct.assign(f.Edges.size(), 0);
+  ParallelFor(0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (const TriangleId t : HandleRange<TriangleId>(begin, end))
+      {
+        const auto corners = f.TrianglePoints(t);
+        f.TriangleIndistinct[t] = f.TriangleValue[t] <= distance(corners.data(), 3) ? 1 : 0;
+      }
+    });
+  ParallelFor(0, static_cast<std::int64_t>(f.Tetrahedra.size()), 4096,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (const TetrahedronId cell : HandleRange<TetrahedronId>(begin, end))
+      {
+        bool isIndistinct = f.TetrahedronValue[cell] <= distance(f.Tetrahedra[cell].data(), 4);
+        for (std::size_t k = 0; k < 4 && isIndistinct; ++k)
+        {
+          isIndistinct = f.TriangleIndistinct[f.GetTriangle(cell, k)] != 0;
+        }
+        f.TetrahedronIndistinct[cell] = isIndistinct ? 1 : 0;
+      }
+    });
+  for (const TriangleId t : f.Triangles())
+  {
+    if (f.TriangleIndistinct[t] != 0)
+    {
+      for (const EdgeId e : f.TriangleEdges(t))
+      {
+        f.EdgeIndistinct[e] = 1;
+      }
+    }
+  }
+}
+
 }
 
 CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress,
-  const std::function<void(double seconds)>& triangulated)
+  const std::function<void(double seconds)>& triangulated, const IndistinctDistance& indistinct)
 {
   CellFiltration f;
   f.Points = std::move(points);
@@ -269,6 +308,10 @@ CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCall
   ReleaseFreeMemory(); // of the triangulation's many small blocks
   f.Connect(Between(progress, 0.45, 0.6));
   ValueCells(f, Between(progress, 0.6, 0.85));
+  if (indistinct)
+  {
+    MarkIndistinct(f, indistinct);
+  }
   f.Order(Between(progress, 0.85, 1.0));
   return f;
 }

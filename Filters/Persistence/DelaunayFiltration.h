@@ -14,6 +14,8 @@
 namespace isthmus
 {
 
+using IndistinctDistance = std::function<double(const SimplexId* corners, std::size_t count)>;
+
 /**
  * Delaunay triangulation of `points` with the alpha value of every simplex.
  *
@@ -26,6 +28,10 @@ namespace isthmus
  * Predicates are exact; radii are computed in doubles if their relative error is below 1e-9, and
  * with rational numbers otherwise (flat tetrahedra, needles).
  *
+ * `indistinct`: the squared distance up to which a simplex, given by its corners, is not distinct
+ * from the surface that the points were taken from. Triangles with values up to it, their edges and
+ * the tetrahedra between them are marked as indistinct.
+ *
  * `triangulated` is called with the time of the triangulation, from which the rest can be
  * predicted.
  *
@@ -34,7 +40,8 @@ namespace isthmus
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration DelaunayFiltration(std::vector<Point3> points,
   const ProgressCallback& progress = {},
-  const std::function<void(double seconds)>& triangulated = {});
+  const std::function<void(double seconds)>& triangulated = {},
+  const IndistinctDistance& indistinct = {});
 
 }
 

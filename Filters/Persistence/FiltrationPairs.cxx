@@ -21,7 +21,7 @@ using Sides = std::vector<std::array<TetrahedronRank, 2>>;
 /// For the triangles of ranks [first, first + sides.size()) the ranks of the tetrahedra beside
 /// them; the exterior comes last. Triangles are processed in the order of their numbers, since
 /// their tetrahedra are then close in memory.
-void FindSides(const CellFiltration& f,
+void FindSides(const CellFiltration& f, const HandleVector<TriangleId, TriangleRank>& triangleRank,
   const HandleVector<TetrahedronId, TetrahedronRank>& cellRank, std::size_t first, Sides& sides)
 {
   const auto rank = [&cellRank](TetrahedronId cell)
@@ -31,7 +31,7 @@ void FindSides(const CellFiltration& f,
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        const std::size_t place = f.RankOfTriangle[t].Index() - first; // huge if below `first`
+        const std::size_t place = triangleRank[t].Index() - first; // huge if below `first`
         if (place < sides.size())
         {
           const auto beside = f.TriangleSides(t);
@@ -41,13 +41,22 @@ void FindSides(const CellFiltration& f,
     });
 }
 
+/// Triangles in an order, and their ranks in it.
+struct TriangleOrder
+{
+  const HandleVector<TriangleRank, TriangleId>& InOrder;
+  const HandleVector<TriangleId, TriangleRank>& Ranks;
+};
+
 /// Calls pair(triangle, tetrahedron) for each void: see VoidPairs().
 template <typename Pair>
-void ForEachVoidPair(const CellFiltration& f, const ProgressCallback& progress, const Pair& pair)
+void ForEachVoidPair(const CellFiltration& f, const TriangleOrder& triangles,
+  const HandleVector<TetrahedronId, char>& first, const ProgressCallback& progress,
+  const Pair& pair)
 {
   const std::size_t count = f.TriangleCount();
   HandleVector<TetrahedronId, TetrahedronRank> rank;
-  const auto inOrder = SimplexOrder(f.TetrahedronValue, {}, rank, Between(progress, 0.0, 0.2));
+  const auto inOrder = SimplexOrder(f.TetrahedronValue, first, rank, Between(progress, 0.0, 0.2));
   // Basins of tetrahedra by rank, the last one the exterior. The root of each is its latest one, so
   // that the elder rule compares the numbers of two roots.
   DisjointSets<TetrahedronRank> basins(inOrder.size() + 1);
@@ -55,24 +64,24 @@ void ForEachVoidPair(const CellFiltration& f, const ProgressCallback& progress, 
   Sides sides;
   for (std::size_t end = count; end > 0;)
   {
-    const std::size_t first = end - std::min(end, std::max(count / 4 + 1, LeastSides));
-    sides.resize(end - first);
-    FindSides(f, rank, first, sides);
-    for (std::size_t i = end; i-- > first;)
+    const std::size_t from = end - std::min(end, std::max(count / 4 + 1, LeastSides));
+    sides.resize(end - from);
+    FindSides(f, triangles.Ranks, rank, from, sides);
+    for (std::size_t i = end; i-- > from;)
     {
       if (i % ReportEveryVoid == 0)
       {
         Report(progress, 1.0 - 0.8 * static_cast<double>(i) / static_cast<double>(count));
       }
-      const TetrahedronRank a = basins.Find(sides[i - first][0]);
-      const TetrahedronRank b = basins.Find(sides[i - first][1]);
+      const TetrahedronRank a = basins.Find(sides[i - from][0]);
+      const TetrahedronRank b = basins.Find(sides[i - from][1]);
       if (a != b)
       {
         basins.JoinUnder(std::min(a, b), std::max(a, b));
-        pair(f.TrianglesInOrder[TriangleRank::At(i)], inOrder[std::min(a, b)]);
+        pair(triangles.InOrder[TriangleRank::At(i)], inOrder[std::min(a, b)]);
       }
     }
-    end = first;
+    end = from;
   }
 }
 
@@ -82,8 +91,16 @@ HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress)
 {
   HandleVector<TriangleId, TetrahedronId> filledBy(f.TriangleCount(), TetrahedronId::None());
-  ForEachVoidPair(f, progress,
-    [&filledBy](TriangleId triangle, TetrahedronId cell) { filledBy[triangle] = cell; });
+  const auto store = [&filledBy](TriangleId triangle, TetrahedronId cell)
+  { filledBy[triangle] = cell; };
+  if (f.TriangleIndistinct.empty())
+  {
+    ForEachVoidPair(f, { f.TrianglesInOrder, f.RankOfTriangle }, {}, progress, store);
+    return filledBy;
+  }
+  HandleVector<TriangleId, TriangleRank> ranks;
+  const auto order = SimplexOrder(f.TriangleValue, {}, ranks, Between(progress, 0.0, 0.3));
+  ForEachVoidPair(f, { order, ranks }, {}, Between(progress, 0.3, 1.0), store);
   return filledBy;
 }
 
@@ -177,9 +194,14 @@ FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback
   , Columns(f.TriangleCount())
 {
   this->Partner.assign(f.TriangleCount(), -1);
-  ForEachVoidPair(f, Between(progress, 0.0, 0.3),
+  ForEachVoidPair(f, { f.TrianglesInOrder, f.RankOfTriangle }, f.TetrahedronIndistinct,
+    Between(progress, 0.0, 0.2),
     [this](TriangleId triangle, TetrahedronId cell) { this->Partner[triangle] = -2 - cell.Value; });
-  this->PairLoops(Between(progress, 0.3, 1.0));
+  this->PairLoops(Between(progress, 0.2, 0.8));
+  if (!f.TriangleIndistinct.empty())
+  {
+    this->ByValue = VoidPairs(f, Between(progress, 0.8, 1.0));
+  }
 }
 
 /// For each triangle, by rank, the rank of its latest edge; None for those that close voids.
@@ -315,7 +337,7 @@ TriangleRank FiltrationPairs::FindRank(TriangleId triangle) const
   }
   const auto& order = this->F.TrianglesInOrder;
   const auto at = std::lower_bound(order.begin(), order.end(), triangle,
-    [this](TriangleId one, TriangleId other) { return this->F.EntersLater(other, one); });
+    [this](TriangleId one, TriangleId other) { return this->F.RanksAbove(other, one); });
   return TriangleRank::At(static_cast<std::size_t>(at - order.begin()));
 }
 

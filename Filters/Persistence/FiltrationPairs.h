@@ -126,7 +126,7 @@ private:
 
 /**
  * For each triangle, the tetrahedron that fills the void it closes, or None if it does not close a
- * void.
+ * void, by values.
  *
  * Tetrahedra are joined across triangles from the last to the first; the younger of two basins,
  * i.e. the one whose latest tetrahedron enters earlier, ends there (the elder rule for the
@@ -138,7 +138,8 @@ HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});
 
 /**
- * Every triangle either closes a void (positive) or fills a loop (negative).
+ * Every triangle either closes a void (positive) or fills a loop (negative); with indistinct
+ * simplices, whose ranks do not follow their values, one may do both.
  *
  * A void that triangle t closes is filled by tetrahedron VoidFilled[t]; a loop that edge e closes
  * is filled by triangle LoopFilled[e].
@@ -208,13 +209,15 @@ private:
   /// Per triangle: the edge that closes the loop which it fills; -1: it fills none; below that,
   /// -2 - the tetrahedron that fills the void which it closes. No triangle does both.
   HandleVector<TriangleId, SimplexId> Partner;
-  HandleVector<EdgeRank, TriangleRank> Filler; ///< of the loop that an edge closes, or None
+  HandleVector<TriangleId, TetrahedronId> ByValue; ///< VoidPairs(), if these are different
+  HandleVector<EdgeRank, TriangleRank> Filler;     ///< of the loop that an edge closes, or None
   ColumnStore Columns;
 };
 
 inline TetrahedronId FiltrationPairs::VoidFilled(TriangleId triangle) const
 {
-  return TetrahedronId(std::max(-1, -2 - this->Partner[triangle]));
+  return this->ByValue.empty() ? TetrahedronId(std::max(-1, -2 - this->Partner[triangle]))
+                               : this->ByValue[triangle];
 }
 
 inline TriangleId FiltrationPairs::LoopFilled(EdgeId edge) const

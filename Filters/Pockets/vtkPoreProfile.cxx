@@ -159,6 +159,9 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
     { 4, ArrayPlace::Rows, "NumberOfAtoms", 1, "", ArrayChoice::None, "lining atoms" },
     { 5, ArrayPlace::Points, "Radius", 1, "length", ArrayChoice::None,
       "of the nearest sample of the pore" },
+    { 5, ArrayPlace::Points, "RadiusError", 1, "length", ArrayChoice::None,
+      "estimate: how far the radius between this plane and the next ones is from a line between "
+      "their radii" },
     { 5, ArrayPlace::Points, "ArcLength", 1, "length", ArrayChoice::None,
       "of the nearest sample of the pore" },
     { 5, ArrayPlace::Points, "NearestAtom", 1, "", ArrayChoice::None,

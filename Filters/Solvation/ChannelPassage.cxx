@@ -114,6 +114,53 @@ void RequireOpen(const ChannelPassage& passage)
     FormatNumber(passage.Radius) + " angstrom." + Suggestion);
 }
 
+bool IsRimOpen(
+  const TransportGrid& grid, const std::vector<Ball>& atoms, const MembraneSlab& membrane)
+{
+  constexpr double rim = 1.75; // spacings
+  const TransportDomain& d = grid.Domain;
+  const double half = 0.5 * membrane.MembraneThickness;
+  const bool hasAtoms = std::any_of(atoms.begin(), atoms.end(),
+    [&](const Ball& ball)
+    {
+      const auto [along, off] = d.AxialAndRadial(ball.Center);
+      return std::abs(along) < half && off - ball.Radius < membrane.LumenRadius;
+    });
+  // The rim is nearer than the atoms, which in a pore are before it.
+  const auto isOfRim = [&](std::int64_t node)
+  {
+    const auto [along, off] = d.AxialAndRadial(d.Place(node));
+    const double distance = grid.Distance[static_cast<std::size_t>(node)];
+    const double toRim = membrane.LumenRadius - off;
+    return distance > 0.0 && std::abs(along) <= half && toRim >= 0.0 && toRim < rim * d.Spacing &&
+      distance > toRim - MembraneExcess * d.Spacing - 1e-3 * d.Spacing;
+  };
+  const std::array<std::int64_t, 3> steps = d.Steps();
+  const std::int64_t below = d.Size();
+  DisjointSets<std::int64_t> sets(d.Size() + 2);
+  for (std::int64_t node = 0; hasAtoms && node < d.Size(); ++node)
+  {
+    if (!isOfRim(node))
+    {
+      continue;
+    }
+    const double along = d.AxialAndRadial(d.Place(node))[0];
+    if (half - std::abs(along) < d.Spacing)
+    {
+      sets.Join(node, along < 0.0 ? below : below + 1);
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const std::int64_t next = node + steps[a];
+      if (grid.Aperture[a][static_cast<std::size_t>(node)] > 0.0F && isOfRim(next))
+      {
+        sets.Join(node, next);
+      }
+    }
+  }
+  return sets.Find(below) == sets.Find(below + 1);
+}
+
 void CloseIsolatedPockets(TransportGrid& grid)
 {
   const std::array<std::int64_t, 3> steps = grid.Domain.Steps();

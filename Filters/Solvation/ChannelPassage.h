@@ -28,6 +28,11 @@ ChannelPassage FindPassage(const TransportGrid& grid);
 /// @throws std::runtime_error, with the place and what to do, where the channel is closed.
 void RequireOpen(const ChannelPassage& passage);
 
+/// True if water along the rim of the membrane's hole leads from one side of the membrane to the
+/// other although the hole contains atoms: ions pass beside the molecule. O(n).
+bool IsRimOpen(
+  const TransportGrid& grid, const std::vector<Ball>& atoms, const MembraneSlab& membrane);
+
 /// Closes the faces between nodes that are not connected to a bath by water, because the
 /// concentrations of ions in such pockets are undetermined.
 /// @throws std::runtime_error if no remaining faces connect the baths.

@@ -97,6 +97,7 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   this->Passage = FindPassage(*this->Grid);
   RequireOpen(this->Passage);
   CloseIsolatedPockets(*this->Grid);
+  this->RimIsOpen = isthmus::IsRimOpen(*this->Grid, problem.Balls, p);
   this->Fixed = std::make_unique<PoissonNernstPlanck>(*this->Grid, p);
   this->Fixed->Solve(Between(progress, 0.3, 1.0));
 }

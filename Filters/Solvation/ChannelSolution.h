@@ -45,6 +45,8 @@ public:
   }
   /// Warning about the given surface; empty if there is none (AtomsInside.h).
   const std::string& GetSurfaceWarning() const { return this->SurfaceWarning; }
+  /// IsRimOpen(); false for a surface that moves.
+  bool IsRimOpen() const { return this->RimIsOpen; }
   /// Null if the surface is fixed.
   const MovingChannel* GetMoving() const { return this->Moving.get(); }
 
@@ -52,6 +54,7 @@ private:
   const TransportDomain Domain;
   std::string SurfaceWarning;
   ChannelPassage Passage;
+  bool RimIsOpen = false;
   std::unique_ptr<TransportGrid> Grid;
   std::unique_ptr<PoissonNernstPlanck> Fixed;
   std::unique_ptr<MovingChannel> Moving;

@@ -36,6 +36,14 @@ std::string NarrowChannelWarning(const isthmus::ChannelPassage& passage)
     "a smaller Spacing.";
 }
 
+std::string OpenRimWarning(double radius)
+{
+  return "Ions pass beside the molecule: water reaches the rim of the membrane's hole, of radius " +
+    FormatNumber(radius) +
+    " angstrom, from one side of the membrane to the other. Choose a LumenRadius at which the rim "
+    "lies within the molecule.";
+}
+
 std::string ConvergenceWarning(const isthmus::PoissonNernstPlanck& solution)
 {
   const isthmus::IonTransportReport& report = solution.GetReport();
@@ -53,8 +61,8 @@ std::string ConvergenceWarning(const isthmus::PoissonNernstPlanck& solution)
     "or look for charges that touch the water.";
 }
 
-/// About atoms that were dropped or lie outside the surface, a channel narrower than the spacing,
-/// and convergence.
+/// About atoms that were dropped or lie outside the surface, a channel narrower than the spacing, a
+/// hole wider than the molecule, and convergence.
 std::vector<std::string> Warnings(
   const isthmus::MoleculeAtoms& atoms, isthmus::ChannelSolution& channel)
 {
@@ -67,6 +75,10 @@ std::vector<std::string> Warnings(
   if (channel.GetPassage().Radius < solution.GetParameters().Spacing)
   {
     warnings.push_back(NarrowChannelWarning(channel.GetPassage()));
+  }
+  if (channel.IsRimOpen())
+  {
+    warnings.push_back(OpenRimWarning(solution.GetParameters().LumenRadius));
   }
   if (!solution.GetReport().Converged)
   {

@@ -96,7 +96,8 @@ public:
   ///@{
   /// A point in the middle of the membrane and on the channel's axis, the axis' direction (of any
   /// length), the thickness of the membrane, and the radius of the hole in it around the axis; in
-  /// angstrom. Defaults (0, 0, 0), (0, 0, 1), 24, 5.
+  /// angstrom. A warning is given if water reaches the hole's rim from one side of the membrane to
+  /// the other, although there are atoms in the hole. Defaults (0, 0, 0), (0, 0, 1), 24, 5.
   ISTHMUS_PARAMETER_VECTOR3(MembraneCenter, double);
   ISTHMUS_PARAMETER_VECTOR3(MembraneNormal, double);
   ISTHMUS_PARAMETER(MembraneThickness, double);

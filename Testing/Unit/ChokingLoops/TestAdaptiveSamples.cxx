@@ -3,6 +3,7 @@
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/LoopDrawing.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
 #include "Surfaces/TriangleTree.h"
 
@@ -97,6 +98,28 @@ TEST(AdaptiveSamples, RingHasItsHandleAndTunnel)
   EXPECT_NEAR(handles[0].first, 1.0, 0.005);
   EXPECT_NEAR(tunnels[0].first, 2.0, 0.01);
   EXPECT_LT(DistanceOfLoops(loops, surface), 1e-9);
+}
+
+// The thinnest part of a ring is far below the spacing of the samples where it is thick.
+TEST(AdaptiveSamples, ThinHandleOfAThickRingIsTrusted)
+{
+  constexpr double thin = 0.03;
+  TriangleMesh surface = Torus(3.0, 1.0, 600, 200);
+  for (Point3& p : surface.Points)
+  {
+    const double away = std::hypot(p[0], p[1]);
+    const Point3 center{ 3.0 * p[0] / away, 3.0 * p[1] / away, 0.0 };
+    const double radius = 0.5 * ((1.0 + thin) - (1.0 - thin) * p[0] / away);
+    p = center + radius * (p - center);
+  }
+  const ChokingLoops loops = Analyse(surface, 1.0);
+  ASSERT_TRUE(loops.Fine());
+  const std::vector<double> errors = SamplingErrors(loops.Samples());
+  EXPECT_GT(*std::max_element(errors.begin(), errors.end()), 1.5 * thin);
+  const auto handles = Radii(loops, FeatureKind::Handle, SpaceSide::Inside);
+  ASSERT_EQ(handles.size(), 1U);
+  EXPECT_NEAR(handles[0].first, thin, 0.01 * thin);
+  EXPECT_EQ(Radii(loops, FeatureKind::Tunnel, SpaceSide::Outside).size(), 1U);
 }
 
 TEST(AdaptiveSamples, SameFeaturesAsWithAllPoints)

@@ -105,19 +105,19 @@ TEST_P(DelaunayCells, CompareTrianglesByRank)
   CellFiltration f = OfRandomPoints(GetParam());
   for (const bool some : { false, true })
   {
-    f.TriangleFirst.assign(some ? f.TriangleCount() : 0, 0);
+    f.TriangleIndistinct.assign(some ? f.TriangleCount() : 0, 0);
     for (std::size_t i = 0; some && i < f.TriangleCount(); i += 3)
     {
-      f.TriangleFirst[TriangleId::At(i)] = 1;
+      f.TriangleIndistinct[TriangleId::At(i)] = 1;
     }
     f.Order();
     for (std::size_t i = 1; i < f.TriangleCount(); ++i)
     {
       const TriangleId before = f.TrianglesInOrder[TriangleRank::At(i - 1)];
       const TriangleId t = f.TrianglesInOrder[TriangleRank::At(i)];
-      EXPECT_TRUE(f.EntersLater(t, before));
-      EXPECT_FALSE(f.EntersLater(before, t));
-      EXPECT_FALSE(f.EntersLater(t, t));
+      EXPECT_TRUE(f.RanksAbove(t, before));
+      EXPECT_FALSE(f.RanksAbove(before, t));
+      EXPECT_FALSE(f.RanksAbove(t, t));
     }
   }
 }

@@ -27,7 +27,7 @@ void ExpectSorted(const std::vector<double>& value, const std::vector<char>& fir
     {
       const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
       const bool firstA = !first.empty() && first[i], firstB = !first.empty() && first[j];
-      return firstA != firstB ? firstA : !firstA && value[i] < value[j];
+      return firstA != firstB ? firstA : value[i] < value[j];
     });
   for (const int threads : { 1, 3 })
   {

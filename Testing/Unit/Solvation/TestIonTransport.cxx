@@ -62,6 +62,27 @@ vtkSmartPointer<vtkIonTransport> TubeInElectrolyte(double charge, double below, 
 
 }
 
+// The rim of the hole lies within the tube of atoms or beyond it.
+TEST(IonTransport, WarnsIfIonsPassBesideTheMolecule)
+{
+  const auto says = [](double lumen)
+  {
+    auto filter = TubeInElectrolyte(0.0, 0.1, 0.1);
+    filter->SetLumenRadius(lumen);
+    vtkNew<vtkTest::ErrorObserver> said;
+    filter->AddObserver(vtkCommand::WarningEvent, said);
+    filter->Update();
+    return said->GetWarning() &&
+      said->GetWarningMessage().find("rim lies within the molecule") != std::string::npos;
+  };
+  EXPECT_FALSE(says(3.0));
+  EXPECT_FALSE(says(3.5));
+  EXPECT_FALSE(says(4.4));
+  EXPECT_FALSE(says(5.0));
+  EXPECT_TRUE(says(14.0));
+  EXPECT_TRUE(says(9.0));
+}
+
 TEST(IonTransport, CurrentOfAPoreFollowsOhmsLaw)
 {
   // One atom without a charge, hidden in the membrane. Resistances of the pore, of the access to it
