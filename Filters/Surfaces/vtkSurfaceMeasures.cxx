@@ -282,13 +282,18 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   if (self && whole.IsClosed())
   {
     const auto& at = self->Place;
-    vtkWarningMacro(
-      << isthmus::JoinText("The surface passes through itself: ", self->Pairs,
-           " pairs of triangles cross, the first at (", isthmus::FormatNumber(at[0]), ", ",
-           isthmus::FormatNumber(at[1]), ", ", isthmus::FormatNumber(at[2]),
-           "). What it encloses twice counts twice in Volume, and what it encloses the "
-           "other way round is subtracted. Tetrahedral Mesher with Library Automatic and "
-           "Extract Surface make a surface without crossings."));
+    const std::string place = isthmus::JoinText("(", at[0], ", ", at[1], ", ", at[2], ")");
+    vtkWarningMacro(<< (self->Pairs == 0
+                        ? "The surface touches itself, for instance at " + place +
+                          ": Volume and Genus are those of its sheets as they are connected, not "
+                          "as they touch."
+                        : isthmus::JoinText("The surface passes through itself: ", self->Pairs,
+                            " pairs of triangles cross, the first at ", place,
+                            ". What it encloses twice counts twice in Volume, and what it encloses "
+                            "the other way "
+                            "round is subtracted. Tetrahedral Mesher with Library Automatic and "
+                            "Extract Surface "
+                            "make a surface without crossings.")));
   }
   isthmus::Report(progress, 1.0);
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
