@@ -104,6 +104,28 @@ TEST(OpenDXWriter, RoundTripIsBitwise)
   EXPECT_EQ(Content(packed.Path).find("object 1 class gridpositions counts 7 5 11"), 0u);
 }
 
+TEST(OpenDXWriter, ValuesThatAreNotFiniteAreWarnedAbout)
+{
+  const File file("", "odd.dx");
+  for (const double odd : { 1.0, std::nan(""), HUGE_VAL, -HUGE_VAL })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(3, 3, 3);
+    image->AllocateScalars(VTK_DOUBLE, 1);
+    image->GetPointData()->GetScalars()->Fill(1.0);
+    image->SetScalarComponentFromDouble(1, 1, 1, 0, odd);
+    vtkNew<vtkTest::ErrorObserver> said;
+    vtkNew<vtkOpenDXWriter> writer;
+    writer->AddObserver(vtkCommand::WarningEvent, said);
+    writer->SetInputData(image);
+    writer->SetFileName(file.Path.c_str());
+    writer->Write();
+    EXPECT_EQ(said->GetWarningMessage().find("1 values are not finite") != std::string::npos,
+      !std::isfinite(odd))
+      << odd << said->GetWarningMessage();
+  }
+}
+
 // PyMOL and others refuse "type float".
 TEST(OpenDXWriter, TheTypeIsDouble)
 {
