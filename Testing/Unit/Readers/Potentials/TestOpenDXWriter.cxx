@@ -134,6 +134,21 @@ TEST(OpenDXWriter, TheTypeIsDouble)
   const std::string text = Content(file.Path);
   EXPECT_NE(text.find("class array type double rank 0"), std::string::npos);
   EXPECT_EQ(text.find("float"), std::string::npos);
+  for (const int type : { VTK_DOUBLE, VTK_INT, VTK_SHORT, VTK_UNSIGNED_CHAR })
+  {
+    for (const int components : { 1, 3 })
+    {
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(2, 3, 4);
+      image->AllocateScalars(type, components);
+      image->GetPointData()->GetScalars()->Fill(7.0);
+      const auto back = WriteAndRead(image, file.Path);
+      EXPECT_EQ(back->GetPointData()->GetScalars()->GetRange()[1], 7.0);
+      const std::string other = Content(file.Path);
+      EXPECT_NE(other.find("class array type double rank"), std::string::npos) << type;
+      EXPECT_EQ(other.find("type int"), std::string::npos) << type;
+    }
+  }
 }
 
 // APBS and VMD read lines of three values; z runs fastest, and numbers of a node stay together.
