@@ -117,7 +117,8 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
   static const std::vector<isthmus::OutputArray> table{
     { 0, ArrayPlace::Field, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 0, ArrayPlace::Field, "Volume", 1, "length^3", ArrayChoice::None,
-      "enclosed, below 0 if triangles face inwards; NaN if nothing is enclosed or components cross" },
+      "enclosed, below 0 if triangles face inwards; NaN if nothing is enclosed or components "
+      "cross" },
     { 0, ArrayPlace::Field, "AreaError", 1, "length^2", ArrayChoice::None,
       "estimated, of a smooth surface given by a mesh or a volume" },
     { 0, ArrayPlace::Field, "VolumeError", 1, "length^3", ArrayChoice::None,
@@ -139,7 +140,8 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Component", 1, "", ArrayChoice::None, "-1 for the whole surface" },
     { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None,
-      "enclosed, below 0 if triangles face inwards; NaN if nothing is enclosed or components cross" },
+      "enclosed, below 0 if triangles face inwards; NaN if nothing is enclosed or components "
+      "cross" },
     { 1, ArrayPlace::Rows, "AreaError", 1, "length^2", ArrayChoice::None,
       "estimated, of a smooth surface given by a mesh or a volume" },
     { 1, ArrayPlace::Rows, "VolumeError", 1, "length^3", ArrayChoice::None,
