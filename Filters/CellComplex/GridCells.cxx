@@ -148,9 +148,9 @@ private:
         " points, but a " + type.Type.Name() + " needs " + std::to_string(corners) +
         ": the grid is damaged.");
     }
-    const double sixVolumes = this->ByVolume ? this->SixVolumes(type.Type.Faces(), points) : 0.0;
+    const double sixVolumes = this->SixVolumes(type.Type.Faces(), points);
     this->Cells.Inverted.Add(id, sixVolumes);
-    const bool turn = sixVolumes < 0.0;
+    const bool turn = this->ByVolume && sixVolumes < 0.0;
     if (this->LinearNumbers[known] == None)
     {
       this->LinearNumbers[known] = this->Cells.Types.size();

@@ -56,8 +56,8 @@ public:
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }
   /// The id in the grid of cell `cell` of the list.
   vtkIdType GridId(std::size_t cell) const { return this->GridIds[cell]; }
-  /// A message about cells that were simplified or dropped or, with ByVolume, are inverted; empty
-  /// if there are none.
+  /// A message about cells that were simplified or dropped or are inverted; empty if there are
+  /// none.
   std::string Remark() const;
 
 private:

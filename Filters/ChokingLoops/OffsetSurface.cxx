@@ -118,7 +118,7 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, const OffsetSurfacePara
     scaledParameters.Distance *= scale.Factor();
     DistanceGrid grid = OffsetDistances(scaled, scaledParameters, progress);
     const double back = 1.0 / scale.Factor();
-    grid.Origin = back * grid.Origin;
+    scale.Undo(grid.Origin);
     grid.Spacing *= back;
     for (double& value : grid.Values)
     {

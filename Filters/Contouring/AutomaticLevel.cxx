@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,22 +24,34 @@ namespace isthmus
 namespace
 {
 
-std::optional<double> NaturalLevel(vtkDataArray* scalars)
+/// Of flags and of the fraction of a node that is inside, by the names under which the filters of
+/// Isthmus write them, and of signed distances under any name.
+std::optional<double> NaturalLevel(vtkImageData* image, vtkDataArray* scalars)
 {
-  static const std::map<std::string, double> levels{ { "SignedDistance", 0.0 }, { "S", 0.5 },
-    { "Inside", 0.5 }, { "Side", 0.5 } };
-  const auto found = levels.find(scalars->GetName() ? scalars->GetName() : "");
-  return found == levels.end() ? std::nullopt : std::optional<double>(found->second);
+  double range[2];
+  scalars->GetFiniteRange(range, 0);
+  const std::string name = scalars->GetName() ? scalars->GetName() : "";
+  constexpr double rounding = 1e-3;
+  if ((name == "S" || name == "Inside" || name == "Side") && range[0] >= -rounding &&
+    range[1] <= 1.0 + rounding)
+  {
+    return 0.5;
+  }
+  bool isDistance = name == "SignedDistance" && range[0] < 0.0 && range[1] > 0.0;
+  UseScalars(image, scalars,
+    [&](const auto& grid)
+    { isDistance = isDistance || IsSignedDistance(grid, NoDataMask(image)); });
+  return isDistance ? std::optional(0.0) : std::nullopt;
 }
 
-const char* SourceText(LevelSource source)
+const char* SourceText(const ChosenLevel& chosen)
 {
-  switch (source)
+  switch (chosen.Source)
   {
     case LevelSource::Given:
       return "given";
     case LevelSource::Natural:
-      return "natural level of the quantity";
+      return chosen.Level == 0.0 ? "zero of a signed distance" : "natural level of the quantity";
     case LevelSource::Recommended:
       return "recommended by the depositors";
     default:
@@ -81,7 +92,7 @@ ChosenLevel ChooseLevel(
   ChosenLevel chosen{ level, LevelSource::Given };
   if (isAutomatic)
   {
-    if (const auto natural = NaturalLevel(scalars))
+    if (const auto natural = NaturalLevel(image, scalars))
     {
       chosen = { *natural, LevelSource::Natural };
     }
@@ -112,14 +123,14 @@ void AddAutomaticLevel(const ChosenLevel& used, vtkImageData* image, vtkDataArra
     : used;
   vtkFieldData* fields = output->GetFieldData();
   AddColumn<vtkDoubleArray>(fields, "AutomaticLevel", { automatic.Level });
-  AddColumn<vtkStringArray>(fields, "AutomaticLevelSource", { SourceText(automatic.Source) });
+  AddColumn<vtkStringArray>(fields, "AutomaticLevelSource", { SourceText(automatic) });
 }
 
 void AddLevel(const ChosenLevel& level, vtkDataObject* output)
 {
   vtkFieldData* fields = output->GetFieldData();
   AddColumn<vtkDoubleArray>(fields, "Level", { level.Level });
-  AddColumn<vtkStringArray>(fields, "LevelSource", { SourceText(level.Source) });
+  AddColumn<vtkStringArray>(fields, "LevelSource", { SourceText(level) });
 }
 
 }

@@ -36,9 +36,10 @@ struct ChosenLevel
  * `isAutomatic`, or else the natural level of the quantity, or else the recommended one of the map,
  * or else an estimate.
  *
- * Quantities with a natural level are known by the names under which the filters of Isthmus write
- * them: 0 for `SignedDistance`, 1/2 for `S`, `Inside` and `Side`. The estimate costs one sample of
- * at most 2^20 values, without those of nodes that have no data.
+ * Quantities with a natural level are signed distances, known by their gradient of length 1
+ * (IsSignedDistance()) or by the name `SignedDistance`, with level 0; and `S`, `Inside` and `Side`,
+ * known by these names and values from 0 to 1, with level 1/2. The estimate costs one sample of at
+ * most 2^20 values, without those of nodes that have no data.
  * @throws std::invalid_argument if the level is not finite, or no value of the volume is.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT ChosenLevel ChooseLevel(

@@ -1,6 +1,7 @@
 #include "Contouring/LevelEstimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -56,6 +57,23 @@ double LowerDeviation(const std::vector<double>& sorted)
   return (Quantile(sorted, 0.5) - Quantile(sorted, 0.25)) / 0.674490;
 }
 
+/// An odd step through about 2^20 nodes of the grid, without a common factor with the rows or
+/// layers, so that all columns are visited equally often.
+template <typename T>
+std::int64_t SampleStep(const GridView<const T>& grid)
+{
+  std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
+  if (step > 1)
+  {
+    step |= 1;
+    while (std::gcd(step, grid.Dimensions[0] * grid.Dimensions[1]) > 1)
+    {
+      step += 2;
+    }
+  }
+  return step;
+}
+
 }
 
 double EstimateLevel(std::vector<double>& values)
@@ -92,16 +110,7 @@ double EstimateLevel(std::vector<double>& values)
 template <typename T>
 std::vector<double> SampleValues(const GridView<const T>& grid, const unsigned char* noData)
 {
-  // An odd step without a common factor with the rows or layers visits all columns equally often.
-  std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
-  if (step > 1)
-  {
-    step |= 1;
-    while (std::gcd(step, grid.Dimensions[0] * grid.Dimensions[1]) > 1)
-    {
-      step += 2;
-    }
-  }
+  const std::int64_t step = SampleStep(grid);
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(grid.Size() / step + 1));
   for (std::int64_t n = 0; n < grid.Size(); n += step)
@@ -113,6 +122,66 @@ std::vector<double> SampleValues(const GridView<const T>& grid, const unsigned c
     }
   }
   return values;
+}
+
+template <typename T>
+bool IsSignedDistance(const GridView<const T>& grid, const unsigned char* noData)
+{
+  constexpr double within = 0.1, share = 0.8;
+  constexpr std::int64_t fewest = 64; // nodes
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  const auto isKnown = [&](std::int64_t n)
+  { return std::isfinite(static_cast<double>(grid.Data[n])) && (!noData || noData[n] == 0); };
+  for (std::int64_t n = 0; n < grid.Size(); ++n)
+  {
+    if (isKnown(n))
+    {
+      low = std::min(low, static_cast<double>(grid.Data[n]));
+      high = std::max(high, static_cast<double>(grid.Data[n]));
+    }
+  }
+  if (!(low < 0.0 && high > 0.0))
+  {
+    return false;
+  }
+  const auto& dimensions = grid.Dimensions;
+  const std::array<std::int64_t, 3> steps{ 1, dimensions[0], dimensions[0] * dimensions[1] };
+  const auto isWithin = [&](std::int64_t n)
+  {
+    const auto value = static_cast<double>(grid.Data[n]);
+    return isKnown(n) && value > low && value < high;
+  };
+  std::int64_t count = 0, perLength = 0, perNode = 0;
+  const std::int64_t step = SampleStep(grid);
+  for (std::int64_t n = 0; n < grid.Size(); n += step)
+  {
+    double length = 0.0, node = 0.0; // squares of the two gradients
+    bool isMeasured = isWithin(n);
+    for (std::size_t a = 0; a < 3 && isMeasured; ++a)
+    {
+      const std::int64_t at = n / steps[a] % dimensions[a];
+      if (dimensions[a] == 1)
+      {
+        continue;
+      }
+      isMeasured =
+        at > 0 && at + 1 < dimensions[a] && isWithin(n - steps[a]) && isWithin(n + steps[a]);
+      const double slope = isMeasured ? 0.5 *
+          (static_cast<double>(grid.Data[n + steps[a]]) -
+            static_cast<double>(grid.Data[n - steps[a]]))
+                                      : 0.0;
+      node += slope * slope;
+      length += slope * slope / (grid.Spacing[a] * grid.Spacing[a]);
+    }
+    if (isMeasured)
+    {
+      ++count;
+      perLength += std::abs(std::sqrt(length) - 1.0) <= within ? 1 : 0;
+      perNode += std::abs(std::sqrt(node) - 1.0) <= within ? 1 : 0;
+    }
+  }
+  return count >= fewest &&
+    static_cast<double>(std::max(perLength, perNode)) >= share * static_cast<double>(count);
 }
 
 template <typename T>
@@ -160,6 +229,8 @@ MapContrast MeasureContrast(const GridView<const T>& grid, const unsigned char* 
 }
 
 template std::vector<double> SampleValues(const GridView<const float>&, const unsigned char*);
+template bool IsSignedDistance(const GridView<const float>&, const unsigned char*);
+template bool IsSignedDistance(const GridView<const double>&, const unsigned char*);
 template MapContrast MeasureContrast(const GridView<const float>&, const unsigned char*);
 template MapContrast MeasureContrast(const GridView<const double>&, const unsigned char*);
 template std::vector<double> SampleValues(const GridView<const double>&, const unsigned char*);

@@ -14,9 +14,37 @@ namespace
 /// Powers of two within which coordinates are not scaled.
 constexpr int UsualExponent = 20;
 
+/// Extents beyond which the origin is far away.
+constexpr double FarAway = 64.0;
+
 bool IsFinite(const Point3& p)
 {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// The middle of the points along the axes on which it is far from the origin, 0 along others.
+Point3 FarMiddle(const View<Point3>& points)
+{
+  Bounds3 box;
+  bool isEmpty = true;
+  for (const Point3& p : points)
+  {
+    if (IsFinite(p))
+    {
+      box = isEmpty ? Bounds3{ p, p } : box;
+      box.Add(p);
+      isEmpty = false;
+    }
+  }
+  const Point3 size = box.Max - box.Min;
+  const double extent = std::max({ size[0], size[1], size[2] });
+  Point3 middle{};
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double at = 0.5 * box.Min[a] + 0.5 * box.Max[a];
+    middle[a] = extent > 0.0 && std::abs(at) > FarAway * extent ? at : 0.0;
+  }
+  return middle;
 }
 
 }
@@ -51,6 +79,18 @@ UnitScale::UnitScale(const View<Point3>& points)
       FormatNumber(largest) + ": it should be at least " + FormatNumber(SmallestLength) +
       ". Choose another unit of length (Transform).");
   }
+  this->Middle = FarMiddle(points);
+  if (this->Middle != Point3{})
+  {
+    largest = 0.0;
+    for (const Point3& p : points)
+    {
+      for (std::size_t a = 0; a < 3 && IsFinite(p); ++a)
+      {
+        largest = std::max(largest, std::abs(p[a] - this->Middle[a]));
+      }
+    }
+  }
   int exponent = 0;
   std::frexp(largest, &exponent);
   if (std::abs(exponent) > UsualExponent)
@@ -60,7 +100,11 @@ UnitScale::UnitScale(const View<Point3>& points)
   const double least = largest / LargestReach;
   const auto isTrace = [least](double x) { return x != 0.0 && std::abs(x) < least; };
   if (std::any_of(points.begin(), points.end(),
-        [&](const Point3& p) { return std::any_of(p.begin(), p.end(), isTrace); }))
+        [&](const Point3& p)
+        {
+          const Point3 moved = p - this->Middle;
+          return std::any_of(moved.begin(), moved.end(), isTrace);
+        }))
   {
     this->Least = this->TheFactor * least;
   }
@@ -100,6 +144,7 @@ void UnitScale::Apply(std::vector<Point3>& points) const
 {
   for (Point3& p : points)
   {
+    p = p - this->Middle;
     for (double& x : p)
     {
       x *= this->TheFactor;
@@ -112,8 +157,13 @@ void UnitScale::Undo(std::vector<Point3>& points) const
 {
   for (Point3& p : points)
   {
-    p = 1.0 / this->TheFactor * p;
+    this->Undo(p);
   }
+}
+
+void UnitScale::Undo(Point3& point) const
+{
+  point = 1.0 / this->TheFactor * point + this->Middle;
 }
 
 }

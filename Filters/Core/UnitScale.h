@@ -1,6 +1,6 @@
 /**
  * @file UnitScale.h
- * @brief Scales very large and very small surfaces to about 1 and back.
+ * @brief Brings surfaces of any size at any place to about 1 near the origin, and back.
  */
 #ifndef isthmus_UnitScale_h
 #define isthmus_UnitScale_h
@@ -18,12 +18,16 @@ namespace isthmus
 constexpr double LargestReach = 1e50;
 
 /**
- * Scales coordinates to about 1 for code that computes fourth powers of lengths, and back.
+ * Scales coordinates to about 1 for code that computes fourth powers of lengths, and moves surfaces
+ * that are far from the origin there, for code whose tolerances grow with the coordinates: CGAL's
+ * refinement does not end 1e7 diameters away. And back.
  *
- * The factor is a power of two, so nothing is rounded; it is 1 where the largest coordinate is
- * between 2^-20 and 2^20, so ordinary data are not changed. Only coordinates that are smaller than
- * the largest one by more than the factor LargestReach become 0: products of lengths in which only
- * these differ would underflow, and CGAL divides by them. O(points).
+ * A surface is moved along each axis on which its middle is more than 64 times its extent away, so
+ * that differences of coordinates are exact. The factor is a power of two, so nothing is rounded;
+ * it is 1 where the largest coordinate is then between 2^-20 and 2^20, so ordinary data are not
+ * changed. Only coordinates that are smaller than the largest one by more than the factor
+ * LargestReach become 0: products of lengths in which only these differ would underflow, and CGAL
+ * divides by them. O(points).
  */
 class VTKISTHMUSFILTERSCORE_EXPORT UnitScale
 {
@@ -42,12 +46,17 @@ public:
   /// Converts a length to the scaled unit.
   double Factor() const { return this->TheFactor; }
   /// Apply() would change nothing.
-  bool IsOne() const { return this->TheFactor == 1.0 && this->Least == 0.0; }
+  bool IsOne() const
+  {
+    return this->TheFactor == 1.0 && this->Least == 0.0 && this->Middle == Point3{};
+  }
 
   void Apply(std::vector<Point3>& points) const;
   void Undo(std::vector<Point3>& points) const;
+  void Undo(Point3& point) const;
 
 private:
+  Point3 Middle{}; ///< becomes the origin
   double TheFactor = 1.0;
   double Least = 0.0; ///< smaller scaled coordinates become 0
 };

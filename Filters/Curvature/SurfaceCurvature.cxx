@@ -190,6 +190,7 @@ private:
   TensorSums IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const;
   PointStatus ClassifyPoint(std::size_t point, const StarSums& sums) const;
   void Count();
+  void AverageTinyStars();
 
   static Eigen::Map<Vector3d> VectorAt(std::vector<double>& vectors, std::size_t point)
   {
@@ -256,6 +257,10 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
     { tensor ? this->EstimateByTensor(first, last) : this->EstimateByDefect(first, last); },
     progress);
   this->Count();
+  if (!tensor || this->Options.Neighbourhood == CurvatureNeighbourhood::OneRing)
+  {
+    this->AverageTinyStars();
+  }
   return std::move(this->Result);
 }
 
@@ -358,6 +363,87 @@ void Estimator::EstimateByTensor(vtkIdType first, vtkIdType last)
     VectorAt(this->Result.Direction2, p) = frame.Direction2;
     const Vector3d normal = this->Side * star.Normal.normalized();
     this->StoreNormals(p, normal, this->Result.Mean[p] * normal);
+  }
+}
+
+/// Where a node of a volume lies almost at the level, its isosurface has a pyramid much smaller
+/// than the spacing, whose slope is that of the triangles around it: curvature, slope per length,
+/// grows without limit as the pyramid shrinks. Points with a tiny area get the mean of the
+/// triangles around them, and these get it too, which keeps the integrals over the surface.
+void Estimator::AverageTinyStars()
+{
+  constexpr double tiny = 1.0 / 32.0; // of the largest area of a neighbour
+  const SurfaceCurvatureResult& r = this->Result;
+  std::vector<double> largest(r.Area.size(), 0.0);
+  const auto forEachPair = [this](auto&& use)
+  {
+    for (const Triangle& t : this->Mesh.Triangles)
+    {
+      for (std::size_t c = 0; c < 6; ++c)
+      {
+        const auto p = t[c % 3], q = t[(c % 3 + 1 + c / 3) % 3];
+        if (this->Result.Valid[At(p)] && this->Result.Valid[At(q)])
+        {
+          use(p, q);
+        }
+      }
+    }
+  };
+  forEachPair(
+    [&](vtkIdType p, vtkIdType q) { largest[At(p)] = std::max(largest[At(p)], r.Area[At(q)]); });
+  DisjointSets<vtkIdType> groups(r.Area.size());
+  bool any = false;
+  forEachPair(
+    [&](vtkIdType p, vtkIdType q)
+    {
+      if (r.Area[At(p)] < tiny * largest[At(p)])
+      {
+        groups.Join(p, q);
+        any = true;
+      }
+    });
+  if (!any)
+  {
+    return;
+  }
+  struct Sums
+  {
+    int Points = 0;
+    double Area = 0.0, Gaussian = 0.0, Mean = 0.0;
+    Vector3d MeanNormal = Vector3d::Zero();
+  };
+  std::vector<Sums> sums(r.Area.size());
+  const auto points = this->Mesh.NumberOfPoints();
+  for (vtkIdType point = 0; point < points; ++point)
+  {
+    const std::size_t p = At(point);
+    if (r.Valid[p])
+    {
+      Sums& of = sums[At(groups.Find(point))];
+      ++of.Points;
+      of.Area += r.Area[p];
+      of.Gaussian += r.Area[p] * r.Gaussian[p];
+      of.Mean += r.Area[p] * r.Mean[p];
+      if (this->Options.Normals)
+      {
+        of.MeanNormal += r.Area[p] * VectorAt(this->Result.MeanNormal, p);
+      }
+    }
+  }
+  for (vtkIdType point = 0; point < points; ++point)
+  {
+    const std::size_t p = At(point);
+    const Sums& of = sums[At(groups.Find(point))];
+    if (r.Valid[p] && of.Points > 1 && of.Area > 0.0)
+    {
+      this->Result.Gaussian[p] = of.Gaussian / of.Area;
+      this->Result.Mean[p] = of.Mean / of.Area;
+      this->Result.HalfDifference[p] = HalfDifference(r.Gaussian[p], r.Mean[p]);
+      if (this->Options.Normals)
+      {
+        VectorAt(this->Result.MeanNormal, p) = of.MeanNormal / of.Area;
+      }
+    }
   }
 }
 

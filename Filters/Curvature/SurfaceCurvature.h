@@ -17,6 +17,9 @@
  *
  * With each rule, the areas of all points sum to the area of the surface. On meshes that are
  * regular in some parametrisation of a smooth surface, both estimates converge with second order.
+ * Where the area of a point is less than 1/32 of a neighbour's, both get the mean over the points
+ * around it, weighted by area: the tiny pyramids of isosurfaces at nodes that lie almost at the
+ * level have no curvature of their own.
  * On irregular meshes the angle defect does not converge (its error reaches a plateau), and the
  * **edge tensor** over a ball of at least a fixed number of edge lengths is more accurate:
  *

@@ -265,6 +265,40 @@ double EnergyOfZeroBorder(const GridPotential& solution)
   return 0.5 * std::abs(charge) * largest;
 }
 
+/// A scale of the energy that does not vanish where the dielectrics are alike, and the spacing
+/// relative to the radius of a ball with the same ratio of volume and area.
+struct EnergyScale
+{
+  double Energy = 0.0; ///< kT
+  double RelativeSpacing = 0.0;
+};
+
+/// The energy of the charges' own field beyond the surface, eps_m / (8 pi C) times the integral of
+/// |grad G|^2 there, which is that of -G d_n G over the surface. For an ion it is Born's energy in
+/// a solvent of infinite permittivity.
+EnergyScale MeasureEnergyScale(const GridPotential& solution)
+{
+  const PoissonBoltzmannParameters& p = solution.GetParameters();
+  const Point3& h = solution.GetBox().Spacing;
+  double area = 0.0, integral = 0.0;
+  for (std::size_t i = 0; i < solution.GetCrossings().size(); ++i)
+  {
+    const InterfaceCrossing& crossing = solution.GetCrossings()[i];
+    const SecondOrderTaylor& charges = solution.GetChargesAtCrossings()[i];
+    const auto axis = static_cast<std::size_t>(crossing.Axis);
+    const Point3& normal = crossing.Frame.Normal;
+    const double part = std::abs(normal[axis]) * h[(axis + 1) % 3] * h[(axis + 2) % 3];
+    area += part;
+    integral -= part * charges.Value * Dot(charges.Gradient, normal);
+  }
+  const std::vector<unsigned char>& inside = solution.GetInside();
+  const double volume = h[0] * h[1] * h[2] *
+    static_cast<double>(
+      std::count_if(inside.begin(), inside.end(), [](unsigned char in) { return in != 0; }));
+  return { p.SoluteDielectric / (8.0 * Pi * units::CoulombLength(p.Temperature)) * integral,
+    volume > 0.0 ? std::max({ h[0], h[1], h[2] }) * area / (3.0 * volume) : 1.0 };
+}
+
 }
 
 double EstimateEnergyError(
@@ -275,9 +309,19 @@ double EstimateEnergyError(
   constexpr double share = 0.7;
   // Error of the border values and of the interpolation at the charges, which all grids share.
   constexpr double floor = 3e-4;
+  // Error of the potential in the solvent, which is as large as that of the charges where the
+  // dielectrics are alike, and whose sign changes with the spacing.
+  constexpr double ofSolvent = 0.1;
   const bool given = solution.GetParameters().BoundaryCondition == BoundaryCondition::Given;
   const BoxNodes inside = LevelNodeRange(level);
   const double energy = solution.GetReport().SolvationEnergy;
+  const EnergyScale scale = MeasureEnergyScale(solution);
+  const PoissonBoltzmannParameters& p = solution.GetParameters();
+  const double largest = std::max(std::abs(energy), std::abs(scale.Energy));
+  const double shared = largest *
+    std::hypot(floor,
+      ofSolvent * std::min(1.0, p.SoluteDielectric / p.SolventDielectric) * scale.RelativeSpacing *
+        scale.RelativeSpacing);
   double sum = 0.0;
   int count = 0;
   // Opposite corners of a cell first; others if none of these gives a node at the surface.
@@ -313,9 +357,7 @@ double EstimateEnergyError(
   const double border = solution.GetParameters().BoundaryCondition == BoundaryCondition::Zero
     ? EnergyOfZeroBorder(solution)
     : 0.0;
-  return border +
-    (count == 0 ? 0.1 * std::abs(energy)
-                : std::hypot(share * std::sqrt(sum / count), floor * energy));
+  return border + (count == 0 ? 0.1 * largest : std::hypot(share * std::sqrt(sum / count), shared));
 }
 
 double EstimateMaskError(const LevelFunction& level, const GridPotential& solution)

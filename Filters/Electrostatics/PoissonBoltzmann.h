@@ -58,7 +58,9 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoiss
  * surface, with the border values of `solution`. Errors of the scheme are of second order, but
  * their sign depends on where the surface lies between the nodes, so that the difference, which
  * would be three times the error of a regular second order, is taken nearly whole: it covers the
- * error in more than nine of ten cases (guide, How far to trust it). A tenth of the energy if no
+ * error in more than nine of ten cases (guide, How far to trust it). Errors that all grids share
+ * are in proportion to the energy, or to that of the charges' own field beyond the surface if this
+ * is larger, as where the dielectrics are alike and the energy vanishes. A tenth of these if no
  * coarser grid can be solved, because it does not resolve the surface, and the grid of the solution
  * hardly does. With the condition Zero, what the potential at the border would add is included.
  *

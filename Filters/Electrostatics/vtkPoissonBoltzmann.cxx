@@ -324,8 +324,9 @@ void vtkPoissonBoltzmann::StateError(const isthmus::SoluteVolume& volume,
     vtkWarningMacro(<< isthmus::JoinText("The grid is coarse for the surface or for the charges "
                                          "under it: the solvation energy is uncertain by about ",
                       isthmus::FormatNumber(error * kilocalorie, 2), " kcal/mol, ",
-                      isthmus::FormatNumber(100.0 * error / energy, 2),
-                      " % of it. Choose a smaller Spacing, or a finer volume on input 1."));
+                      error < energy ? isthmus::FormatNumber(100.0 * error / energy, 2) + " % of it"
+                                     : std::string("more than its size"),
+                      ". Choose a smaller Spacing, or a finer volume on input 1."));
   }
 }
 

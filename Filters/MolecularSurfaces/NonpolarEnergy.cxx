@@ -2,6 +2,7 @@
 
 #include "Atoms/NearestBall.h"
 #include "Core/Geometry.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "MolecularSurfaces/Dispersion.h"
 #include "MolecularSurfaces/FlowField.h"
@@ -11,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace isthmus
 {
@@ -61,6 +64,30 @@ void DistributeShares(const std::vector<Ball>& balls, const DensityGrid& grid,
   }
 }
 
+/// Every other node.
+std::pair<DensityGrid, std::vector<float>> Coarsen(const DensityGrid& grid, const float* distance)
+{
+  const auto& n = grid.Dimensions;
+  DensityGrid coarse = grid;
+  coarse.Spacing *= 2.0;
+  for (std::int64_t& count : coarse.Dimensions)
+  {
+    count = (count + 1) / 2;
+  }
+  std::vector<float> values;
+  for (std::int64_t k = 0; k < n[2]; k += 2)
+  {
+    for (std::int64_t j = 0; j < n[1]; j += 2)
+    {
+      for (std::int64_t i = 0; i < n[0]; i += 2)
+      {
+        values.push_back(distance[i + n[0] * (j + n[1] * k)]);
+      }
+    }
+  }
+  return { coarse, values };
+}
+
 LevelMeasure MeasureLevelSet(const DensityGrid& grid, const float* distance)
 {
   FlowField field{ FlowGrid(grid) };
@@ -103,6 +130,49 @@ void Finish(
 
 }
 
+void RequireDistances(const DensityGrid& grid, const std::vector<float>& distance)
+{
+  const auto& n = grid.Dimensions;
+  const std::array<std::int64_t, 3> steps{ 1, n[0], n[0] * n[1] };
+  std::vector<double> slopes;
+  for (std::int64_t node = 0; node < n[0] * n[1] * n[2]; ++node)
+  {
+    if (distance[static_cast<std::size_t>(node)] > 0.0F)
+    {
+      continue;
+    }
+    double square = 0.0;
+    bool isAtSurface = false;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const std::int64_t at = node / steps[a] % n[a];
+      if (at == 0 || at == n[a] - 1)
+      {
+        throw std::invalid_argument(std::string("The surface leaves the volume along ") + "xyz"[a] +
+          ", so it is not closed: compute SignedDistance on a larger volume.");
+      }
+      const float before = distance[static_cast<std::size_t>(node - steps[a])];
+      const float after = distance[static_cast<std::size_t>(node + steps[a])];
+      isAtSurface = isAtSurface || before > 0.0F || after > 0.0F;
+      square += std::pow(
+        (static_cast<double>(after) - static_cast<double>(before)) / (2.0 * grid.Spacing), 2);
+    }
+    if (isAtSurface && std::isfinite(square))
+    {
+      slopes.push_back(std::sqrt(square));
+    }
+  }
+  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::nth_element(slopes.begin(), middle, slopes.end());
+  constexpr double factor = 2.0;
+  if (!slopes.empty() && (*middle > factor || *middle < 1.0 / factor))
+  {
+    throw std::invalid_argument("SignedDistance has a gradient of " + FormatNumber(*middle, 3) +
+      " at the surface, but that of a distance is 1: give it in the unit of the volume, or compute "
+      "it from the surface (Surface To Grid).");
+  }
+}
+
 NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
   const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* distance,
   const SolventParameters& solvent, const ProgressCallback& progress)
@@ -126,7 +196,15 @@ NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
   {
     energies.Atoms[a].DispersionEnergy = dispersion[a];
   }
-  Finish(MeasureLevelSet(grid, distance), solvent, energies);
+  const LevelMeasure measure = MeasureLevelSet(grid, distance);
+  Finish(measure, solvent, energies);
+  const auto [coarse, values] = Coarsen(grid, distance);
+  const LevelMeasure rough = MeasureLevelSet(coarse, values.data());
+  // A second order error is a third of the difference.
+  constexpr double share = 0.5;
+  energies.Error = share *
+    (solvent.SurfaceTension * std::abs(rough.Area - measure.Area) +
+      std::abs(solvent.Pressure * (rough.Volume - measure.Volume)));
   return energies;
 }
 

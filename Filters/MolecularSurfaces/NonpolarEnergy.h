@@ -37,7 +37,14 @@ struct NonpolarEnergies
   /// Area and volume are assigned to the atom whose ball is nearest, dispersion to the atom that
   /// causes it. The contributions add up to the total.
   std::vector<NonpolarTerms> Atoms;
+  /// Of area and volume, estimated from every other node, times tension and pressure, kcal/mol.
+  double Error = 0.0;
 };
+
+/// @throws std::invalid_argument if values at the border are not above 0, so that the surface is
+/// not closed, or if the gradient at the surface is not about 1, so that they are no distances.
+/// O(nodes).
+void RequireDistances(const DensityGrid& grid, const std::vector<float>& distance);
 
 /**
  * Energies of the surface on which `distance` (angstrom, negative inside, one value for each node

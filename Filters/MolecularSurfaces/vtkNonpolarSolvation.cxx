@@ -128,12 +128,14 @@ void FillAtoms(vtkDataObject* input, const isthmus::MoleculeAtoms& atoms,
   output->GetPointData()->SetActiveScalars("NonpolarEnergy");
 }
 
-void FillTable(const NonpolarTerms& whole, vtkTable* table)
+void FillTable(const NonpolarEnergies& energies, vtkTable* table)
 {
+  vtkDataSetAttributes* rows = table->GetRowData();
   for (const Column& column : Columns)
   {
-    isthmus::AddColumn<vtkDoubleArray>(table->GetRowData(), column.Name, { column.Value(whole) });
+    isthmus::AddColumn<vtkDoubleArray>(rows, column.Name, { column.Value(energies.Whole) });
   }
+  isthmus::AddColumn<vtkDoubleArray>(rows, "NonpolarEnergyError", { energies.Error });
 }
 
 }
@@ -163,6 +165,8 @@ const std::vector<isthmus::OutputArray>& vtkNonpolarSolvation::OutputArrayTable(
     { 1, ArrayPlace::Rows, "DispersionEnergy", 1, "kcal/mol", ArrayChoice::None,
       "attraction of the atoms and the solvent" },
     { 1, ArrayPlace::Rows, "NonpolarEnergy", 1, "kcal/mol", ArrayChoice::None, "sum of the three" },
+    { 1, ArrayPlace::Rows, "NonpolarEnergyError", 1, "kcal/mol", ArrayChoice::None,
+      "estimated, of area and volume due to the spacing" },
   };
   return table;
 }
@@ -229,6 +233,7 @@ int vtkNonpolarSolvation::RequestData(
         vtkWarningMacro(<< warning);
       }
       const std::vector<float> distances = ReadDistances(image);
+      const isthmus::DensityGrid grid = MakeGrid(image);
       std::vector<isthmus::Point3> centers;
       for (const isthmus::Ball& atom : atoms.Balls)
       {
@@ -239,11 +244,12 @@ int vtkNonpolarSolvation::RequestData(
       {
         vtkWarningMacro(<< outside);
       }
+      isthmus::RequireDistances(grid, distances);
       const NonpolarEnergies energies =
-        isthmus::NonpolarEnergy(atoms.Balls, isthmus::MakeDispersionAtoms(input, atoms),
-          MakeGrid(image), distances.data(), this->Parameters, isthmus::MakeProgress(this));
+        isthmus::NonpolarEnergy(atoms.Balls, isthmus::MakeDispersionAtoms(input, atoms), grid,
+          distances.data(), this->Parameters, isthmus::MakeProgress(this));
       FillAtoms(input, atoms, energies, output);
-      FillTable(energies.Whole, table);
+      FillTable(energies, table);
     });
 }
 

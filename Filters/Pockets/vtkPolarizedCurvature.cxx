@@ -22,6 +22,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -199,13 +200,23 @@ void vtkPolarizedCurvature::Copy(vtkPolyData* surface, vtkDoubleArray* potential
     const double value = array->GetComponent(i, 0);
     potential->SetValue(i, std::isfinite(value) ? value : std::nan(""));
   }
+  this->CheckValid(potential,
+    "No value of the potential is a finite number: choose another point array of the surface.",
+    "have a potential that is not a finite number");
 }
 
 void vtkPolarizedCurvature::Sample(
   vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential)
 {
   vtkDataArray* scalars = image->GetPointData()->GetArray(this->PotentialArrayName.c_str());
-  scalars = scalars ? scalars : image->GetPointData()->GetScalars();
+  // A name that is not the default was chosen.
+  const bool isChosen = this->PotentialArrayName != "Potential";
+  scalars = scalars || isChosen ? scalars : image->GetPointData()->GetScalars();
+  if (!scalars && isChosen)
+  {
+    throw std::invalid_argument("The image has no point array " + this->PotentialArrayName +
+      ": set PotentialArrayName to one of the image's point arrays.");
+  }
   if (!scalars)
   {
     throw std::invalid_argument("The image has neither a point array " + this->PotentialArrayName +
@@ -219,22 +230,27 @@ void vtkPolarizedCurvature::Sample(
     scalars->GetDataType() == VTK_FLOAT ? &SampleAs<vtkFloatArray> : &SampleAs<vtkDoubleArray>;
   sample(image, scalars, points->GetPointer(0), count, potential->GetPointer(0),
     isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.7));
-  vtkIdType off = 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    off += std::isnan(potential->GetValue(i)) ? 1 : 0;
-  }
+  this->CheckValid(potential,
+    "The potential does not overlap the surface: none of the surface's points lies in the image. "
+    "Are both of the same molecule, in the same unit of length?",
+    "lie outside the grid of the potential (or at values that are not finite)");
+}
+
+void vtkPolarizedCurvature::CheckValid(
+  vtkDoubleArray* potential, const char* ifNone, const char* where)
+{
+  const vtkIdType count = potential->GetNumberOfValues();
+  const double* values = potential->GetPointer(0);
+  const auto off =
+    std::count_if(values, values + count, [](double value) { return std::isnan(value); });
   if (off == count)
   {
-    throw std::invalid_argument(
-      "The potential does not overlap the surface: none of the surface's points lies in the image. "
-      "Are both of the same molecule, in the same unit of length?");
+    throw std::invalid_argument(ifNone);
   }
   if (off > 0)
   {
-    vtkWarningMacro(<< isthmus::JoinText(off, " of ", count,
-                      " points of the surface lie outside the grid of the potential (or at values "
-                      "that are not finite): PotentialValid is 0 there and the products are NaN."));
+    vtkWarningMacro(<< isthmus::JoinText(off, " of ", count, " points of the surface ", where,
+                      ": PotentialValid is 0 there and the products are NaN."));
   }
 }
 

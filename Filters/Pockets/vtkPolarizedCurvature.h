@@ -59,8 +59,8 @@ public:
   ///@}
 
   ///@{
-  /// Point array of the image that contains the potential. Default: `Potential`. If the image has
-  /// no array of that name, its active scalars are used.
+  /// Point array of the image that contains the potential. Default: `Potential`, or the active
+  /// scalars of an image without it; an array of any other name must exist.
   vtkSetMacro(PotentialArrayName, std::string);
   vtkGetMacro(PotentialArrayName, std::string);
   ///@}
@@ -95,6 +95,7 @@ private:
   vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* what, const char* remedy);
   void Sample(vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential);
   void Copy(vtkPolyData* surface, vtkDoubleArray* potential);
+  void CheckValid(vtkDoubleArray* potential, const char* ifNone, const char* where);
   void AddProducts(vtkPolyData* surface, vtkDoubleArray* potential, vtkPolyData* output);
 };
 

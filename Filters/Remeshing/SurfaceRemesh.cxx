@@ -384,6 +384,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   {
     return {};
   }
+  RequireResolved(mesh); // by its own coordinates
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
@@ -394,7 +395,6 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   }
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
-  RequireResolved(mesh);
   return cgal::RethrowWithContext("remeshing the surface",
     [&]
     {

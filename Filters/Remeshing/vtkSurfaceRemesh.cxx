@@ -3,12 +3,14 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
 #include "Remeshing/DelaunayRemesh.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceTopology.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -17,6 +19,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+
+#include <cmath>
 
 vtkStandardNewMacro(vtkSurfaceRemesh);
 
@@ -105,6 +109,26 @@ void DropUnusedPoints(isthmus::RemeshedSurface& surface)
   }
 }
 
+/// The change of the volume, or of the area of a surface with holes, if it is above a hundredth;
+/// empty if not.
+std::string DescribeChange(const isthmus::SurfaceView& before, const isthmus::SurfaceView& after)
+{
+  constexpr double large = 0.01;
+  const bool isClosed = isthmus::FindDefects(before).BoundaryTriangles.empty();
+  const auto measure = [isClosed](const isthmus::SurfaceView& mesh)
+  { return isClosed ? isthmus::SignedVolume(mesh) : isthmus::SurfaceArea(mesh); };
+  const double old = measure(before), made = measure(after);
+  if (std::abs(made - old) <= large * std::abs(old))
+  {
+    return {};
+  }
+  return isthmus::JoinText("Remeshing changed the ", isClosed ? "volume" : "area",
+    " of the surface from ", old, " to ", made, ", by ",
+    isthmus::FormatNumber(100.0 * std::abs(made / old - 1.0), 2),
+    " %: choose shorter edges or more triangles, or Method Delaunay with a smaller "
+    "MaximumDistance.");
+}
+
 }
 
 void vtkSurfaceRemesh::CheckParameters() const
@@ -161,6 +185,11 @@ int vtkSurfaceRemesh::RequestData(
                                           : isthmus::RemeshSurface(mesh, parameters, progress);
       }
       DropUnusedPoints(result);
+      const std::string change = DescribeChange(mesh, result.Mesh);
+      if (!change.empty())
+      {
+        vtkWarningMacro(<< change);
+      }
       isthmus::SetMesh(result.Mesh, after);
       InterpolatePointData(before, taken, result.Locations, after);
       after->GetFieldData()->PassData(before->GetFieldData());

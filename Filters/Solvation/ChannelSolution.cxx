@@ -87,6 +87,10 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
     : DistanceToAtoms(room, problem.Balls, p.ProbeRadius, first);
   if (problem.Moves)
   {
+    // Where the surface starts: tension then rounds the rim, and water leaves it.
+    this->RimIsOpen = isthmus::IsRimOpen(
+      MakeTransportGrid(this->Domain, MovingChannel::Unpadded(distances, this->Domain), {}, p),
+      problem.Balls, p);
     this->Moving = std::make_unique<MovingChannel>(
       this->Domain, distances, problem.Charges, problem.Attracting, p, problem.Motion);
     this->Moving->Run(Between(progress, 0.15, 1.0));

@@ -45,7 +45,7 @@ public:
   }
   /// Warning about the given surface; empty if there is none (AtomsInside.h).
   const std::string& GetSurfaceWarning() const { return this->SurfaceWarning; }
-  /// IsRimOpen(); false for a surface that moves.
+  /// IsRimOpen(), of the first surface if it moves.
   bool IsRimOpen() const { return this->RimIsOpen; }
   /// Null if the surface is fixed.
   const MovingChannel* GetMoving() const { return this->Moving.get(); }

@@ -54,20 +54,27 @@ std::vector<DispersionAtom> InAxes(const TransportDomain& room, std::vector<Disp
   return atoms;
 }
 
-/// Distances of the flow on the domain's own nodes, angstrom.
-std::vector<float> OnDomain(const FlowField& field, const TransportDomain& domain)
+/// value(i, j, k) at the domain's own nodes, given by their indices in the padded domain.
+template <typename Value>
+std::vector<float> AtNodesOf(const TransportDomain& domain, Value&& value)
 {
   std::vector<float> values;
   values.reserve(static_cast<std::size_t>(domain.Size()));
-  const auto h = static_cast<float>(domain.Spacing);
   for (std::int64_t node = 0; node < domain.Size(); ++node)
   {
     const std::array<std::int64_t, 3> at = domain.Indices(node);
-    values.push_back(h *
-      field.Distance[static_cast<std::size_t>(
-        field.Grid.Index(at[0] + Margin, at[1] + Margin, at[2] + Margin))]);
+    values.push_back(value(at[0] + Margin, at[1] + Margin, at[2] + Margin));
   }
   return values;
+}
+
+/// Distances of the flow on the domain's own nodes, angstrom.
+std::vector<float> OnDomain(const FlowField& field, const TransportDomain& domain)
+{
+  const auto h = static_cast<float>(domain.Spacing);
+  return AtNodesOf(domain,
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    { return h * field.Distance[static_cast<std::size_t>(field.Grid.Index(i, j, k))]; });
 }
 
 double Size(const ChannelUpdate& update)
@@ -103,6 +110,15 @@ TransportDomain MovingChannel::Padded(const TransportDomain& domain)
     room.Origin[a] -= before[a];
   }
   return room;
+}
+
+std::vector<float> MovingChannel::Unpadded(
+  const std::vector<float>& values, const TransportDomain& domain)
+{
+  const auto steps = Padded(domain).Steps();
+  return AtNodesOf(domain,
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    { return values[static_cast<std::size_t>(i + j * steps[1] + k * steps[2])]; });
 }
 
 MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<float>& obstacle,

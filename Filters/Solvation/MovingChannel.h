@@ -61,6 +61,9 @@ public:
 
   /// The domain with a margin for the rim of the membrane: the grid on which distances are needed.
   static TransportDomain Padded(const TransportDomain& domain);
+  /// Values on the nodes of Padded(domain) at those of `domain`.
+  static std::vector<float> Unpadded(
+    const std::vector<float>& values, const TransportDomain& domain);
 
   /// `obstacle` are distances to the molecule (TransportGrid.h) on the nodes of Padded(domain), or
   /// nothing where there is a membrane only; `atoms` are those that attract the water.

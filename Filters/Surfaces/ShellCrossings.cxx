@@ -1,10 +1,12 @@
 #include "Surfaces/ShellCrossings.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Surfaces/MeshEdges.h"
 #include "Surfaces/ShellNesting.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleBoxTree.h"
 #include "Surfaces/TriangleTree.h"
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -431,6 +434,130 @@ bool HaveCommonPoint(const Triangle& a, const Triangle& b)
     a.begin(), a.end(), [&](vtkIdType p) { return std::find(b.begin(), b.end(), p) != b.end(); });
 }
 
+/// Where two edges come nearest to each other, if within both and nearer than `touch`.
+std::optional<Point3> EdgeContact(
+  const std::array<Point3, 2>& a, const std::array<Point3, 2>& b, double touch)
+{
+  const Point3 u = a[1] - a[0], v = b[1] - b[0], w = b[0] - a[0];
+  const Point3 n = Cross(u, v);
+  const double square = Dot(n, n);
+  if (!(square > 0.0) || std::pow(Dot(w, n), 2) > touch * touch * square)
+  {
+    return {};
+  }
+  const double s = Dot(Cross(w, v), n) / square, t = Dot(Cross(w, u), n) / square;
+  return s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0 ? std::optional(a[0] + s * u) : std::nullopt;
+}
+
+/// Where two triangles are nearer to each other than `touch`.
+std::optional<Point3> Contact(const Corners3& a, const Corners3& b, double touch)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (SquaredDistanceToTriangle(a[i], b) <= touch * touch)
+    {
+      return a[i];
+    }
+    if (SquaredDistanceToTriangle(b[i], a) <= touch * touch)
+    {
+      return b[i];
+    }
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      if (const auto place = EdgeContact({ a[i], a[(i + 1) % 3] }, { b[j], b[(j + 1) % 3] }, touch))
+      {
+        return place;
+      }
+    }
+  }
+  return {};
+}
+
+using TrianglePlaces = std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, Point3>>;
+
+/// The triangles that remain where edges shorter than `touch` become points: those beside slivers
+/// are neighbours then.
+std::vector<Triangle> WithoutShortEdges(const SurfaceView& mesh, double touch)
+{
+  DisjointSets<vtkIdType> points(mesh.Points.size());
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      if (Distance(mesh.Point(t[c]), mesh.Point(t[(c + 1) % 3])) <= touch)
+      {
+        points.Join(t[c], t[(c + 1) % 3]);
+      }
+    }
+  }
+  std::vector<Triangle> corners(mesh.Triangles.begin(), mesh.Triangles.end());
+  for (Triangle& t : corners)
+  {
+    std::transform(t.begin(), t.end(), t.begin(), [&](vtkIdType p) { return points.Find(p); });
+  }
+  return corners;
+}
+
+/// A point where the sheets of `corners` touch though those of `mesh` are no cones there.
+std::optional<Point3> FindPinch(const SurfaceView& mesh, std::vector<Triangle> corners)
+{
+  corners.erase(std::remove_if(corners.begin(), corners.end(), HasRepeated), corners.end());
+  if (corners.size() == mesh.Triangles.size())
+  {
+    return {};
+  }
+  const std::vector<std::int64_t> pinched = FindDefects({ mesh.Points, corners }).NonManifoldPoints;
+  const std::vector<std::int64_t> known =
+    pinched.empty() ? pinched : FindDefects(mesh).NonManifoldPoints;
+  for (const std::int64_t p : pinched)
+  {
+    if (!std::binary_search(known.begin(), known.end(), p))
+    {
+      return mesh.Point(p);
+    }
+  }
+  return {};
+}
+
+/// The first of the pairs whose triangles have no points that an edge joins; `corners` are
+/// WithoutShortEdges().
+std::optional<Point3> FindApart(const std::vector<Triangle>& corners, TrianglePlaces pairs)
+{
+  std::map<vtkIdType, std::set<vtkIdType>> around;
+  for (const auto& pair : pairs)
+  {
+    for (const vtkIdType p : corners[At(pair.first.first)])
+    {
+      around[p];
+    }
+  }
+  for (const Triangle& t : corners)
+  {
+    for (const vtkIdType p : t)
+    {
+      const auto found = around.find(p);
+      if (found != around.end())
+      {
+        found->second.insert(t.begin(), t.end());
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  const auto apart = std::find_if(pairs.begin(), pairs.end(),
+    [&](const auto& pair)
+    {
+      const Triangle& a = corners[At(pair.first.first)];
+      const Triangle& b = corners[At(pair.first.second)];
+      return std::none_of(a.begin(), a.end(),
+        [&](vtkIdType p)
+        {
+          const std::set<vtkIdType>& near = around[p];
+          return std::any_of(b.begin(), b.end(), [&](vtkIdType q) { return near.count(q) > 0; });
+        });
+    });
+  return apart != pairs.end() ? std::optional(apart->second) : std::nullopt;
+}
+
 std::optional<SelfCrossing> FindCrossingPairs(
   const SurfaceView& mesh, const ProgressCallback& progress)
 {
@@ -446,10 +573,12 @@ std::optional<SelfCrossing> FindCrossingPairs(
   {
     std::int64_t Pairs = 0;
     std::optional<std::pair<Ids, Point3>> First;
+    TrianglePlaces Touching;
 
     Found& operator+=(const Found& other)
     {
       this->Pairs += other.Pairs;
+      this->Touching.insert(this->Touching.end(), other.Touching.begin(), other.Touching.end());
       if (other.First && (!this->First || other.First->first < this->First->first))
       {
         this->First = other.First;
@@ -483,13 +612,29 @@ std::optional<SelfCrossing> FindCrossingPairs(
             const TrianglePair pair = Compare(place(ids.first), place(ids.second), touch);
             if (pair.Place)
             {
-              found += Found{ 1, std::pair{ ids, *pair.Place } };
+              found += Found{ 1, std::pair{ ids, *pair.Place }, {} };
+            }
+            const auto contact =
+              pair.Touch ? Contact(place(ids.first), place(ids.second), touch) : std::nullopt;
+            if (contact)
+            {
+              found.Touching.emplace_back(ids, *contact);
             }
           });
       }
     },
     progress);
-  return all.First ? std::optional(SelfCrossing{ all.First->second, all.Pairs }) : std::nullopt;
+  if (all.First)
+  {
+    return SelfCrossing{ all.First->second, all.Pairs };
+  }
+  const std::vector<Triangle> kept = WithoutShortEdges(merged, touch);
+  std::optional<Point3> touching = FindPinch(merged, kept);
+  if (!touching && !all.Touching.empty())
+  {
+    touching = FindApart(kept, all.Touching);
+  }
+  return touching ? std::optional(SelfCrossing{ *touching, 0 }) : std::nullopt;
 }
 
 /// Calls find(mesh) where products of three lengths are finite: scaling by a power of two is exact.

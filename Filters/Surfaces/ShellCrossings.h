@@ -55,17 +55,19 @@ struct ShellCrossing
 VTKISTHMUSFILTERSSURFACES_EXPORT std::optional<ShellCrossing> FindShellCrossing(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
-/// Triangles of one component that pass through each other.
+/// Triangles of one component that pass through each other, or only touch.
 struct SelfCrossing
 {
   Point3 Place{ 0.0, 0.0, 0.0 }; ///< of the first pair
-  std::int64_t Pairs = 0;
+  std::int64_t Pairs = 0;        ///< 0: they only touch
 };
 
 /**
  * Pairs of triangles of the same component (by edges, coinciding points merged) without a common
- * point, of which an edge of one passes through the other by more than 1e-6 of the diagonal; empty
- * if there are none. Parts that such a surface encloses twice count twice in its volume. Cost and
+ * point, of which an edge of one passes through the other by more than 1e-6 of the diagonal. Parts
+ * that such a surface encloses twice count twice in its volume. If there are none, a place where
+ * triangles that are no neighbours are nearer to each other than that, or sheets meet in a point:
+ * those of a spindle torus touch where all meridians meet. Empty if there is none either. Cost and
  * exceptions as above.
  */
 std::optional<SelfCrossing> FindSelfCrossing(

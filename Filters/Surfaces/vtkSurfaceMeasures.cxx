@@ -117,7 +117,8 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
   static const std::vector<isthmus::OutputArray> table{
     { 0, ArrayPlace::Field, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 0, ArrayPlace::Field, "Volume", 1, "length^3", ArrayChoice::None,
-      "enclosed; NaN if the surface does not enclose a volume or components cross" },
+      "enclosed, below 0 if triangles face inwards; NaN if nothing is enclosed or components "
+      "cross" },
     { 0, ArrayPlace::Field, "AreaError", 1, "length^2", ArrayChoice::None,
       "estimated, of a smooth surface given by a mesh or a volume" },
     { 0, ArrayPlace::Field, "VolumeError", 1, "length^3", ArrayChoice::None,
@@ -139,7 +140,8 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceMeasures::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Component", 1, "", ArrayChoice::None, "-1 for the whole surface" },
     { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface" },
     { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None,
-      "enclosed; NaN if the surface does not enclose a volume or components cross" },
+      "enclosed, below 0 if triangles face inwards; NaN if nothing is enclosed or components "
+      "cross" },
     { 1, ArrayPlace::Rows, "AreaError", 1, "length^2", ArrayChoice::None,
       "estimated, of a smooth surface given by a mesh or a volume" },
     { 1, ArrayPlace::Rows, "VolumeError", 1, "length^3", ArrayChoice::None,
@@ -282,13 +284,18 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   if (self && whole.IsClosed())
   {
     const auto& at = self->Place;
-    vtkWarningMacro(
-      << isthmus::JoinText("The surface passes through itself: ", self->Pairs,
-           " pairs of triangles cross, the first at (", isthmus::FormatNumber(at[0]), ", ",
-           isthmus::FormatNumber(at[1]), ", ", isthmus::FormatNumber(at[2]),
-           "). What it encloses twice counts twice in Volume, and what it encloses the "
-           "other way round is subtracted. Tetrahedral Mesher with Library Automatic and "
-           "Extract Surface make a surface without crossings."));
+    const std::string place = isthmus::JoinText("(", at[0], ", ", at[1], ", ", at[2], ")");
+    vtkWarningMacro(<< (self->Pairs == 0
+                        ? "The surface touches itself, for instance at " + place +
+                          ": Volume and Genus are those of its sheets as they are connected, not "
+                          "as they touch."
+                        : isthmus::JoinText("The surface passes through itself: ", self->Pairs,
+                            " pairs of triangles cross, the first at ", place,
+                            ". What it encloses twice counts twice in Volume, and what it encloses "
+                            "the other way "
+                            "round is subtracted. Tetrahedral Mesher with Library Automatic and "
+                            "Extract Surface "
+                            "make a surface without crossings.")));
   }
   isthmus::Report(progress, 1.0);
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));

@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include <cmath>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkOpenDXWriter);
@@ -102,6 +103,20 @@ void vtkOpenDXWriter::WriteFile()
   isthmus::OpenDXLabels labels{ names.empty() ? (array->GetName() ? array->GetName() : "data")
                                               : names.front(),
     Texts(image->GetFieldData(), "Comments") };
+  vtkIdType odd = 0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      odd += std::isfinite(array->GetComponent(i, c)) ? 0 : 1;
+    }
+  }
+  if (odd > 0)
+  {
+    vtkWarningMacro(<< odd
+                    << " values are not finite numbers, and few programs read them from an OpenDX "
+                       "file: replace them first.");
+  }
   const auto write =
     array->GetDataType() == VTK_FLOAT ? &WriteAs<vtkFloatArray> : &WriteAs<vtkDoubleArray>;
   write(array, this->FileName, MakeLattice(image), labels, isthmus::MakeProgress(this));

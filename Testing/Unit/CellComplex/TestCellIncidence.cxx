@@ -1,8 +1,11 @@
 #include "vtkCellIncidence.h"
 
+#include "Core/InvertedCells.h"
 #include "GridFixtures.h"
 #include "IncidenceCheck.h"
+#include "SharedData.h"
 #include "TopologyFilterRun.h"
+#include "VolumeMeshFiles.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
@@ -16,7 +19,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -117,6 +122,51 @@ TEST(CellIncidence, WarnsAboutSimplifiedAndSkippedCells)
   EXPECT_NE(run.Messages().find("1 cells that are points, lines or surfaces"), std::string::npos);
   EXPECT_EQ(run.Surface(0)->GetNumberOfLines(), 6);
   EXPECT_EQ(Id(run.Surface(1), "FirstIncidentCell", 3), 1);
+}
+
+// A mesh of 48 tetrahedra whose middle point is moved beyond its neighbours: it overlaps itself,
+// while its cells are numbered alike, or all the other way round.
+TEST(CellIncidence, NamesInvertedTetrahedra)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("reports/n02f_tangled.mesh");
+  const auto path = SharedDataFolder() / "reports/n02f_tangled.mesh";
+  for (const double x : { 2.6, 1.0, -3.0, 1.9 })
+  {
+    for (const bool reversed : { false, true })
+    {
+      const auto mesh = ReadVolumeMesh(path);
+      mesh->GetPoints()->SetPoint(13, x, 1.0, 1.0);
+      vtkNew<vtkUnstructuredGrid> grid;
+      grid->SetPoints(mesh->GetPoints());
+      int inverted = 0, cells = 0;
+      for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+      {
+        vtkNew<vtkIdList> ids;
+        mesh->GetCellPoints(c, ids);
+        if (mesh->GetCellType(c) != VTK_TETRA)
+        {
+          continue;
+        }
+        std::array<isthmus::Point3, 4> p;
+        for (int i = 0; i < 4; ++i)
+        {
+          mesh->GetPoint(ids->GetId(i), p[static_cast<std::size_t>(i)].data());
+        }
+        inverted += isthmus::SixSignedVolumes(p[0], p[1], p[2], p[3]) < 0.0 ? 1 : 0;
+        ++cells;
+        vtkIdType corners[4] = { ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) };
+        std::swap(corners[0], corners[reversed ? 1 : 0]);
+        grid->InsertNextCell(VTK_TETRA, 4, corners);
+      }
+      ASSERT_EQ(cells, 48);
+      inverted = std::min(inverted, cells - inverted);
+      EXPECT_EQ(inverted > 0, x > 2.0 || x < 0.0);
+      FilterRun run(grid);
+      const std::string expected = std::to_string(inverted) + " of 48 cells are inverted";
+      EXPECT_EQ(run.Messages().find(expected) != std::string::npos, inverted > 0)
+        << x << reversed << run.Messages();
+    }
+  }
 }
 
 TEST(CellIncidence, EmptyInputGivesEmptyOutputs)

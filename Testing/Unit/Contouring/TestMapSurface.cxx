@@ -16,6 +16,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -30,10 +31,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 using namespace isthmus;
@@ -221,10 +224,94 @@ TEST(AutomaticLevel, OfASignedDistanceIsZeroInAllFilters)
     values->SetComponent(i, 0, 20.0 - values->GetComponent(i, 0));
   }
   values->SetName("SignedDistance");
-  const std::string natural = "natural level of the quantity";
+  const std::string natural = "zero of a signed distance";
   ExpectLevel<vtkMapSurface>(image, 0.0, natural);
   ExpectLevel<vtkDualContouring>(image, 0.0, natural);
   ExpectLevel<vtkDelaunayIsosurface>(image, 0.0, natural);
+}
+
+namespace
+{
+
+/// The level that is chosen for `value` at the nodes of [-3, 3]^3, under a name that says nothing.
+std::pair<double, std::string> LevelOf(const std::function<double(const Point3&)>& value,
+  const Point3& spacing, const char* name = "Values")
+{
+  vtkNew<vtkImageData> image;
+  image->SetOrigin(-3.0, -3.0, -3.0);
+  image->SetSpacing(spacing.data());
+  image->SetDimensions(static_cast<int>(6.0 / spacing[0]) + 1,
+    static_cast<int>(6.0 / spacing[1]) + 1, static_cast<int>(6.0 / spacing[2]) + 1);
+  vtkNew<vtkFloatArray> values;
+  values->SetName(name);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    Point3 x;
+    image->GetPoint(i, x.data());
+    values->InsertNextValue(static_cast<float>(value(x)));
+  }
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkMapSurface> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  return { SampleField(filter->GetOutput(), "Level"), MakeSource(filter->GetOutput()) };
+}
+
+}
+
+TEST(AutomaticLevel, SignedDistancesAreKnownByTheirValues)
+{
+  const std::pair<double, std::string> zero{ 0.0, "zero of a signed distance" };
+  const Point3 even{ 0.2, 0.2, 0.2 }, uneven{ 0.15, 0.2, 0.3 };
+  const auto sphere = [](const Point3& x) { return Length(x - Point3{ 0.1, 0.2, 0.3 }) - 1.7; };
+  const auto torus = [](const Point3& x)
+  { return std::hypot(std::hypot(x[0], x[1]) - 1.6, x[2]) - 0.7; };
+  const auto pair = [](const Point3& x) {
+    return std::min(Length(x - Point3{ 1, 0, 0 }), Length(x + Point3{ 1.2, 0, 0 })) - 0.9;
+  };
+  for (const std::function<double(const Point3&)>& distance :
+    std::vector<std::function<double(const Point3&)>>{ sphere, torus, pair })
+  {
+    for (const Point3& spacing : { even, uneven })
+    {
+      EXPECT_EQ(LevelOf(distance, spacing), zero);
+      EXPECT_EQ(LevelOf([&](const Point3& x) { return -distance(x); }, spacing), zero);
+      EXPECT_EQ(
+        LevelOf([&](const Point3& x) { return std::clamp(distance(x), -0.7, 0.7); }, spacing),
+        zero);
+    }
+    EXPECT_EQ(LevelOf([&](const Point3& x) { return distance(x) / 0.2; }, even), zero)
+      << "in spacings";
+  }
+}
+
+TEST(AutomaticLevel, DensitiesAreNotTakenForSignedDistances)
+{
+  const std::string estimated = "estimated from the values";
+  const Point3 even{ 0.2, 0.2, 0.2 };
+  const auto blob = [](const Point3& x) { return std::exp(-Dot(x, x)); };
+  for (const double height : { 1.0, 2.33, 10.0, 50.0 }) // 2.33: a slope of 1 at most
+  {
+    EXPECT_EQ(
+      LevelOf([&](const Point3& x) { return height * (blob(x) - 0.2); }, even).second, estimated);
+  }
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0.0, 0.14); // slopes of about 1 at a spacing of 0.2
+  EXPECT_EQ(LevelOf([&](const Point3& x) { return 2.0 * blob(x) + normal(random); }, even).second,
+    estimated);
+  const auto potential = [](const Point3& x) {
+    return 1.0 / (0.3 + Length(x - Point3{ 1, 0, 0 })) - 1.0 / (0.3 + Length(x));
+  };
+  EXPECT_EQ(LevelOf(potential, even).second, estimated);
+  const auto unsignedDistance = [](const Point3& x) { return Length(x); };
+  EXPECT_EQ(LevelOf(unsignedDistance, even).second, estimated);
+  for (const char* name : { "S", "Inside", "Side" })
+  {
+    EXPECT_EQ(LevelOf([&](const Point3& x) { return 9.0 * blob(x); }, even, name).second, estimated)
+      << name << " with values above 1";
+    EXPECT_EQ(LevelOf(blob, even, name).first, 0.5);
+  }
+  EXPECT_EQ(LevelOf(blob, even, "SignedDistance").second, estimated) << "without values below 0";
 }
 
 TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)

@@ -64,3 +64,33 @@ TEST(UnitScale, RoundsCoordinatesFarBelowTheLargestToZero)
   far.Undo(points);
   EXPECT_EQ(points, (std::vector<Point3>{ { before[0][0], 0.0, 1e11 }, { 0, 0, 0 } }));
 }
+
+TEST(UnitScale, SurfacesFarAwayAreMovedWithoutRounding)
+{
+  const std::vector<Point3> near{ { -0.7, 0.1, 3.0 }, { 0.3, 1.1, 3.9 }, { 0.0, 0.0, 3.25 } };
+  for (const Point3& shift :
+    { Point3{ 1e7, 0.0, -3e7 }, Point3{ 1e12, 1e12, 1e12 }, Point3{ 0.0, -200.0, 0.0 } })
+  {
+    std::vector<Point3> points;
+    for (const Point3& p : near)
+    {
+      points.push_back(p + shift);
+    }
+    const std::vector<Point3> before = points;
+    const UnitScale scale(points);
+    EXPECT_FALSE(scale.IsOne());
+    EXPECT_EQ(scale.Factor(), 1.0);
+    scale.Apply(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      EXPECT_LT(Length(points[i]), 10.0);
+      EXPECT_EQ(points[i] - points[0], before[i] - before[0]);
+    }
+    scale.Undo(points);
+    EXPECT_EQ(points, before);
+  }
+  std::vector<Point3> points{ { 10.0, 5.0, 0.0 }, { 11.0, 6.0, 1.0 } };
+  EXPECT_TRUE(UnitScale(points).IsOne()) << "ten times its extent away";
+  points = { { 1.0, 0.0, 0.0 }, { 1.0 + 0x1p-30, 0x1p-30, 0x1p-30 } };
+  EXPECT_GT(UnitScale(points).Factor(), 1.0);
+}

@@ -29,7 +29,7 @@ struct Trial
 
 struct Outcome
 {
-  double Error = 0.0, Estimate = 0.0; ///< relative to the energy
+  double Error = 0.0, Estimate = 0.0; ///< relative to the energy, or kT for small contrasts
 };
 
 /// The same on every system, unlike the distributions of the standard library.
@@ -78,6 +78,7 @@ Trial OfSphere(const KirkwoodSphere& sphere, double h)
   trial.Half = sphere.Radius + 4.0 * h + 1.0;
   trial.Atoms = sphere.Charges;
   trial.Parameters.SoluteDielectric = sphere.Solute;
+  trial.Parameters.SolventDielectric = sphere.Solvent;
   trial.Parameters.IonRadius = sphere.Layer;
   trial.Parameters.IonicStrength = StrengthFor(sphere.Kappa, sphere.Solvent);
   return trial;
@@ -153,7 +154,8 @@ Trial TwoIons(Dice& dice)
   return trial;
 }
 
-Outcome Solve(Trial trial, double padding)
+/// The errors of the energy and its estimate, kT.
+Outcome SolveInKT(Trial trial, double padding)
 {
   const double h = trial.Spacing;
   const auto n = static_cast<std::int64_t>(std::ceil(2.0 * trial.Half / h)) + 1;
@@ -176,8 +178,15 @@ Outcome Solve(Trial trial, double padding)
   const IonAtmosphere ions(trial.Parameters.AllIons(), trial.Parameters.Temperature);
   const auto solution =
     SolvePoissonBoltzmann(level, BoxAround(level, padding), trial.Atoms, trial.Parameters, ions);
-  return { std::abs(solution->GetReport().SolvationEnergy / trial.Exact - 1.0),
-    EstimateEnergyError(level, *solution) / std::abs(trial.Exact) };
+  return { std::abs(solution->GetReport().SolvationEnergy - trial.Exact),
+    EstimateEnergyError(level, *solution) };
+}
+
+Outcome Solve(const Trial& trial, double padding)
+{
+  const Outcome absolute = SolveInKT(trial, padding);
+  const double size = std::abs(trial.Exact);
+  return { absolute.Error / size, absolute.Estimate / size };
 }
 
 /// The ratios of estimates to errors. Ratios of errors below a thousandth are not counted.
@@ -253,6 +262,39 @@ TEST(EnergyError, CoversTheTruth)
   EXPECT_GE(c.Covered, 0.9);
   EXPECT_LE(c.MedianRatio, 5.0);
   EXPECT_LE(c.AboveTen, 0.25);
+}
+
+// Where both dielectrics are equal, the energy is that of the ions only, or 0, and an estimate in
+// proportion to it would be 0.
+TEST(EnergyError, CoversTheTruthWhereDielectricsAreAlike)
+{
+  const char* seed = std::getenv("ISTHMUS_SEED");
+  Dice dice(seed ? static_cast<unsigned>(std::atoi(seed)) : 7);
+  double covered = 0.0;
+  constexpr int cases = 80;
+  for (int i = 0; i < cases; ++i)
+  {
+    const bool isIon = i % 2 == 0;
+    KirkwoodSphere sphere = RandomSphere(dice, 1.0, isIon ? 3.0 : 5.0);
+    const double dielectrics[] = { 1.0, 2.0, 4.0, 20.0, 80.0 };
+    sphere.Solute = dielectrics[dice.Below(5)];
+    sphere.Solvent = sphere.Solute * (dice.Coin() ? 1.0 : std::exp(dice.Between(-0.3, 0.3)));
+    sphere.Kappa = dice.Below(3) == 0 ? 0.1 : 0.0;
+    for (int q = isIon ? 1 : 1 + dice.Below(4); q > 0; --q)
+    {
+      AddCharge(sphere, dice, isIon ? sphere.Radius : dice.Between(0.3, 1.0) * sphere.Radius);
+    }
+    const Trial trial = OfSphere(sphere, dice.Between(0.3, 1.0));
+    const Outcome outcome = SolveInKT(trial, dice.Between(3.0, 10.0));
+    covered += outcome.Estimate >= outcome.Error ? 1.0 : 0.0;
+    // The energy of the charges in a medium of this dielectric, apart by the radius.
+    const auto charge = static_cast<double>(sphere.Charges.size());
+    const double scale = 0.5 * charge * charge * units::CoulombLength(sphere.Kelvin) /
+      (std::min(sphere.Solute, sphere.Solvent) * sphere.Radius);
+    EXPECT_LT(outcome.Estimate, 0.3 * scale);
+  }
+  std::printf("dielectrics alike: %d cases, %.0f %% covered\n", cases, 100.0 * covered / cases);
+  EXPECT_GE(covered / cases, 0.9);
 }
 
 }

@@ -56,6 +56,8 @@ TEST(PolarizedCurvature, ThePotentialMayBeAnArrayOfTheSurfaceAndOfAnyType)
   Trial run(sphere, nullptr);
   vtkPolyData* output = run.Update();
   EXPECT_EQ(run.Error(), "");
+  EXPECT_NE(run.Observer->GetWarningMessage().find("potential that is not a finite number"),
+    std::string::npos);
   EXPECT_NEAR(Value(output, "PolarizedCurvature", 41), -0.4, 1e-6);
   EXPECT_EQ(Value(output, "PotentialValid", 2), 0.0);
   // The input's own array is left as it was.
@@ -103,6 +105,23 @@ TEST(PolarizedCurvature, ReportsMissingInput)
     Trial run(sphere, bare);
     EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
     EXPECT_NE(run.Error().find("image's point arrays"), std::string::npos) << run.Error();
+  }
+  {
+    Trial run(sphere, image);
+    run.Filter->SetPotentialArrayName("phi");
+    EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
+    EXPECT_NE(run.Error().find("no point array phi"), std::string::npos) << run.Error();
+  }
+  {
+    const auto infinite = Ellipsoid(5.0, 5.0, 5.0, 10);
+    vtkNew<vtkDoubleArray> phi;
+    phi->SetName("Potential");
+    phi->SetNumberOfTuples(infinite->GetNumberOfPoints());
+    phi->Fill(HUGE_VAL);
+    infinite->GetPointData()->AddArray(phi);
+    Trial run(infinite, nullptr);
+    EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
+    EXPECT_NE(run.Error().find("No value of the potential"), std::string::npos) << run.Error();
   }
   vtkNew<vtkPolyData> empty;
   Trial run(empty, image);

@@ -5,6 +5,7 @@
 #include "Remeshing/SurfaceRepair.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
+#include "Surfaces/ShellNesting.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "TriangleAngles.h"
@@ -18,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -69,6 +71,42 @@ TEST(SurfaceRemesh, EvensOutASphere)
     }
     const Point3 d = p - result.Mesh.Points[i];
     ASSERT_LT(std::sqrt(Dot(d, d)), 1e-9);
+  }
+}
+
+TEST(SurfaceRemesh, SurfacesFarFromTheOriginAreRemeshedAlike)
+{
+  TriangleMesh near = ToTriangleMesh(Sphere());
+  for (Point3& p : near.Points)
+  {
+    for (double& x : p)
+    {
+      x = std::round(x * 0x1p20) * 0x1p-20; // so that moving it rounds nothing
+    }
+  }
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = 0.2;
+  parameters.MaximumPoints = 100000;
+  for (const Point3& shift : { Point3{ 1e7, -2e7, 0.0 }, Point3{ 1e9, 1e9, 1e9 } })
+  {
+    TriangleMesh far = near;
+    for (Point3& p : far.Points)
+    {
+      p = p + shift;
+    }
+    for (const auto& remesh :
+      std::vector<std::function<RemeshedSurface(const SurfaceView&)>>{ [&](const SurfaceView& mesh)
+        { return RemeshSurface(mesh, parameters); },
+        [&](const SurfaceView& mesh) { return DelaunayRemesh(mesh, parameters); },
+        [](const SurfaceView& mesh) { return SimplifySurface(mesh, 500); } })
+    {
+      const TriangleMesh expected = remesh(near).Mesh;
+      const TriangleMesh made = remesh(far).Mesh;
+      EXPECT_TRUE(FindDefects(made).None());
+      EXPECT_NEAR(SurfaceArea(made), SurfaceArea(expected), 0.01 * SurfaceArea(expected));
+      EXPECT_NEAR(SignedVolume(made), SignedVolume(expected), 0.01 * SignedVolume(expected));
+      EXPECT_LT(Length(ComputeBounds(made).Max - ComputeBounds(far).Max), 0.05);
+    }
   }
 }
 
@@ -592,4 +630,50 @@ TEST(SurfaceRemesh, PointsThatNoTriangleUsesAreDropped)
       }
     }
   }
+}
+
+TEST(SurfaceRemesh, WarnsIfVolumeOrAreaChanges)
+{
+  const auto says = [](const TriangleMesh& mesh, auto&& set)
+  {
+    vtkNew<vtkPolyData> surface;
+    SetMesh(mesh, surface);
+    vtkNew<vtkSurfaceRemesh> filter;
+    filter->SetInputData(surface);
+    set(filter.Get());
+    vtkNew<vtkTest::ErrorObserver> said;
+    filter->AddObserver(vtkCommand::WarningEvent, said);
+    filter->Update();
+    const TriangleMesh made = ToTriangleMesh(filter->GetOutput());
+    const bool isClosed = FindDefects(mesh).BoundaryTriangles.empty();
+    const double change = isClosed ? SignedVolume(made) / SignedVolume(mesh) - 1.0
+                                   : SurfaceArea(made) / SurfaceArea(mesh) - 1.0;
+    const std::string message = said->GetWarningMessage();
+    EXPECT_EQ(said->GetWarning(), std::abs(change) > 0.01) << change << message;
+    EXPECT_EQ(
+      message.find(isClosed ? "changed the volume" : "changed the area") != std::string::npos,
+      said->GetWarning())
+      << message;
+    return said->GetWarning();
+  };
+  const auto nothing = [](vtkSurfaceRemesh*) {};
+  const TriangleMesh sphere = ToTriangleMesh(Sphere());
+  TriangleMesh needle = sphere, half = sphere;
+  for (Point3& p : needle.Points)
+  {
+    p[2] *= 1000.0;
+  }
+  half.Triangles.erase(std::remove_if(half.Triangles.begin(), half.Triangles.end(),
+                         [&](const Triangle& t) { return half.Points[At(t[0])][2] < 0.1; }),
+    half.Triangles.end());
+  EXPECT_FALSE(says(sphere, nothing));
+  EXPECT_TRUE(says(needle, nothing));
+  EXPECT_TRUE(says(sphere, [](auto* f) { f->SetRelativeEdgeLength(8.0); }));
+  EXPECT_TRUE(says(half, [](auto* f) { f->SetRelativeEdgeLength(8.0); }));
+  EXPECT_FALSE(says(sphere,
+    [](auto* f)
+    {
+      f->SetTarget(vtkSurfaceRemesh::ByNumberOfTriangles);
+      f->SetNumberOfTriangles(40); // keeps the volume
+    }));
 }

@@ -10,11 +10,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -335,4 +339,119 @@ TEST(SolvationFlow, ReportsBadInput)
   EXPECT_NE(said(Ion(2.0), p).find("SurfaceTension is "), std::string::npos);
   p = IonParameters(1e-3);
   EXPECT_NE(said(Ion(2.0), p).find("of memory, but only"), std::string::npos);
+}
+
+namespace
+{
+
+/// The shares of cases whose error is covered, and the median of estimate / error where the error
+/// is above a thousandth of the energy, as in the guide's table of estimates.
+struct Coverage
+{
+  void Add(double error, double estimate, double energy)
+  {
+    ++this->Cases;
+    this->Covered += estimate >= std::abs(error) ? 1 : 0;
+    if (std::abs(error) > 1e-3 * std::abs(energy))
+    {
+      this->Ratios.push_back(estimate / std::abs(error));
+    }
+  }
+  double Median()
+  {
+    std::sort(this->Ratios.begin(), this->Ratios.end());
+    return this->Ratios.empty() ? 0.0 : this->Ratios[this->Ratios.size() / 2];
+  }
+  void Print(const char* name)
+  {
+    const auto above =
+      std::count_if(this->Ratios.begin(), this->Ratios.end(), [](double r) { return r > 10.0; });
+    std::printf("%s: %d cases, %.0f %% covered, %zu errors above 0.1 %%, median ratio %.1f, above "
+                "10 in %.0f %%\n",
+      name, this->Cases, 100.0 * this->Covered / this->Cases, this->Ratios.size(), this->Median(),
+      this->Ratios.empty()
+        ? 0.0
+        : 100.0 * static_cast<double>(above) / static_cast<double>(this->Ratios.size()));
+  }
+
+  int Cases = 0, Covered = 0;
+  std::vector<double> Ratios;
+};
+
+}
+
+// Ions, two charges in a ball, and pairs of ions, whose surfaces end on their balls, so that polar
+// energy, area and volume are known.
+TEST(SolvationErrors, CoverTheTruth)
+{
+  std::mt19937 random(5);
+  const auto between = [&random](double low, double high)
+  { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+  Coverage polar, total;
+  const double kilocalorie = units::ThermalKilocalorie(298.15);
+  for (int i = 0; i < 36; ++i)
+  {
+    const double spacing = between(0.3, 0.6);
+    const Point3 center{ between(-0.5, 0.5), between(-0.5, 0.5), between(-0.5, 0.5) };
+    SolvationParameters p = IonParameters(spacing);
+    p.Potential.SoluteDielectric = i % 2 == 0 ? 1.0 : 2.0;
+    p.Potential.Padding = 6.0;
+    SolvationAtoms atoms;
+    double exact = 0.0, area = 0.0, volume = 0.0;
+    const auto put = [&](const Point3& at, double radius)
+    {
+      atoms.Balls.push_back({ at, radius });
+      atoms.Dispersion.push_back({ at, 1.9, 0.0 });
+      area += 4.0 * Pi * radius * radius;
+      volume += 4.0 / 3.0 * Pi * std::pow(radius, 3);
+    };
+    if (i % 3 < 2)
+    {
+      KirkwoodSphere sphere;
+      sphere.Center = center;
+      sphere.Solute = p.Potential.SoluteDielectric;
+      sphere.Radius = between(i % 3 == 0 ? 1.2 : 2.5, 4.0);
+      sphere.Charges = { { center, 1.0, 0.0 } };
+      if (i % 3 == 1)
+      {
+        const double depth = between(0.3, 0.6) * sphere.Radius;
+        sphere.Charges = { { center + Point3{ depth, 0.0, 0.0 }, 1.0, 0.0 },
+          { center - Point3{ 0.0, 0.7 * depth, 0.5 * depth }, between(-1.0, 1.0), 0.0 } };
+      }
+      put(center, sphere.Radius);
+      atoms.Charges = sphere.Charges;
+      exact = sphere.Energy();
+    }
+    else
+    {
+      const double low = between(1.6, 2.5), high = between(1.6, 2.5);
+      const double half = 0.5 * (low + high + between(2.0, 3.0));
+      const double charge = i % 4 == 0 ? 1.0 : -1.0;
+      put(center - Point3{ half, 0.0, 0.0 }, low);
+      put(center + Point3{ half, 0.0, 0.0 }, high);
+      atoms.Charges = { { atoms.Balls[0].Center, 1.0, low },
+        { atoms.Balls[1].Center, charge, high } };
+      exact = TwoSpheres(
+        { -half, low, 1.0, 0.0 }, { half, high, charge, 0.0 }, p.Potential.SoluteDielectric, 80.0)
+                .Energy();
+    }
+    SolvationFlow flow(atoms, p);
+    flow.Run();
+    const SolvationUpdate& last = flow.GetUpdates().back();
+    const SolvationErrors errors = flow.EstimateErrors();
+    const double inPolar = exact * kilocalorie;
+    const double inTotal = inPolar + p.Solvent.SurfaceTension * area + p.Solvent.Pressure * volume;
+    std::printf("%d: spacing %.2f polar %.3f error %.4f stated %.4f, total %.3f error %.4f stated "
+                "%.4f\n",
+      i, spacing, inPolar, last.PolarEnergy - inPolar, errors.Polar, inTotal,
+      last.Total() - inTotal, errors.Total);
+    polar.Add(last.PolarEnergy - inPolar, errors.Polar, inPolar);
+    total.Add(last.Total() - inTotal, errors.Total, inTotal);
+  }
+  polar.Print("PolarEnergyError");
+  total.Print("TotalEnergyError");
+  EXPECT_GE(polar.Covered, 0.9 * polar.Cases);
+  EXPECT_GE(total.Covered, 0.9 * total.Cases);
+  EXPECT_LE(polar.Median(), 5.0);
+  EXPECT_LE(total.Median(), 5.0);
 }

@@ -199,8 +199,9 @@ TEST(vtkSurfaceMeasures, LevelsAtTheBorderAreWarnedAbout)
   }
 }
 
-// A tube with the section of a figure eight, and two surfaces without crossings.
-TEST(vtkSurfaceMeasures, SurfacesThatPassThroughThemselvesAreWarnedAbout)
+// A tube with the section of a figure eight; spindle tori, whose meridians all meet in two points
+// of the axis; and surfaces that do neither.
+TEST(vtkSurfaceMeasures, SurfacesThatPassThroughOrTouchThemselvesAreWarnedAbout)
 {
   Model eight = Torus(60, 42, 3.0, 1.0); // no points where it crosses itself
   for (isthmus::Point3& p : eight.Points)
@@ -208,11 +209,16 @@ TEST(vtkSurfaceMeasures, SurfacesThatPassThroughThemselvesAreWarnedAbout)
     const double ring = std::hypot(p[0], p[1]);
     p[2] *= ring - 3.0;
   }
+  Model pyramids = Torus(12, 12, 3.0, 1.0); // a slim horn to the opposite side of the tube
+  pyramids.Points[6] = { -1.99, 0.0, 0.0 };
   const struct
   {
     Model Surface;
-    bool Crosses;
-  } rows[] = { { eight, true }, { Torus(60, 40, 3.0, 1.0), false }, { Icosphere(6, 1.0), false } };
+    const char* Words;
+  } rows[] = { { eight, "passes through itself" }, { Torus(60, 41, 0.5, 1.0), "touches itself" },
+    { Torus(31, 40, 0.8, 1.0), "touches itself" }, { Torus(60, 42, 0.5, 1.0), "touches itself" },
+    { Torus(60, 40, 3.0, 1.0), "" }, { Torus(60, 42, 1.001, 1.0), "" }, { Icosphere(6, 1.0), "" },
+    { Icosphere(20, 1.0), "" }, { pyramids, "" } };
   for (const auto& row : rows)
   {
     for (const double scale : { 1e-9, 1.0, 1e12 })
@@ -227,9 +233,11 @@ TEST(vtkSurfaceMeasures, SurfacesThatPassThroughThemselvesAreWarnedAbout)
       filter->AddObserver(vtkCommand::WarningEvent, observer);
       filter->SetInputData(ToPolyData(model));
       filter->Update();
-      EXPECT_EQ(observer->GetWarningMessage().find("passes through itself") != std::string::npos,
-        row.Crosses)
-        << &row - rows << " " << (&row - rows) << " " << scale << observer->GetWarningMessage();
+      const std::string words = row.Words;
+      EXPECT_EQ(observer->GetWarning(), !words.empty())
+        << &row - rows << " " << scale << observer->GetWarningMessage();
+      EXPECT_NE(observer->GetWarningMessage().find(words), std::string::npos)
+        << &row - rows << " " << scale << observer->GetWarningMessage();
       EXPECT_TRUE(std::isfinite(Number(filter->GetOutputDataObject(0), "Volume")));
     }
   }

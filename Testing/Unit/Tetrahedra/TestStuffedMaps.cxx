@@ -252,5 +252,5 @@ TEST(StuffedMaps, AutomaticLevelIsThatOfMapSurface)
   }
   values->SetName("SignedDistance");
   values->Modified();
-  EXPECT_EQ(levels("natural level of the quantity"), (std::array<double, 2>{ 0.0, 0.0 }));
+  EXPECT_EQ(levels("zero of a signed distance"), (std::array<double, 2>{ 0.0, 0.0 }));
 }

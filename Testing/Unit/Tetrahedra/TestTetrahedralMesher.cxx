@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <set>
 #include <string>
 
@@ -101,6 +102,43 @@ TEST(TetrahedralMesher, CGALFillsNestedShellsAndNamesTheirRegions)
   const double margin = 0.5 * std::sqrt(369.0);
   const double box = (13.0 + margin) * (10.0 + margin) * (10.0 + margin);
   EXPECT_NEAR(all.at(0), box - 1001.0, 2e-3 * box);
+}
+
+// Coordinates are whole, so that moving the cubes rounds nothing.
+TEST(TetrahedralMesher, FillsSurfacesFarFromTheOrigin)
+{
+  for (const Point3& shift : { Point3{ 1e7, 1e7, 1e7 }, Point3{ 0.0, -3e9, 0.0 } })
+  {
+    TriangleMesh surface = NestedCubes();
+    for (Point3& p : surface.Points)
+    {
+      p = p + shift;
+    }
+    for (const auto library : { TetrahedralLibrary::TetGen, TetrahedralLibrary::CGAL })
+    {
+      for (const auto side : { MeshedSide::Inside, MeshedSide::Both })
+      {
+        TetrahedralParameters parameters = With(library, side);
+        parameters.CGAL.FacetSize = 0.4;
+        parameters.CGAL.FacetDistance = 0.04;
+        parameters.CGAL.CellSize = 0.6;
+        parameters.CGAL.MaximumPoints = 200000;
+        const TetrahedralMesh mesh = MeshTetrahedra(surface, parameters);
+        std::map<int, double> volumes = Volumes(mesh);
+        EXPECT_NEAR(volumes[1], 784.0, 8.0);
+        EXPECT_NEAR(volumes[2], 8.0, 0.5);
+        EXPECT_NEAR(volumes[3], 1.0, 0.2);
+        if (side == MeshedSide::Inside)
+        {
+          Bounds3 box{ mesh.Points[0], mesh.Points[0] };
+          std::for_each(
+            mesh.Points.begin(), mesh.Points.end(), [&box](const Point3& p) { box.Add(p); });
+          EXPECT_LT(Length(box.Min - shift), 0.1);
+          EXPECT_LT(Length(box.Max - shift - Point3{ 13.0, 10.0, 10.0 }), 0.1);
+        }
+      }
+    }
+  }
 }
 
 TEST(TetrahedralMesher, TheSameInputGivesTheSameMesh)

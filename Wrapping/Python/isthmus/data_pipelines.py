@@ -19,7 +19,7 @@ def _read(source):
 
 # File extensions, including those of gzip- or bzip2-compressed files, and their readers.
 READERS = {
-    "mrc_map_reader": (".mrc", ".map", ".ccp4", ".mrcs", ".rec", ".st", ".ali"),
+    "mrc_map_reader": (".mrc", ".map", ".ccp4", ".mrcs", ".rec", ".st", ".ali", ".mrcz"),
     "macromolecule_reader": tuple(functions.table()["functions"]["macromolecule_reader"]["endings"]),
     "open_dx_reader": (".dx", ".dxbin"), "off_surface_reader": (".off",), "msms_reader": (".vert", ".face"),
     "medit_reader": (".mesh",), "tet_gen_mesh_reader": (".ele", ".node"), "volume_text_reader": (".dat",)}
@@ -38,7 +38,9 @@ def read(path):
         Isthmus' own readers also gzipped or bzipped.
 
     Returns
-    ------- data A volume, points with one vertex per atom, a surface or a mesh. Lengths are in angstrom where the format
+    -------
+    data
+        A volume, points with one vertex per atom, a surface or a mesh. Lengths are in angstrom where the format
         says so. Of molecules, the atoms.
 
     Raises

@@ -5,6 +5,7 @@
 #include "MRCTestFile.h"
 #include "MRCTestReading.h"
 #include "Maps/MRCVoxels.h"
+#include "SharedData.h"
 
 #include <vtkErrorCode.h>
 
@@ -118,6 +119,12 @@ TEST(MRCErrors, CompressedAsMRCZ)
       reading, "this is an MRCZ file", vtkErrorCode::UnrecognizedFileTypeError, file.Path());
     EXPECT_NE(reading.Error().find("compressor=None"), std::string::npos) << reading.Error();
   }
+  ISTHMUS_NEEDS_SHARED_DATA("reports/y01e_mrcz_5002.mrcz");
+  MRCTestReading reading;
+  const std::string reported = (SharedDataFolder() / "reports/y01e_mrcz_5002.mrcz").string();
+  ExpectFailure(
+    reading, "this is an MRCZ file", vtkErrorCode::UnrecognizedFileTypeError, reported.c_str());
+  EXPECT_NE(reading.Error().find("mode 5002"), std::string::npos) << reading.Error();
 }
 
 TEST(MRCErrors, TruncatedPlain)

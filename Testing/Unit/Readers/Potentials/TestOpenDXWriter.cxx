@@ -104,6 +104,28 @@ TEST(OpenDXWriter, RoundTripIsBitwise)
   EXPECT_EQ(Content(packed.Path).find("object 1 class gridpositions counts 7 5 11"), 0u);
 }
 
+TEST(OpenDXWriter, ValuesThatAreNotFiniteAreWarnedAbout)
+{
+  const File file("", "odd.dx");
+  for (const double odd : { 1.0, std::nan(""), HUGE_VAL, -HUGE_VAL })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(3, 3, 3);
+    image->AllocateScalars(VTK_DOUBLE, 1);
+    image->GetPointData()->GetScalars()->Fill(1.0);
+    image->SetScalarComponentFromDouble(1, 1, 1, 0, odd);
+    vtkNew<vtkTest::ErrorObserver> said;
+    vtkNew<vtkOpenDXWriter> writer;
+    writer->AddObserver(vtkCommand::WarningEvent, said);
+    writer->SetInputData(image);
+    writer->SetFileName(file.Path.c_str());
+    writer->Write();
+    EXPECT_EQ(said->GetWarningMessage().find("1 values are not finite") != std::string::npos,
+      !std::isfinite(odd))
+      << odd << said->GetWarningMessage();
+  }
+}
+
 // PyMOL and others refuse "type float".
 TEST(OpenDXWriter, TheTypeIsDouble)
 {
@@ -112,6 +134,21 @@ TEST(OpenDXWriter, TheTypeIsDouble)
   const std::string text = Content(file.Path);
   EXPECT_NE(text.find("class array type double rank 0"), std::string::npos);
   EXPECT_EQ(text.find("float"), std::string::npos);
+  for (const int type : { VTK_DOUBLE, VTK_INT, VTK_SHORT, VTK_UNSIGNED_CHAR })
+  {
+    for (const int components : { 1, 3 })
+    {
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(2, 3, 4);
+      image->AllocateScalars(type, components);
+      image->GetPointData()->GetScalars()->Fill(7.0);
+      const auto back = WriteAndRead(image, file.Path);
+      EXPECT_EQ(back->GetPointData()->GetScalars()->GetRange()[1], 7.0);
+      const std::string other = Content(file.Path);
+      EXPECT_NE(other.find("class array type double rank"), std::string::npos) << type;
+      EXPECT_EQ(other.find("type int"), std::string::npos) << type;
+    }
+  }
 }
 
 // APBS and VMD read lines of three values; z runs fastest, and numbers of a node stay together.
