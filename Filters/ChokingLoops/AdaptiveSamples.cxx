@@ -1,5 +1,6 @@
 #include "ChokingLoops/AdaptiveSamples.h"
 
+#include "Contouring/MapSurface.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Remeshing/SelfIntersections.h"
@@ -30,9 +31,6 @@ constexpr double SpacingOfThickness = 0.5;
 
 /// The largest thickness that a mesh shows, in lengths of its edges.
 constexpr double ThicknessInEdges = 3.0;
-
-/// Cosine of the angle between normals on opposite sides of a ball.
-constexpr double Opposite = -0.3;
 
 /// Largest difference of the spacing over a distance, in parts of it.
 constexpr double Gradient = 0.3;
@@ -112,7 +110,7 @@ struct PointsOfCube
   {
     const double c = std::clamp(Dot(this->Axis, normal), -1.0, 1.0);
     const double sines = std::sqrt((1.0 - c * c) * (1.0 - this->Cosine * this->Cosine));
-    return c < -this->Cosine || c * this->Cosine - sines < Opposite + 1e-9;
+    return c < -this->Cosine || c * this->Cosine - sines < OppositeNormals + 1e-9;
   }
 };
 
@@ -125,20 +123,7 @@ struct PointsOfCube
  */
 std::vector<double> Thickness(const TriangleMesh& mesh, double most)
 {
-  std::vector<Point3> normal(mesh.Points.size(), Point3{ 0, 0, 0 });
-  for (const Triangle& t : mesh.Triangles)
-  {
-    const Point3& a = mesh.Points[At(t[0])];
-    const Point3 n = Cross(mesh.Points[At(t[1])] - a, mesh.Points[At(t[2])] - a);
-    for (const vtkIdType p : t)
-    {
-      normal[At(p)] = normal[At(p)] + n;
-    }
-  }
-  for (Point3& n : normal)
-  {
-    n = (1.0 / std::max(Length(n), 1e-300)) * n;
-  }
+  const std::vector<Point3> normal = PointNormals(mesh);
   Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
   for (const Point3& p : mesh.Points)
   {
@@ -180,7 +165,7 @@ std::vector<double> Thickness(const TriangleMesh& mesh, double most)
           {
             const Point3 d = mesh.Points[q] - p;
             const double square = Dot(d, d);
-            if (square < 4.0 * most * most && Dot(normal[i], normal[q]) < Opposite)
+            if (square < 4.0 * most * most && Dot(normal[i], normal[q]) < OppositeNormals)
             {
               const double height = std::abs(Dot(d, normal[i]));
               const double ball = 0.5 * square / std::max(height, 1e-300);

@@ -6,6 +6,7 @@
 #include "ChokingLoops/MeshFunctionError.h"
 #include "ChokingLoops/SideClasses.h"
 #include "ChokingLoops/SurfacePreparation.h"
+#include "Contouring/MapSurface.h"
 #include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/MemoryBudget.h"
@@ -111,22 +112,20 @@ struct ChokingAnalysis
   /// Handles and tunnels that the samples did not determine.
   void Complete()
   {
-    if (CountUnresolved(this->Found) == 0)
-    {
-      return;
-    }
     try
     {
-      CompleteGenerators(this->Context, this->Found);
+      if (!CompleteGenerators(this->Context, this->Found))
+      {
+        return;
+      }
       this->Remark = "Some handles or tunnels are narrower than the sampling error: they are "
                      "marked as not trusted, and their radius is an upper bound. Lower the sample "
                      "spacing to measure it.";
     }
     catch (const std::runtime_error& error)
     {
-      this->Remark = std::string("Some handles or tunnels are narrower than the sampling error, "
-                                 "and their number and side are not guaranteed. ") +
-        error.what();
+      this->Remark =
+        std::string("Number and side of handles and tunnels are not guaranteed. ") + error.what();
     }
   }
 
@@ -418,9 +417,10 @@ void ChokingLoops::AnalyseSamples(
   {
     samples.Errors.Point = SamplingErrors(samples.Mesh);
   }
+  samples.Errors.Normal = PointNormals(samples.Mesh);
   CellFiltration filtration = DelaunayFiltration(samples.Mesh.Points, Between(progress, 0.0, 0.6),
     [&errors = samples.Errors](const SimplexId* corners, std::size_t count)
-    { return errors.Squared(corners, count); });
+    { return errors.SquaredDistance(corners, count); });
   times.Filtration += watch.Lap();
   this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
     std::vector<CellError>{}, std::vector<double>{}, times, Between(progress, 0.6, 1.0));

@@ -91,8 +91,9 @@ struct FeatureContext
   /// True for a triangle of the complex that may cross M or be part of it.
   bool IsWall(TriangleId triangle) const
   {
-    return (this->Errors.Point.empty() ? this->Filtration.TriangleFirst
-                                       : this->Filtration.TriangleIndistinct)[triangle] != 0;
+    return this->Errors.Point.empty() ? this->Filtration.TriangleFirst[triangle] != 0
+                                      : this->Filtration.TriangleValue[triangle] <=
+        this->SquaredError(this->Filtration.TrianglePoints(triangle));
   }
 };
 

@@ -325,6 +325,18 @@ bool IsResolved(const ShapeFeature& feature, const std::optional<Membrane>& memb
   return feature.Trusted && membrane && !membrane->Loops.empty();
 }
 
+/// Number of handles and tunnels that are not above the sampling error, or without a loop.
+std::size_t CountUnresolved(const LocatedFeatures& features)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < features.Membranes.size(); ++i)
+  {
+    const ShapeFeature& f = features.Diagram.Features[i];
+    count += IsGenerator(f) && !IsResolved(f, features.Membranes[i]) ? 1 : 0;
+  }
+  return count;
+}
+
 /// Handles and tunnels in ascending order, each independent of the others on its side.
 class Completion
 {
@@ -344,6 +356,14 @@ public:
         this->IsKept[i] = this->Sides.Bounds(c, f.Side) && this->All[IndexOf(f.Side)].Add(c);
       }
     }
+  }
+
+  /// True if the given handles and tunnels are g each already.
+  bool IsComplete() const
+  {
+    const std::size_t genus = this->Context.Homology.Rank() / 2;
+    return this->All[0].Rank() == genus && this->All[1].Rank() == genus &&
+      CountUnresolved(this->Features) == 0;
   }
 
   LocatedFeatures Complete();
@@ -461,20 +481,19 @@ Membrane Completion::MakeMembrane(std::size_t i, const HomologyClass& part, Spac
 
 }
 
-std::size_t CountUnresolved(const LocatedFeatures& features)
+bool CompleteGenerators(const FeatureContext& context, LocatedFeatures& features)
 {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < features.Membranes.size(); ++i)
+  if (context.Homology.Rank() == 0)
   {
-    const ShapeFeature& f = features.Diagram.Features[i];
-    count += IsGenerator(f) && !IsResolved(f, features.Membranes[i]) ? 1 : 0;
+    return false;
   }
-  return count;
-}
-
-void CompleteGenerators(const FeatureContext& context, LocatedFeatures& features)
-{
-  features = Completion(context, features).Complete();
+  Completion completion(context, features);
+  if (completion.IsComplete())
+  {
+    return false;
+  }
+  features = completion.Complete();
+  return true;
 }
 
 }

@@ -51,19 +51,16 @@ private:
   std::vector<HomologyClass> Outside; ///< the outer part of each basis loop
 };
 
-/// Number of handles and tunnels that the samples do not resolve: those not above the sampling
-/// error, or without a loop.
-std::size_t CountUnresolved(const LocatedFeatures& features);
-
 /**
- * Completes handles and tunnels to g each, with loops. Generators that the samples resolve are kept
- * if their class bounds on their side. The classes of the others, split into their parts, give as
- * many more, narrowest first, that are independent of those kept. They are not trusted: M does not
- * fill their class later than the samples do, so their true radius lies between 0 and Radius().
+ * Completes handles and tunnels to g each, with loops; false if they are already. Generators that
+ * the samples resolve are kept if their class bounds on their side. The classes of the others,
+ * split into their parts, give as many more, narrowest first, that are independent of those kept.
+ * They are not trusted: M does not fill their class later than the samples do, so their true radius
+ * lies between 0 and Radius().
  *
  * @throws what SideClasses() throws; `features` is then as before.
  */
-void CompleteGenerators(const FeatureContext& context, LocatedFeatures& features);
+bool CompleteGenerators(const FeatureContext& context, LocatedFeatures& features);
 
 }
 

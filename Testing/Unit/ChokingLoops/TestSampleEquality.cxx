@@ -7,6 +7,7 @@
 #include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
 #include "Core/Index.h"
+#include "FeatureRows.h"
 #include "LongTests.h"
 #include "SharedData.h"
 
@@ -69,105 +70,30 @@ ChokingLoops AnalyseAll(const TriangleMesh& surface)
   return ChokingLoops(surface, parameters);
 }
 
-/// A feature that must be found if it is clearly above the threshold, and may be if it is near.
-struct Row
-{
-  double Radius = 0.0;
-  double Uncertainty = 0.0;
-  Point3 Center{};
-  bool IsTrusted = false;
-  bool IsClear = false;
-};
-
-constexpr double Accuracy = 0.01;
-
-std::vector<Row> RowsOf(const ChokingLoops& loops, FeatureKind kind, SpaceSide side)
-{
-  std::vector<Row> rows;
-  const FeatureDiagram& diagram = loops.Diagram();
-  const double threshold = 0.05 * diagram.Reference[static_cast<std::size_t>(side)];
-  for (std::size_t i = 0; i < diagram.Features.size(); ++i)
-  {
-    const ShapeFeature& f = diagram.Features[i];
-    const double margin = 2.0 * Accuracy * f.Death + ComputeUncertainty(f);
-    const bool mayCount = IsGenerator(f) || f.Persistence() > threshold - margin;
-    if (f.Kind == kind && f.Side == side && mayCount)
-    {
-      rows.push_back({ f.Radius(), ComputeUncertainty(f), loops.ChokePoint(i), f.Trusted,
-        IsGenerator(f) || f.Persistence() > threshold + margin });
-    }
-  }
-  return rows;
-}
-
-struct Comparison
-{
-  std::size_t Features = 0;
-  std::size_t Untrusted = 0; ///< here, but trusted with all points
-  double Worst = 0.0;        ///< relative difference of two radii, beyond their uncertainty
-};
-
-/// Each clear feature of one has its own counterpart in the other.
-void ExpectCounterparts(const std::string& name, const std::vector<Row>& of,
-  const std::vector<Row>& in, Comparison& result)
-{
-  std::vector<char> isTaken(in.size(), 0);
-  for (const Row& row : of)
-  {
-    std::size_t best = in.size();
-    double least = HUGE_VAL;
-    for (std::size_t k = 0; k < in.size(); ++k)
-    {
-      // Several in one place differ by the radius, equal ones (symmetry) by the place.
-      const double apart = std::abs(in[k].Radius - row.Radius) / row.Radius +
-        0.1 * Distance(in[k].Center, row.Center) / row.Radius;
-      if (!isTaken[k] && apart < least)
-      {
-        least = apart;
-        best = k;
-      }
-    }
-    if (best == in.size())
-    {
-      EXPECT_FALSE(row.IsClear) << name << ": no counterpart of radius " << row.Radius;
-      continue;
-    }
-    const double off = std::abs(in[best].Radius - row.Radius);
-    const double allowed = Accuracy * row.Radius + row.Uncertainty + in[best].Uncertainty;
-    if (off > allowed && !row.IsClear)
-    {
-      continue;
-    }
-    EXPECT_LE(off, allowed) << name << ": radius " << row.Radius << ", the nearest is "
-                            << in[best].Radius;
-    isTaken[best] = 1;
-    ++result.Features;
-    result.Untrusted += row.IsTrusted && !in[best].IsTrusted ? 1 : 0;
-    if (row.IsTrusted && in[best].IsTrusted)
-    {
-      result.Worst = std::max(
-        result.Worst, std::max(0.0, off - row.Uncertainty - in[best].Uncertainty) / row.Radius);
-    }
-  }
-}
+constexpr FeatureTolerance OnePercent{ 0.0, 0.01 };
 
 void ExpectSame(const std::string& name, const ChokingLoops& all, const ChokingLoops& few)
 {
-  Comparison result;
-  Comparison back;
+  FeatureComparison result;
+  FeatureComparison back;
   for (const SpaceSide side : { SpaceSide::Inside, SpaceSide::Outside })
   {
     for (const FeatureKind kind :
       { FeatureKind::Handle, FeatureKind::Tunnel, FeatureKind::Additional })
     {
-      const std::vector<Row> expected = RowsOf(all, kind, side);
-      const std::vector<Row> found = RowsOf(few, kind, side);
+      const auto rows = [&](const ChokingLoops& loops)
+      {
+        const double reference = loops.Diagram().Reference[static_cast<std::size_t>(side)];
+        return RowsOf(loops, kind, side, 0.05 * reference, OnePercent);
+      };
+      const std::vector<FeatureRow> expected = rows(all);
+      const std::vector<FeatureRow> found = rows(few);
       if (kind != FeatureKind::Additional)
       {
         EXPECT_EQ(found.size(), expected.size()) << name;
       }
-      ExpectCounterparts(name, expected, found, result);
-      ExpectCounterparts(name + ", back", found, expected, back);
+      ExpectCounterparts(name, expected, found, OnePercent, result);
+      ExpectCounterparts(name + ", back", found, expected, OnePercent, back);
     }
   }
   std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %.2f |\n", name.c_str(),
