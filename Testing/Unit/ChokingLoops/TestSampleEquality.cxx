@@ -56,17 +56,11 @@ TriangleMesh Divided(const TriangleMesh& mesh)
   return finer;
 }
 
+/// With all points, and long edges split as for the first samples, none omitted.
 ChokingLoops AnalyseAll(const TriangleMesh& surface)
 {
   ChokingLoopParameters parameters;
-  for (const Triangle& t : surface.Triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      parameters.SampleSpacing = std::max(parameters.SampleSpacing,
-        Distance(surface.Points[At(t[k])], surface.Points[At(t[(k + 1) % 3])]));
-    }
-  }
+  FirstSamples(surface, parameters.SampleSpacing);
   return ChokingLoops(surface, parameters);
 }
 
