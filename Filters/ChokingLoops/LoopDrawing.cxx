@@ -654,25 +654,34 @@ std::vector<SimplexId> WalkOnFine(const ChokingLoops& loops, const std::vector<S
   return WithoutSpikes(walk);
 }
 
-/// Some points of a walk, evenly spread.
-std::vector<SimplexId> SomeOf(const std::vector<SimplexId>& walk, std::size_t count)
+/// The point next to `center` in each of `count` equal parts of a walk.
+std::vector<SimplexId> NearestOfParts(const View<Point3>& points, const Point3& center,
+  const std::vector<SimplexId>& walk, std::size_t count)
 {
-  std::vector<SimplexId> some;
+  std::vector<SimplexId> nearest;
   for (std::size_t i = 0; i < count; ++i)
   {
-    some.push_back(walk[i * walk.size() / count]);
+    const auto from = walk.begin() + static_cast<std::ptrdiff_t>(i * walk.size() / count);
+    const auto to = walk.begin() + static_cast<std::ptrdiff_t>((i + 1) * walk.size() / count);
+    if (from != to)
+    {
+      nearest.push_back(*std::min_element(from, to,
+        [&](SimplexId a, SimplexId b)
+        { return Distance(points[At(a)], center) < Distance(points[At(b)], center); }));
+    }
   }
-  some.erase(std::unique(some.begin(), some.end()), some.end());
-  return some;
+  nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
+  return nearest;
 }
 
-/// Points at which a loop is fixed that would slide off otherwise.
-constexpr std::size_t Fixed = 12;
+/// Numbers of points at which a loop is fixed that would slide off otherwise: the fewer, the
+/// straighter it is.
+constexpr std::array<std::size_t, 3> Fixed{ 3, 6, 12 };
 
-/// The feature with its loops on the fine surface, fixed there or not.
+/// The feature with its loops on the fine surface, each fixed there at `pins` points.
 LoopFeature MovedToFine(const ChokingLoops& loops, const LoopFeature& coarse,
-  const std::vector<std::vector<SimplexId>>& walks, int rounds, bool isFixed,
-  const ProgressCallback& progress)
+  const std::vector<std::vector<SimplexId>>& walks, int rounds, std::size_t pins,
+  const Point3& center, const ProgressCallback& progress)
 {
   const SurfaceAdjacency& surface = loops.Fine()->Adjacency();
   LoopFeature feature = coarse;
@@ -685,8 +694,9 @@ LoopFeature MovedToFine(const ChokingLoops& loops, const LoopFeature& coarse,
     SurfaceCurve curve;
     if (rounds > 0)
     {
-      curve = isFixed
-        ? ShortenPinned(surface, walks[i], SomeOf(walks[i], Fixed), parameters, progress)
+      curve = pins > 0
+        ? ShortenPinned(surface, walks[i],
+            NearestOfParts(surface.Mesh().Points, center, walks[i], pins), parameters, progress)
         : ShortenLoop(surface, walks[i], parameters, progress);
     }
     std::vector<SimplexId> loop;
@@ -726,16 +736,27 @@ LoopFeature DrawnOnFine(const ChokingLoops& loops, std::size_t index, const Loop
       return coarse;
     }
   }
+  const Point3 center = loops.ChokePoint(index);
+  const bool belongs = BelongsToChokePoint(loops, index, coarse);
   if (!coarse.Held && !coarse.Collapsed)
   {
-    LoopFeature feature = MovedToFine(loops, coarse, walks, rounds, false, progress);
-    if (!feature.Collapsed &&
-      (BelongsToChokePoint(loops, index, feature) || !BelongsToChokePoint(loops, index, coarse)))
+    LoopFeature feature = MovedToFine(loops, coarse, walks, rounds, 0, center, progress);
+    if (!feature.Collapsed && (BelongsToChokePoint(loops, index, feature) || !belongs))
     {
       return feature;
     }
   }
-  return MovedToFine(loops, coarse, walks, coarse.Collapsed ? 0 : rounds, true, progress);
+  LoopFeature feature;
+  for (const std::size_t pins : Fixed)
+  {
+    feature =
+      MovedToFine(loops, coarse, walks, coarse.Collapsed ? 0 : rounds, pins, center, progress);
+    if (coarse.Collapsed || !belongs || BelongsToChokePoint(loops, index, feature))
+    {
+      break;
+    }
+  }
+  return feature;
 }
 
 }
