@@ -32,6 +32,9 @@ constexpr double SpacingOfThickness = 0.5;
 /// The largest thickness that a mesh shows, in lengths of its edges.
 constexpr double ThicknessInEdges = 3.0;
 
+/// Cosine of the angle between normals on opposite sides of a ball.
+constexpr double Opposite = -0.3;
+
 /// Largest difference of the spacing over a distance, in parts of it.
 constexpr double Gradient = 0.3;
 constexpr int Sweeps = 2;
@@ -110,7 +113,7 @@ struct PointsOfCube
   {
     const double c = std::clamp(Dot(this->Axis, normal), -1.0, 1.0);
     const double sines = std::sqrt((1.0 - c * c) * (1.0 - this->Cosine * this->Cosine));
-    return c < -this->Cosine || c * this->Cosine - sines < OppositeNormals + 1e-9;
+    return c < -this->Cosine || c * this->Cosine - sines < Opposite + 1e-9;
   }
 };
 
@@ -165,7 +168,7 @@ std::vector<double> Thickness(const TriangleMesh& mesh, double most)
           {
             const Point3 d = mesh.Points[q] - p;
             const double square = Dot(d, d);
-            if (square < 4.0 * most * most && Dot(normal[i], normal[q]) < OppositeNormals)
+            if (square < 4.0 * most * most && Dot(normal[i], normal[q]) < Opposite)
             {
               const double height = std::abs(Dot(d, normal[i]));
               const double ball = 0.5 * square / std::max(height, 1e-300);

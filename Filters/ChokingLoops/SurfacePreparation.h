@@ -73,8 +73,9 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
  */
 std::vector<double> SamplingErrors(const SurfaceView& mesh);
 
-/// Cosine of the angle between normals of points that are on opposite sides of a wall or a gap.
-constexpr double OppositeNormals = -0.3;
+/// Largest cosine of the angle between normals on opposite sides of a wall or a gap; those at an
+/// edge of the wall are less apart.
+constexpr double OppositeNormals = -0.7;
 
 /// The errors that samples of a surface M cause.
 struct SampleErrors
