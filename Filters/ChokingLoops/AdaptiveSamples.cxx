@@ -1,5 +1,6 @@
 #include "ChokingLoops/AdaptiveSamples.h"
 
+#include "Contouring/MapSurface.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Remeshing/SelfIntersections.h"
@@ -39,7 +40,7 @@ constexpr double Gradient = 0.3;
 constexpr int Sweeps = 2;
 
 /// Number of consecutive points, which are usually near each other, that share a bounding box.
-constexpr std::int64_t PointsOfBox = 1024;
+constexpr std::int64_t PointsOfBox = 128;
 
 /// Squared distance between two boxes.
 double SquaredGap(const Bounds3& a, const Bounds3& b)
@@ -87,6 +88,35 @@ const SurfaceAdjacency& FineSurface::Adjacency() const
 namespace
 {
 
+/// The points in a cube, and the narrowest cone around their mean normal that contains all normals.
+struct PointsOfCube
+{
+  std::vector<std::size_t> Points;
+  Point3 Axis{ 0, 0, 0 };
+  double Cosine = 1.0; ///< of the cone's angle
+
+  void FindCone(const std::vector<Point3>& normals)
+  {
+    for (const std::size_t p : this->Points)
+    {
+      this->Axis = this->Axis + normals[p];
+    }
+    this->Axis = (1.0 / std::max(Length(this->Axis), 1e-300)) * this->Axis;
+    for (const std::size_t p : this->Points)
+    {
+      this->Cosine = std::min(this->Cosine, Dot(this->Axis, normals[p]));
+    }
+  }
+
+  /// False if the sum of the cone's angle and that between `normal` and its axis is too small.
+  bool MayBeOpposite(const Point3& normal) const
+  {
+    const double c = std::clamp(Dot(this->Axis, normal), -1.0, 1.0);
+    const double sines = std::sqrt((1.0 - c * c) * (1.0 - this->Cosine * this->Cosine));
+    return c < -this->Cosine || c * this->Cosine - sines < Opposite + 1e-9;
+  }
+};
+
 /**
  * For each point of a coarse mesh: the radius of the largest ball on either side that touches the
  * mesh there and contains no point with an opposite normal; at most `most`. The ball through
@@ -96,20 +126,7 @@ namespace
  */
 std::vector<double> Thickness(const TriangleMesh& mesh, double most)
 {
-  std::vector<Point3> normal(mesh.Points.size(), Point3{ 0, 0, 0 });
-  for (const Triangle& t : mesh.Triangles)
-  {
-    const Point3& a = mesh.Points[At(t[0])];
-    const Point3 n = Cross(mesh.Points[At(t[1])] - a, mesh.Points[At(t[2])] - a);
-    for (const vtkIdType p : t)
-    {
-      normal[At(p)] = normal[At(p)] + n;
-    }
-  }
-  for (Point3& n : normal)
-  {
-    n = (1.0 / std::max(Length(n), 1e-300)) * n;
-  }
+  const std::vector<Point3> normal = PointNormals(mesh);
   Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
   for (const Point3& p : mesh.Points)
   {
@@ -119,14 +136,18 @@ std::vector<double> Thickness(const TriangleMesh& mesh, double most)
   const double cube = 2.0 * most;
   const auto cell = [&](const Point3& p, std::size_t k)
   { return static_cast<std::int64_t>((p[k] - box.Min[k]) / cube); };
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> cubes;
+  std::unordered_map<std::int64_t, PointsOfCube> cubes;
   constexpr std::int64_t row = 1 << 20;
   const auto key = [](std::int64_t i, std::int64_t j, std::int64_t k)
   { return (i * row + j) * row + k; };
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
     const Point3& p = mesh.Points[i];
-    cubes[key(cell(p, 0), cell(p, 1), cell(p, 2))].push_back(i);
+    cubes[key(cell(p, 0), cell(p, 1), cell(p, 2))].Points.push_back(i);
+  }
+  for (auto& [place, points] : cubes)
+  {
+    points.FindCone(normal);
   }
   std::vector<double> thickness(mesh.Points.size(), most);
   ParallelFor(0, static_cast<std::int64_t>(mesh.Points.size()), 256,
@@ -139,11 +160,11 @@ std::vector<double> Thickness(const TriangleMesh& mesh, double most)
         {
           const auto found = cubes.find(
             key(cell(p, 0) + n / 9 - 1, cell(p, 1) + n / 3 % 3 - 1, cell(p, 2) + n % 3 - 1));
-          if (found == cubes.end())
+          if (found == cubes.end() || !found->second.MayBeOpposite(normal[i]))
           {
             continue;
           }
-          for (const std::size_t q : found->second)
+          for (const std::size_t q : found->second.Points)
           {
             const Point3 d = mesh.Points[q] - p;
             const double square = Dot(d, d);
@@ -345,20 +366,36 @@ std::vector<std::pair<double, SimplexId>> FineSurface::PointsNear(
   {
     box.Add(p);
   }
+  const double most = radius * radius;
   std::vector<std::pair<double, SimplexId>> near;
+  std::vector<std::pair<Point3, Point3>> segments; // near the points of a box
   for (std::size_t k = 0; k < this->Boxes.size(); ++k)
   {
+    if (!(SquaredGap(this->Boxes[k], box) < most))
+    {
+      continue;
+    }
+    segments.clear();
+    for (std::size_t j = 0; j < path.size(); ++j)
+    {
+      const Point3& from = path[j > 0 ? j - 1 : 0];
+      Bounds3 segment{ from, from };
+      segment.Add(path[j]);
+      if (SquaredGap(this->Boxes[k], segment) < most)
+      {
+        segments.emplace_back(from, path[j]);
+      }
+    }
     const std::size_t end = std::min((k + 1) * PointsOfBox, this->Surface.Points.size());
-    const bool isNear = SquaredGap(this->Boxes[k], box) < radius * radius;
-    for (std::size_t i = k * PointsOfBox; i < end && isNear; ++i)
+    for (std::size_t i = k * PointsOfBox; i < end && !segments.empty(); ++i)
     {
       const Point3& p = this->Surface.Points[i];
-      double square = Dot(p - path[0], p - path[0]);
-      for (std::size_t j = 1; j < path.size(); ++j)
+      double square = HUGE_VAL;
+      for (const auto& [from, to] : segments)
       {
-        square = std::min(square, SquaredDistanceToSegment(p, path[j - 1], path[j]));
+        square = std::min(square, SquaredDistanceToSegment(p, from, to));
       }
-      if (square < radius * radius)
+      if (square < most)
       {
         near.emplace_back(std::sqrt(square), static_cast<SimplexId>(i));
       }

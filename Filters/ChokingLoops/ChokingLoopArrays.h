@@ -20,11 +20,11 @@
       "radius at which the space behind the narrowing is filled" },                                \
     { Port, ArrayPlace::Cells, "Persistence", 1, "length", ArrayChoice::None, "Death - Birth" },   \
     { Port, ArrayPlace::Cells, "Uncertainty", 1, "length", ArrayChoice::None,                      \
-      "the true radius lies in [Radius - Uncertainty, Radius]; with TetrahedralMesh in [Radius - " \
-      "Uncertainty, Radius + Uncertainty], since the distance is known only at the points of the " \
-      "mesh. It is 0.61 times the longest edge of the tetrahedra on the same side that come that " \
-      "close to the surface (with PointArray: the largest range of the array within one of "       \
-      "them)" },                                                                                   \
+      "the true radius lies in [Radius - Uncertainty, Radius]; on a surface of more than 40,000 "  \
+      "points, and with TetrahedralMesh, in [Radius - Uncertainty, Radius + Uncertainty]. With "   \
+      "TetrahedralMesh it is 0.61 times the longest edge of the tetrahedra on the same side that " \
+      "come that close to the surface (with PointArray: the largest range of the array within "    \
+      "one of them), since the distance is known only at the points of the mesh" },                \
     { Port, ArrayPlace::Cells, "Trusted", 1, "", ArrayChoice::None,                                \
       "1 for a feature of the surface, 0 if it may be caused by the sampling" },                   \
     { Port, ArrayPlace::Cells, "Length", 1, "length", ArrayChoice::None, "of the loop" },          \

@@ -17,8 +17,7 @@ void Check(const ChokingLoopParameters& parameters)
 {
   RequireRange("SampleSpacing", parameters.SampleSpacing, 0.0, LargestLength,
     "It is a length, or 0 to choose it automatically.");
-  RequireRange("Accuracy", parameters.Accuracy, 0.0, 100.0,
-    "It is a percentage of the radius, or 0 to use all points.");
+  RequireRange("Accuracy", parameters.Accuracy, 0.01, 100.0, "It is a percentage of the radius.");
   RequireRange("MemoryLimit", parameters.MemoryLimit, 0.0, LargestCount, "It is in MiB.");
 }
 

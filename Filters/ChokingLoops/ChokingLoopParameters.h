@@ -7,7 +7,6 @@
 
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
-#include <functional>
 #include <string>
 
 namespace isthmus
@@ -23,8 +22,6 @@ enum class SideSelection
 // ------------------------------------------------------------------------------------------
 // The analysis of a surface (ChokingLoops.h).
 
-struct AnalysisCost;
-
 struct ChokingLoopParameters
 {
   /// Edges of the surface are split until none is longer than this. In units of the data; 0:
@@ -32,22 +29,17 @@ struct ChokingLoopParameters
   /// cannot be distinguished from the sampling, as long as a round resolves at least half of such
   /// places.
   double SampleSpacing = 0.0;
-  /// 0: every point of the surface is a sample. Above: a surface with more than 40,000 points is
-  /// analysed on as few of them as its thickness requires (AdaptiveSamples.h), and the radii of
-  /// trusted features are then measured on the surface itself to this percentage. Handles and
-  /// tunnels thinner than the samples there are marked as not trusted. Has no effect with a
-  /// SampleSpacing.
-  double Accuracy = 0.0;
+  /// Of radii, in percent. A surface with more than 40,000 points is analysed on as few of them as
+  /// its thickness requires (AdaptiveSamples.h), and the radii of trusted features are then
+  /// measured on the surface itself. Has no effect with a SampleSpacing: every point of the surface
+  /// is then a sample.
+  double Accuracy = 1.0;
   /// Analyse a surface even if it intersects itself. The numbers of handles and tunnels are then
   /// not guaranteed.
   bool AllowSelfIntersections = false;
   /// Memory limit of the analysis in MiB; 0: the available memory. An error is thrown if the
   /// samples do not fit; refinement that would not fit is skipped.
   int MemoryLimit = 0;
-  /// Called with the estimated cost of the samples: before the work begins, and again, including
-  /// the time, once they are triangulated; also after each refinement, and if handles or tunnels
-  /// turn out not to be resolved by the samples (GeneratorCompletion.h).
-  std::function<void(const AnalysisCost& cost)> Estimated;
 };
 
 /// @throws std::invalid_argument with property, value and range; so do the other functions of this

@@ -1,11 +1,12 @@
 #include "ChokingLoops/ChokingLoops.h"
 
 #include "ChokingLoops/AdaptiveSamples.h"
-#include "ChokingLoops/GeneratorCompletion.h"
 #include "ChokingLoops/GreedyMembrane.h"
 #include "ChokingLoops/LocalChoke.h"
 #include "ChokingLoops/MeshFunctionError.h"
+#include "ChokingLoops/SideClasses.h"
 #include "ChokingLoops/SurfacePreparation.h"
+#include "Contouring/MapSurface.h"
 #include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/MemoryBudget.h"
@@ -31,28 +32,18 @@ namespace
 constexpr double FixedBytes = 8e6;
 
 /// Bytes per sample for the complex, its pairs and the surface: 1.3 KB on a million samples, more
-/// if an abandoned finer sampling was in memory at the same time. Each point of the surface itself
-/// needs as much again.
+/// if an abandoned finer sampling was in memory at the same time.
 constexpr double BytesOfSample = 1700.0;
 
 /// For each of a sample's three edges, one bit for each dual loop that crosses it.
 constexpr double BytesOfWord = 24.0;
 
-/// In triangulations: all stages together,
-constexpr double UnitsOfStages = 3.2;
-
-/// the cost of reducing a class of M,
-constexpr double UnitsOfClass = 0.006;
-
-/// and TetGen's mesh of the surface's own points with its pairs, in samples per point.
-constexpr double SamplesOfOwnPoint = 11.4;
-
-/// Connected parts and unused points; a sampled surface has no unused points.
-int Parts(const SurfaceView& mesh)
+/// At the peak of an analysis.
+double EstimateBytes(const SurfaceView& samples)
 {
-  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
-  auto components = static_cast<int>(mesh.Points.size());
-  for (const Triangle& t : mesh.Triangles)
+  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(samples.Points.size()));
+  auto components = static_cast<std::int64_t>(samples.Points.size());
+  for (const Triangle& t : samples.Triangles)
   {
     for (std::size_t k = 1; k < 3; ++k)
     {
@@ -60,54 +51,15 @@ int Parts(const SurfaceView& mesh)
       sets.Join(t[0], t[k]);
     }
   }
-  return components;
-}
-
-}
-
-AnalysisCost AnalysisCost::After(double triangulation) const
-{
-  AnalysisCost cost = *this;
-  cost.Triangulation = triangulation;
-  cost.Seconds = cost.Units * triangulation + cost.Completion();
-  return cost;
-}
-
-void AnalysisCost::LearnFrom(const AnalysisCost& before, double seconds)
-{
-  if (before.Triangulation > 0.0)
-  {
-    this->Units = seconds / before.Triangulation;
-  }
-}
-
-void AnalysisCost::ExpectCompletion(std::size_t points)
-{
-  this->Own = points;
-  this->Bytes += BytesOfSample * static_cast<double>(points);
-}
-
-double AnalysisCost::Completion() const
-{
-  return this->Samples == 0 ? 0.0
-                            : SamplesOfOwnPoint * static_cast<double>(this->Own) *
-      this->Triangulation / static_cast<double>(this->Samples);
-}
-
-AnalysisCost EstimateCost(const SurfaceView& samples)
-{
-  AnalysisCost cost;
-  cost.Samples = samples.Points.size();
   // Each triangle has three halves of an edge.
   const auto euler = static_cast<std::int64_t>(samples.Points.size()) -
     static_cast<std::int64_t>(samples.Triangles.size() / 2);
-  cost.Rank =
-    static_cast<std::size_t>(std::max<std::int64_t>(0, 2 * std::int64_t{ Parts(samples) } - euler));
-  cost.Units = UnitsOfStages + UnitsOfClass * static_cast<double>(cost.Rank);
-  const std::size_t words = (cost.Rank + 63) / 64;
-  cost.Bytes = FixedBytes +
-    (BytesOfSample + BytesOfWord * static_cast<double>(words)) * static_cast<double>(cost.Samples);
-  return cost;
+  const std::int64_t rank = std::max<std::int64_t>(0, 2 * components - euler);
+  return FixedBytes +
+    (BytesOfSample + BytesOfWord * static_cast<double>((rank + 63) / 64)) *
+    static_cast<double>(samples.Points.size());
+}
+
 }
 
 /// Everything known about a surface. Built in order, since each part refers to those before.
@@ -157,31 +109,23 @@ struct ChokingAnalysis
     }
   }
 
-  /// Handles and tunnels that the samples did not determine, from tetrahedra that conform to
-  /// `surface`.
-  void Complete(const SurfaceView& surface, ConformingMesh* mesh, const ProgressCallback& progress)
+  /// Handles and tunnels that the samples did not determine.
+  void Complete()
   {
-    if (AllResolved(this->Found))
-    {
-      return;
-    }
     try
     {
-      CompleteGenerators(this->Context, surface, this->Found, progress, mesh);
+      if (!CompleteGenerators(this->Context, this->Found))
+      {
+        return;
+      }
       this->Remark = "Some handles or tunnels are narrower than the sampling error: they are "
                      "marked as not trusted, and their radius is an upper bound. Lower the sample "
                      "spacing to measure it.";
     }
-    catch (const Cancelled&)
+    catch (const std::runtime_error& error)
     {
-      throw;
-    }
-    catch (const std::exception& error)
-    {
-      this->Remark = std::string("Some handles or tunnels are narrower than the sampling error, "
-                                 "and could not be found on the surface itself: their number and "
-                                 "side are not guaranteed. ") +
-        error.what();
+      this->Remark =
+        std::string("Number and side of handles and tunnels are not guaranteed. ") + error.what();
     }
   }
 
@@ -258,7 +202,6 @@ struct ChokingAnalysis
   void MeasureOn(const FineSurface& fine, double accuracy)
   {
     std::vector<ShapeFeature>& features = this->Found.Diagram.Features;
-    this->IsMeasured.assign(features.size(), 0);
     ParallelFor(0, static_cast<std::int64_t>(features.size()), 1,
       [&](std::int64_t begin, std::int64_t end)
       {
@@ -280,10 +223,10 @@ struct ChokingAnalysis
           }
           if (choke)
           {
+            f.Narrowed = f.Radius() - choke->Radius;
             (f.Dimension == 1 ? f.PairDeath : f.PairBirth) = choke->Radius;
             f.Error = std::sqrt(choke->Radius * choke->Radius - choke->Lower * choke->Lower);
             this->Found.Centers[i] = choke->Center;
-            this->IsMeasured[i] = 1;
           }
         }
       });
@@ -336,8 +279,7 @@ struct ChokingAnalysis
     {
       const ShapeFeature& f = this->Found.Diagram.Features[i];
       const bool isUnresolved = this->IsUnresolved(i);
-      if (isUnresolved ||
-        (!this->IsMeasured[i] && this->Counts(f) && ComputeUncertainty(f) > accuracy * f.Radius()))
+      if (isUnresolved || (this->Counts(f) && ComputeUncertainty(f) > accuracy * f.Radius()))
       {
         wanted.push_back(
           { this->Found.Centers[i], isUnresolved ? 2.0 * f.Radius() + f.Error : 1.3 * f.Radius(),
@@ -362,10 +304,8 @@ struct ChokingAnalysis
   std::map<std::pair<std::size_t, bool>, std::optional<Membrane>> MinimumCuts;
   std::mutex Mutex; ///< for membranes that are computed on demand
   ChokingLoopTimes Times;
-  AnalysisCost Cost;
   RepairReport Repairs;
   std::vector<Point3> DeathCenters;  ///< of voids
-  std::vector<char> IsMeasured;      ///< features measured on Fine
   std::unique_ptr<FineSurface> Fine; ///< with more points than Samples; null: they are the same
   std::string Remark;
 };
@@ -387,33 +327,6 @@ bool IsInVain(std::size_t before, std::size_t left)
   return 2 * left > before || (before > ManyPlaces && left <= ManyPlaces);
 }
 
-/// Estimated cost of the samples of round `round` from the previous rounds; the surface itself has
-/// `own` points.
-AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
-  const ChokingLoopTimes& times, int round, std::size_t own)
-{
-  AnalysisCost cost = EstimateCost(samples);
-  const std::size_t unsettled = CountUnresolved(before.Found);
-  cost.LearnFrom(before.Cost, times.LastRound);
-  if (unsettled > (round < Rounds ? ManyPlaces : 0))
-  {
-    cost.ExpectCompletion(own);
-  }
-  return cost;
-}
-
-/// Does `before` leave handles or tunnels that the next round may not determine either? If so,
-/// TetGen runs concurrently with it if memory allows both.
-bool MayNeedCompletion(
-  const ChokingAnalysis& before, AnalysisCost cost, std::size_t own, int memoryLimit)
-{
-  if (cost.Own == 0)
-  {
-    cost.ExpectCompletion(own);
-  }
-  return CountUnresolved(before.Found) > 0 && MemoryBudget(memoryLimit).Allows(cost.Bytes);
-}
-
 }
 
 ChokingLoops::ChokingLoops(
@@ -431,38 +344,32 @@ ChokingLoops::ChokingLoops(
   const std::size_t own = surface.Points.size();
   SurfaceSamples samples;
   samples.Mesh = FirstSamples(surface, spacing, Between(progress, 0.2, 0.22));
-  // A surface that is as fine as its samples is not stored twice.
-  if (samples.Mesh.Triangles.size() == surface.Triangles.size())
-  {
-    surface = {};
-  }
+  surface = {};
   std::unique_ptr<FineSurface> fine;
-  if (automatic && parameters.Accuracy > 0.0 && own > MostUsualSamples)
+  if (automatic && own > MostUsualSamples)
   {
     fine = std::make_unique<FineSurface>(
       std::move(samples.Mesh), spacing, parameters.AllowSelfIntersections);
     samples = fine->Sample(Between(progress, 0.22, 0.25));
-    surface = {};
   }
   times.Sampling = watch.Lap();
-  std::optional<ConformingMesh> conforming; // made while a finer sampling is analysed
-  std::size_t before = 0;                   // places that the previous round left unresolved
-  AnalysisCost cost = EstimateCost(samples.Mesh);
-  MemoryBudget(parameters.MemoryLimit)
-    .Require(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
-      "raise SampleSpacing or simplify the surface");
+  std::size_t before = 0; // places that the previous round left unresolved
+  const MemoryBudget budget(parameters.MemoryLimit);
+  budget.Require(EstimateBytes(samples.Mesh),
+    "The analysis of " + std::to_string(samples.Mesh.Points.size()) + " samples",
+    "raise SampleSpacing or simplify the surface");
   for (int round = 0;; ++round)
   {
     // Later rounds are rare: each takes half of the remaining progress.
     const double from = 1.0 - 0.75 * std::pow(0.5, round);
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
-    this->AnalyseSamples(std::move(samples), cost, parameters, times, part);
+    this->AnalyseSamples(std::move(samples), times, part);
     if (fine)
     {
       this->State->MeasureOn(*fine, 0.01 * parameters.Accuracy);
     }
-    times.LastRound = watch.Lap();
+    watch.Lap();
     const std::vector<Refinement> blurred = fine
       ? this->State->ImpreciseFeatures(0.01 * parameters.Accuracy)
       : this->State->UnresolvedFeatures();
@@ -480,26 +387,17 @@ ChokingLoops::ChokingLoops(
     }
     else
     {
-      if (surface.Points.empty())
-      {
-        surface = this->State->Samples;
-      }
       samples.Mesh = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
         spacing * std::pow(0.6, Rounds), Between(progress, to, to));
     }
     times.Sampling += watch.Lap();
-    cost = NextCost(samples.Mesh, *this->State, times, round + 1, own);
-    if (samples.Mesh.Points.empty() || !MemoryBudget(parameters.MemoryLimit).Allows(cost.Bytes))
+    if (samples.Mesh.Points.empty() || !budget.Allows(EstimateBytes(samples.Mesh)))
     {
       break; // too expensive: unresolved features stay marked as not trusted
     }
-    if (!fine && !conforming && MayNeedCompletion(*this->State, cost, own, parameters.MemoryLimit))
-    {
-      conforming.emplace(surface);
-    }
   }
-  this->Complete(parameters, surface, own, conforming ? &*conforming : nullptr, times,
-    Between(progress, 0.96, 1.0));
+  this->State->Complete();
+  times.Features += watch.Lap();
   if (fine)
   {
     this->State->SortFeatures();
@@ -510,58 +408,22 @@ ChokingLoops::ChokingLoops(
   Report(progress, 1.0);
 }
 
-void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,
-  std::size_t own, ConformingMesh* mesh, ChokingLoopTimes& times, const ProgressCallback& progress)
-{
-  AnalysisCost& cost = this->State->Cost;
-  if (cost.Own == 0 && !AllResolved(this->State->Found))
-  {
-    cost.ExpectCompletion(own);
-    cost.Seconds = times.LastRound + cost.Completion();
-    if (parameters.Estimated)
-    {
-      parameters.Estimated(cost);
-    }
-  }
-  Stopwatch watch;
-  this->State->Complete(
-    surface.Points.empty() ? SurfaceView(this->State->Samples) : surface, mesh, progress);
-  const double took = watch.Lap();
-  times.Features += took;
-  times.LastRound += took;
-}
-
-void ChokingLoops::AnalyseSamples(SurfaceSamples samples, AnalysisCost cost,
-  const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
-  const ProgressCallback& progress)
+void ChokingLoops::AnalyseSamples(
+  SurfaceSamples samples, ChokingLoopTimes& times, const ProgressCallback& progress)
 {
   Stopwatch watch;
-  const auto tell = [&]
-  {
-    if (parameters.Estimated)
-    {
-      parameters.Estimated(cost);
-    }
-  };
-  tell();
   this->State.reset(); // results of a coarser round
   if (samples.Errors.Point.empty())
   {
     samples.Errors.Point = SamplingErrors(samples.Mesh);
   }
-  CellFiltration filtration = DelaunayFiltration(
-    samples.Mesh.Points, Between(progress, 0.0, 0.6),
-    [&](double seconds)
-    {
-      cost = cost.After(seconds);
-      tell();
-    },
+  samples.Errors.Normal = PointNormals(samples.Mesh);
+  CellFiltration filtration = DelaunayFiltration(samples.Mesh.Points, Between(progress, 0.0, 0.6),
     [&errors = samples.Errors](const SimplexId* corners, std::size_t count)
-    { return errors.Squared(corners, count); });
+    { return errors.SquaredDistance(corners, count); });
   times.Filtration += watch.Lap();
   this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
     std::vector<CellError>{}, std::vector<double>{}, times, Between(progress, 0.6, 1.0));
-  this->State->Cost = cost;
 }
 
 ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& mesh,
@@ -626,11 +488,6 @@ const ChokingLoopTimes& ChokingLoops::Times() const
 const RepairReport& ChokingLoops::Repairs() const
 {
   return this->State->Repairs;
-}
-
-const AnalysisCost& ChokingLoops::Cost() const
-{
-  return this->State->Cost;
 }
 
 double ChokingLoops::LargestError() const

@@ -30,58 +30,8 @@ struct ChokingLoopTimes
   double Filtration = 0.0;
   double Pairing = 0.0;
   double Features = 0.0;
-  double LastRound = 0.0; ///< the part since the last sampling, which AnalysisCost estimates
 };
 
-/**
- * The cost of analysing the samples of a surface: filtration, pairs, features and the loops of
- * handles and tunnels. The cost of drawing selected features afterwards is estimated in
- * LoopDrawing.h.
- *
- * Bytes follow from counts alone. Seconds depend on the machine, its load and the shape, so they
- * are predicted after the samples are triangulated, as multiples of the time of that stage, which
- * reflects all three:
- * - all stages except completion (below) take 3.2 of these units, plus 0.006 for each class of
- *   loops. Both are medians over 25 surfaces and contours. The cost of reducing the classes (0 to
- *   2.5 units, most on noisy contours) and of exact arithmetic for the radii (3 more units on flat
- *   pieces) depends on the shape and hardly changes with finer sampling, so from the second round
- *   on the measured units of the previous round are used instead;
- * - where the samples do not resolve all handles and tunnels, the surface's own points are
- *   tetrahedralized and analysed as well (GeneratorCompletion.h), which takes 11.4 times as long
- *   per point. It is included in the estimate in the last round, and where the previous round left
- *   more than 64 unresolved; otherwise it is predicted once the features are known.
- *
- * Cross-validation (each of the 25 predicted with constants fitted to the other 24): the estimates
- * are 0.53 to 1.28 times the actual CPU time.
- */
-struct AnalysisCost
-{
-  std::size_t Samples = 0;
-  std::size_t Rank = 0;       ///< of H1(M): twice the genus, all components together
-  std::size_t Own = 0;        ///< the surface's own points, if GeneratorCompletion.h uses them
-  double Bytes = 0.0;         ///< at the peak
-  double Triangulation = 0.0; ///< time of the triangulation in seconds
-  double Units = 0.0;         ///< all stages but GeneratorCompletion.h, in triangulations
-  double Seconds = -1.0;      ///< total, with the triangulation; below 0: not known yet
-
-  /// This estimate completed with the measured time of the triangulation.
-  AnalysisCost After(double triangulation) const;
-
-  /// Derives Units from the analysis of the same surface on fewer samples, which took `seconds`
-  /// without GeneratorCompletion.h.
-  void LearnFrom(const AnalysisCost& before, double seconds);
-
-  /// Adds the cost of GeneratorCompletion.h on the surface's own `points`.
-  void ExpectCompletion(std::size_t points);
-
-  /// Estimated time of GeneratorCompletion.h in seconds.
-  double Completion() const;
-};
-
-/// Cost of analysing the samples of a closed surface, without the times. O(n).
-AnalysisCost EstimateCost(const SurfaceView& samples);
-
-class ConformingMesh;
 struct ChokingAnalysis;
 
 /**
@@ -138,9 +88,6 @@ public:
   const SurfaceHomology& Homology() const;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const ChokingLoopTimes& Times() const;
 
-  /// The estimated cost of the work on these samples.
-  const AnalysisCost& Cost() const;
-
   /// The repairs of the surface before the analysis.
   const RepairReport& Repairs() const;
 
@@ -182,12 +129,8 @@ public:
   Point3 ChokePoint(std::size_t feature) const;
 
 private:
-  void AnalyseSamples(SurfaceSamples samples, AnalysisCost cost,
-    const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
-    const ProgressCallback& progress);
-  void Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,
-    std::size_t own, ConformingMesh* mesh, ChokingLoopTimes& times,
-    const ProgressCallback& progress);
+  void AnalyseSamples(
+    SurfaceSamples samples, ChokingLoopTimes& times, const ProgressCallback& progress);
 
   std::unique_ptr<ChokingAnalysis> State;
 };

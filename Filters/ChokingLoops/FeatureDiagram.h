@@ -91,8 +91,9 @@ struct FeatureContext
   /// True for a triangle of the complex that may cross M or be part of it.
   bool IsWall(TriangleId triangle) const
   {
-    return (this->Errors.Point.empty() ? this->Filtration.TriangleFirst
-                                       : this->Filtration.TriangleIndistinct)[triangle] != 0;
+    return this->Errors.Point.empty() ? this->Filtration.TriangleFirst[triangle] != 0
+                                      : this->Filtration.TriangleValue[triangle] <=
+        this->SquaredError(this->Filtration.TrianglePoints(triangle));
   }
 };
 
@@ -182,6 +183,10 @@ struct ShapeFeature
   /// On a mesh: the largest error of the function at radii up to PairDeath. Birth and death are
   /// known up to this error.
   double FunctionError = 0.0;
+  /// On a fine surface: how much smaller the measured Radius() is than the one between the samples
+  /// (ChokingLoops.h). Other narrow places may be as much narrower, so the true radius of a handle
+  /// or tunnel may lie as far below, and that of an additional feature as far above.
+  double Narrowed = 0.0;
   /// The triangle where a ball of radius Radius() gets stuck.
   TriangleId Choke = TriangleId::None();
   double Death = 0.0;
@@ -193,14 +198,15 @@ struct ShapeFeature
   double Persistence() const { return this->Death - this->Birth(); }
 };
 
-/// How far the true radius may lie below Radius() (ShapeFeature::Error). With a function on a mesh:
-/// how far it may lie below or above (ShapeFeature::FunctionError).
+/// How far the true radius may lie below Radius() (ShapeFeature::Error). With a function on a mesh,
+/// or measured on a fine surface: how far it may lie below or above (ShapeFeature::FunctionError,
+/// Narrowed).
 inline double ComputeUncertainty(const ShapeFeature& feature)
 {
   const double d = feature.Radius();
   return feature.FunctionError > 0.0
     ? feature.FunctionError
-    : d - std::sqrt(std::max(0.0, d * d - feature.Error * feature.Error));
+    : feature.Narrowed + d - std::sqrt(std::max(0.0, d * d - feature.Error * feature.Error));
 }
 
 inline bool IsGenerator(const ShapeFeature& feature)

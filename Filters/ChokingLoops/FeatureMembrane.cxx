@@ -431,7 +431,7 @@ std::vector<SimplexId> WithoutDetours(const std::vector<SimplexId>& walk)
 }
 
 /// Loops that go straight from one contact to another (or the same) over an edge and come back: the
-/// shortest of each class that bounds, ascending as the trees grow.
+/// shortest of each accepted class, ascending as the trees grow.
 class LoopsThrough
 {
 public:
@@ -444,7 +444,7 @@ public:
 
   /// Those longer than all previous ones, at most `longest`. @pre The trees reach as far as half of
   /// that.
-  std::vector<Closed> Next(const HomologySpan& bounding, double longest);
+  std::vector<Closed> Next(const AcceptClass& accepts, double longest);
 
 private:
   void Search(double longest);
@@ -514,7 +514,7 @@ std::vector<SimplexId> LoopsThrough::Along(HalfEdgeId over) const
   return WithoutDetours(walk);
 }
 
-std::vector<Closed> LoopsThrough::Next(const HomologySpan& bounding, double longest)
+std::vector<Closed> LoopsThrough::Next(const AcceptClass& accepts, double longest)
 {
   if (!this->One.Lengths().Has(this->Other.Root()))
   {
@@ -524,7 +524,7 @@ std::vector<Closed> LoopsThrough::Next(const HomologySpan& bounding, double long
   std::vector<Closed> loops;
   for (const auto& [c, shortest] : this->Shortest)
   {
-    if (shortest.first > this->Searched && bounding.Contains(c))
+    if (shortest.first > this->Searched && accepts(c))
     {
       loops.push_back({ shortest.first, this->Along(shortest.second) });
     }
@@ -549,12 +549,12 @@ Membrane FanFrom(const FeatureContext& context, const Point3& center, std::vecto
 
 /// Loops that all searches find up to a length, ascending.
 std::vector<Closed> NextLoops(
-  std::vector<LoopsThrough>& searches, const HomologySpan& bounding, double longest)
+  std::vector<LoopsThrough>& searches, const AcceptClass& accepts, double longest)
 {
   std::vector<Closed> loops;
   for (LoopsThrough& search : searches)
   {
-    const auto found = search.Next(bounding, longest);
+    const auto found = search.Next(accepts, longest);
     loops.insert(loops.end(), found.begin(), found.end());
   }
   std::stable_sort(loops.begin(), loops.end(),
@@ -589,6 +589,59 @@ std::deque<Tree> GrowTrees(const FeatureContext& context, const ShapeFeature& f,
   return trees;
 }
 
+/// The search through all contacts of a choke, up to a length that grows.
+class ContactLoops
+{
+public:
+  ContactLoops(
+    const FeatureContext& context, const ShapeFeature& f, AcceptClass accepts, double longest)
+    : Accepts(std::move(accepts))
+    , Longest(longest)
+    , Length(std::clamp(2.0 * Pi * f.Radius(), FirstPart * longest, longest))
+    , Trees(GrowTrees(context, f, 0.5 * this->Length))
+  {
+    for (std::size_t i = 0; i < this->Trees.size(); ++i)
+    {
+      for (std::size_t j = i; j < this->Trees.size(); ++j)
+      {
+        this->Searches.emplace_back(context, this->Trees[i], this->Trees[j]);
+      }
+    }
+  }
+
+  /// Searches the next lengths; false if there are none.
+  bool Grow()
+  {
+    if (this->IsBegun && this->Length >= this->Longest)
+    {
+      return false;
+    }
+    if (this->IsBegun)
+    {
+      this->Length = std::min(this->Longest, Growth * this->Length);
+      for (Tree& tree : this->Trees)
+      {
+        tree.Grow(0.5 * this->Length);
+      }
+    }
+    this->IsBegun = true;
+    this->Loops = NextLoops(this->Searches, this->Accepts, this->Length);
+    return true;
+  }
+
+  /// The loops of these lengths, ascending.
+  const std::vector<Closed>& Found() const { return this->Loops; }
+
+private:
+  AcceptClass Accepts;
+  double Longest;
+  double Length;
+  bool IsBegun = false;
+  std::deque<Tree> Trees;
+  std::vector<LoopsThrough> Searches;
+  std::vector<Closed> Loops;
+};
+
 }
 
 std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
@@ -600,29 +653,29 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
   {
     return {};
   }
-  double length = std::clamp(2.0 * Pi * f.Radius(), FirstPart * longest, longest);
-  std::deque<Tree> trees = GrowTrees(context, f, 0.5 * length);
-  std::vector<LoopsThrough> searches;
-  for (std::size_t i = 0; i < trees.size(); ++i)
-  {
-    for (std::size_t j = i; j < trees.size(); ++j)
-    {
-      searches.emplace_back(context, trees[i], trees[j]);
-    }
-  }
+  ContactLoops search(
+    context, f, [&bounding](const HomologyClass& c) { return bounding.Contains(c); }, longest);
   std::vector<Membrane> membranes;
-  AddShortest(context, features, feature, NextLoops(searches, bounding, length), membranes);
-  while (length < longest && membranes.size() < most)
+  while (membranes.size() < most && search.Grow())
   {
-    length = std::min(longest, Growth * length);
-    for (Tree& tree : trees)
-    {
-      tree.Grow(0.5 * length);
-    }
-    AddShortest(context, features, feature, NextLoops(searches, bounding, length), membranes);
+    AddShortest(context, features, feature, search.Found(), membranes);
   }
   membranes.resize(std::min(membranes.size(), most));
   return membranes;
+}
+
+std::optional<Membrane> EncirclingMembrane(const FeatureContext& context,
+  const ShapeFeature& feature, const Point3& center, const AcceptClass& accepts, double longest)
+{
+  ContactLoops search(context, feature, accepts, longest);
+  while (search.Grow())
+  {
+    if (!search.Found().empty())
+    {
+      return FanFrom(context, center, search.Found().front().Points);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Membrane> ContactMembrane(const FeatureContext& context,

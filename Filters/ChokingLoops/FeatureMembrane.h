@@ -8,6 +8,7 @@
 
 #include "ChokingLoops/FeatureDiagram.h"
 
+#include <functional>
 #include <optional>
 
 namespace isthmus
@@ -112,6 +113,12 @@ HomologySpan BoundingClasses(
  */
 std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
   const LocatedFeatures& features, std::size_t feature, double longest, std::size_t most);
+
+using AcceptClass = std::function<bool(const HomologyClass&)>;
+
+/// The shortest such loop of an accepted class, with the fan from `center`.
+std::optional<Membrane> EncirclingMembrane(const FeatureContext& context,
+  const ShapeFeature& feature, const Point3& center, const AcceptClass& accepts, double longest);
 
 /// The loop along shortest paths of edges from each contact to the next, if it bounds. This is the
 /// last resort, since it may go back and forth. Each path has at most the length `longest`.

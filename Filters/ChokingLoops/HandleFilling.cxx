@@ -253,7 +253,10 @@ public:
     : Result(result)
     , Parameters(parameters)
     , Loops(result.Mesh, WithoutCheck(parameters), Between(progress, 0.0, 0.6))
-    , Space(this->Loops.Samples(), this->Loops.Homology())
+    , Before(result.Mesh)
+    , Adjacency(this->Before)
+    , Homology(this->Adjacency)
+    , Space(this->Before, this->Homology)
     , Now(result.Mesh)
   {
     const std::vector<std::size_t> small = this->Small();
@@ -401,6 +404,9 @@ private:
   FilledSurface& Result;
   const HandleFillingParameters& Parameters;
   ChokingLoops Loops;
+  TriangleMesh Before;
+  SurfaceAdjacency Adjacency;
+  SurfaceHomology Homology;
   EnclosureTest Space;
   Topology Now;
   std::vector<Done> Plates;

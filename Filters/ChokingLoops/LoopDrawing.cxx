@@ -654,25 +654,34 @@ std::vector<SimplexId> WalkOnFine(const ChokingLoops& loops, const std::vector<S
   return WithoutSpikes(walk);
 }
 
-/// Some points of a walk, evenly spread.
-std::vector<SimplexId> SomeOf(const std::vector<SimplexId>& walk, std::size_t count)
+/// The point next to `center` in each of `count` equal parts of a walk.
+std::vector<SimplexId> NearestOfParts(const View<Point3>& points, const Point3& center,
+  const std::vector<SimplexId>& walk, std::size_t count)
 {
-  std::vector<SimplexId> some;
+  std::vector<SimplexId> nearest;
   for (std::size_t i = 0; i < count; ++i)
   {
-    some.push_back(walk[i * walk.size() / count]);
+    const auto from = walk.begin() + static_cast<std::ptrdiff_t>(i * walk.size() / count);
+    const auto to = walk.begin() + static_cast<std::ptrdiff_t>((i + 1) * walk.size() / count);
+    if (from != to)
+    {
+      nearest.push_back(*std::min_element(from, to,
+        [&](SimplexId a, SimplexId b)
+        { return Distance(points[At(a)], center) < Distance(points[At(b)], center); }));
+    }
   }
-  some.erase(std::unique(some.begin(), some.end()), some.end());
-  return some;
+  nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
+  return nearest;
 }
 
-/// Points at which a loop is fixed that would slide off otherwise.
-constexpr std::size_t Fixed = 12;
+/// Numbers of points at which a loop is fixed that would slide off otherwise: the fewer, the
+/// straighter it is.
+constexpr std::array<std::size_t, 3> Fixed{ 3, 6, 12 };
 
-/// The feature with its loops on the fine surface, fixed there or not.
+/// The feature with its loops on the fine surface, each fixed there at `pins` points.
 LoopFeature MovedToFine(const ChokingLoops& loops, const LoopFeature& coarse,
-  const std::vector<std::vector<SimplexId>>& walks, int rounds, bool isFixed,
-  const ProgressCallback& progress)
+  const std::vector<std::vector<SimplexId>>& walks, int rounds, std::size_t pins,
+  const Point3& center, const ProgressCallback& progress)
 {
   const SurfaceAdjacency& surface = loops.Fine()->Adjacency();
   LoopFeature feature = coarse;
@@ -685,8 +694,9 @@ LoopFeature MovedToFine(const ChokingLoops& loops, const LoopFeature& coarse,
     SurfaceCurve curve;
     if (rounds > 0)
     {
-      curve = isFixed
-        ? ShortenPinned(surface, walks[i], SomeOf(walks[i], Fixed), parameters, progress)
+      curve = pins > 0
+        ? ShortenPinned(surface, walks[i],
+            NearestOfParts(surface.Mesh().Points, center, walks[i], pins), parameters, progress)
         : ShortenLoop(surface, walks[i], parameters, progress);
     }
     std::vector<SimplexId> loop;
@@ -726,16 +736,27 @@ LoopFeature DrawnOnFine(const ChokingLoops& loops, std::size_t index, const Loop
       return coarse;
     }
   }
+  const Point3 center = loops.ChokePoint(index);
+  const bool belongs = BelongsToChokePoint(loops, index, coarse);
   if (!coarse.Held && !coarse.Collapsed)
   {
-    LoopFeature feature = MovedToFine(loops, coarse, walks, rounds, false, progress);
-    if (!feature.Collapsed &&
-      (BelongsToChokePoint(loops, index, feature) || !BelongsToChokePoint(loops, index, coarse)))
+    LoopFeature feature = MovedToFine(loops, coarse, walks, rounds, 0, center, progress);
+    if (!feature.Collapsed && (BelongsToChokePoint(loops, index, feature) || !belongs))
     {
       return feature;
     }
   }
-  return MovedToFine(loops, coarse, walks, coarse.Collapsed ? 0 : rounds, true, progress);
+  LoopFeature feature;
+  for (const std::size_t pins : Fixed)
+  {
+    feature =
+      MovedToFine(loops, coarse, walks, coarse.Collapsed ? 0 : rounds, pins, center, progress);
+    if (coarse.Collapsed || !belongs || BelongsToChokePoint(loops, index, feature))
+    {
+      break;
+    }
+  }
+  return feature;
 }
 
 }
@@ -755,44 +776,6 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
 namespace
 {
 
-/// A smaller sample does not predict the others.
-constexpr std::size_t LeastSample = 24;
-
-/// One out of this number is drawn first.
-constexpr std::size_t SampleShare = 4;
-
-}
-
-DrawingCost DrawingCost::After(std::size_t done, std::size_t count, double seconds)
-{
-  const std::size_t left = count - done;
-  return { left,
-    done == 0 ? 0.0 : seconds * static_cast<double>(left) / static_cast<double>(done) };
-}
-
-std::vector<std::size_t> SampledFirst(std::size_t count, std::size_t& sample)
-{
-  sample = std::min(count, std::max(LeastSample, count / SampleShare));
-  std::vector<std::size_t> order;
-  std::vector<char> isFirst(count, 0);
-  for (std::size_t i = 0; i < sample; ++i)
-  {
-    order.push_back((2 * i + 1) * count / (2 * sample)); // the middles of as many equal parts
-    isFirst[order.back()] = 1;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (!isFirst[i])
-    {
-      order.push_back(i);
-    }
-  }
-  return order;
-}
-
-namespace
-{
-
 /// Tasks of very different lengths, each run by the first thread that is free: with fixed shares,
 /// all would wait for the one that has the longest task.
 class TaskRun
@@ -807,19 +790,15 @@ public:
   {
   }
 
-  /// Tasks in their order on the calling thread. After `sample` of them, if others remain, calls
-  /// sampled(seconds).
-  void Alone(std::size_t sample, const std::function<void(double)>& sampled,
-    const ProgressCallback& progress);
+  /// Tasks in their order on the calling thread.
+  void Alone(const ProgressCallback& progress);
 
-  /// The same on as many threads; both callbacks are called on the calling thread.
-  void On(std::size_t threads, std::size_t sample, const std::function<void(double)>& sampled,
-    const ProgressCallback& progress);
+  /// The same on as many threads; `progress` is called on the calling thread.
+  void On(std::size_t threads, const ProgressCallback& progress);
 
 private:
   void Work();
-  void Watch(std::size_t sample, const std::function<void(double)>& sampled,
-    const ProgressCallback& progress);
+  void Watch(const ProgressCallback& progress);
   void Stop()
   {
     this->IsStopped = true;
@@ -835,23 +814,16 @@ private:
   std::atomic<bool> IsStopped{ false };
   std::mutex Mutex; ///< of the members below
   std::condition_variable Changed;
-  std::vector<double> Done; ///< for each finished task, ascending: seconds since the start
+  std::size_t Done = 0;
   std::exception_ptr Failure;
-  Stopwatch Clock;
-  double Passed = 0.0; ///< on it
 };
 
-void TaskRun::Alone(
-  std::size_t sample, const std::function<void(double)>& sampled, const ProgressCallback& progress)
+void TaskRun::Alone(const ProgressCallback& progress)
 {
   const auto part = [this](std::size_t i)
   { return static_cast<double>(i) / static_cast<double>(this->Count); };
   for (std::size_t i = 0; i < this->Count; ++i)
   {
-    if (i == sample)
-    {
-      sampled(this->Clock.Lap());
-    }
     const auto own = Between(progress, part(i), part(i + 1));
     Report(own, 0.0);
     this->Do(i, own);
@@ -875,35 +847,25 @@ void TaskRun::Work()
     }
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Failure = this->Failure ? this->Failure : failure;
-    this->Passed += this->Clock.Lap();
-    this->Done.push_back(this->Passed);
+    ++this->Done;
     this->Changed.notify_one();
   }
 }
 
-void TaskRun::Watch(
-  std::size_t sample, const std::function<void(double)>& sampled, const ProgressCallback& progress)
+void TaskRun::Watch(const ProgressCallback& progress)
 {
-  bool isSampled = sample >= this->Count;
   std::unique_lock<std::mutex> lock(this->Mutex);
-  while (!this->IsStopped && this->Done.size() < this->Count)
+  while (!this->IsStopped && this->Done < this->Count)
   {
     this->Changed.wait_for(lock, Beat);
-    const std::size_t done = this->Done.size();
-    const double seconds = isSampled || done < sample ? 0.0 : this->Done[sample - 1];
+    const std::size_t done = this->Done;
     lock.unlock();
-    if (!isSampled && done >= sample)
-    {
-      isSampled = true;
-      sampled(seconds);
-    }
     Report(progress, static_cast<double>(done) / static_cast<double>(this->Count));
     lock.lock();
   }
 }
 
-void TaskRun::On(std::size_t threads, std::size_t sample,
-  const std::function<void(double)>& sampled, const ProgressCallback& progress)
+void TaskRun::On(std::size_t threads, const ProgressCallback& progress)
 {
   std::vector<std::thread> running;
   std::exception_ptr stopped;
@@ -913,7 +875,7 @@ void TaskRun::On(std::size_t threads, std::size_t sample,
     {
       running.emplace_back([this] { this->Work(); });
     }
-    this->Watch(sample, sampled, progress);
+    this->Watch(progress);
   }
   catch (...)
   {
@@ -930,8 +892,7 @@ void TaskRun::On(std::size_t threads, std::size_t sample,
 }
 
 void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features, int rounds,
-  DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated,
-  const ProgressCallback& progress, MembraneMethod method)
+  DrawnFeatures& drawn, const ProgressCallback& progress, MembraneMethod method)
 {
   Report(progress, 0.0); // even if nothing is missing: an abort may have been requested already
   std::vector<std::size_t> missing;
@@ -939,34 +900,25 @@ void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features,
     [&](std::size_t feature) {
       return drawn.count({ feature, rounds }) == 0;
     });
-  std::size_t sample = 0;
-  const std::vector<std::size_t> order = SampledFirst(missing.size(), sample);
-  std::vector<std::optional<LoopFeature>> made(order.size());
+  std::vector<std::optional<LoopFeature>> made(missing.size());
   const auto keep = [&]
   {
     for (std::size_t i = 0; i < made.size(); ++i)
     {
       if (made[i])
       {
-        drawn.emplace(std::make_pair(missing[order[i]], rounds), std::move(*made[i]));
+        drawn.emplace(std::make_pair(missing[i], rounds), std::move(*made[i]));
       }
     }
   };
-  TaskRun run(order.size(),
+  TaskRun run(missing.size(),
     [&](std::size_t i, const ProgressCallback& part)
-    { made[i] = MakeLoopFeature(loops, missing[order[i]], rounds, part, {}, method); });
-  const auto sampled = [&](double seconds)
-  {
-    if (estimated)
-    {
-      estimated(DrawingCost::After(sample, order.size(), seconds));
-    }
-  };
+    { made[i] = MakeLoopFeature(loops, missing[i], rounds, part, {}, method); });
   const std::size_t threads =
-    std::min(order.size(), static_cast<std::size_t>(std::max(1, ParallelThreads())));
+    std::min(missing.size(), static_cast<std::size_t>(std::max(1, ParallelThreads())));
   try
   {
-    threads < 2 ? run.Alone(sample, sampled, progress) : run.On(threads, sample, sampled, progress);
+    threads < 2 ? run.Alone(progress) : run.On(threads, progress);
   }
   catch (const Cancelled&)
   {

@@ -149,48 +149,21 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t feature, int rounds
   MembraneMethod method = MembraneMethod::Automatic);
 
 // ------------------------------------------------------------------------------------------
-// Loops of many features, and the estimated time to draw them.
-
-/// The number of loops still to be drawn, and the estimated time.
-struct DrawingCost
-{
-  std::size_t Loops = 0;
-  double Seconds = 0.0;
-
-  /// The estimate after `done` of `count` features, in the order of SampledFirst(), took `seconds`.
-  static DrawingCost After(std::size_t done, std::size_t count, double seconds);
-};
-
-/**
- * Indices of `count` features in drawing order: first a sample spread evenly over them, then the
- * others. `sample` is set to the size of the sample: a quarter, but at least 24, or all if there
- * are fewer.
- *
- * The time of a single loop cannot be predicted (milliseconds for a loop on a neck, a thousand
- * times as long for one that slides off), but a mean can be estimated from a sample. The standard
- * deviation of the times is 1.4 to 3 times their mean (twelve surfaces and noisy contours), so that
- * of the mean of 24 of them is 0.3 to 0.6 times the mean. A factor of two is not guaranteed: the
- * distribution is skewed, so the estimate is more often too low than too high (on noisy contours
- * 0.36 to 0.93 times the actual time).
- */
-std::vector<std::size_t> SampledFirst(std::size_t count, std::size_t& sample);
+// Loops of many features.
 
 /// Key: feature and rounds of shortening.
 using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
 
 /**
- * Draws the loops of those `features` (MakeLoopFeature()) that are not in `drawn` yet. If there are
- * more than 24, `estimated` is called once, after a quarter of them or 24, with the remaining
- * number and the estimated time. The result does not depend on the order.
- *
- * Features are drawn on as many threads as ParallelFor() uses, each by the first one that is free;
- * the result is bitwise the same on any number. Callbacks are called on the calling thread.
+ * Draws the loops of those `features` (MakeLoopFeature()) that are not in `drawn` yet, on as many
+ * threads as ParallelFor() uses, each by the first one that is free; the result is bitwise the same
+ * on any number. `progress` is called on the calling thread.
  *
  * @throws Cancelled. What is drawn by then is kept in `drawn`.
  */
 void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features, int rounds,
-  DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated = {},
-  const ProgressCallback& progress = {}, MembraneMethod method = MembraneMethod::Automatic);
+  DrawnFeatures& drawn, const ProgressCallback& progress = {},
+  MembraneMethod method = MembraneMethod::Automatic);
 
 }
 

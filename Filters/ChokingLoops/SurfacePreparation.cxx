@@ -2,6 +2,7 @@
 
 #include "Core/Geometry.h"
 #include "Core/Index.h"
+#include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Remeshing/SelfIntersections.h"
 #include "Remeshing/SurfaceRepair.h"
@@ -476,6 +477,96 @@ void AddPieces(const std::vector<Point3>& points, Triangle t, std::array<std::in
 
 }
 
+namespace
+{
+
+/// Points with errors of about the same size, in cubes whose edges are twice as long or longer; in
+/// each, the largest errors first.
+struct ErrorCubes
+{
+  double Edge = 0.0;
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> Points{};
+
+  /// Of the cube at an offset from that of `p`. Cubes that share a key by chance do no harm.
+  std::uint64_t GetKey(const Point3& p, const std::array<int, 3>& offset) const
+  {
+    constexpr std::array<std::uint64_t, 3> factors{ 0x9e3779b97f4a7c15U, 0xc2b2ae3d27d4eb4fU,
+      0x165667b19e3779f9U };
+    std::uint64_t key = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double place = std::floor(p[k] / this->Edge) + offset[k];
+      key += factors[k] * static_cast<std::uint64_t>(static_cast<std::int64_t>(place));
+    }
+    return key;
+  }
+};
+
+/// For each point: the largest error of a point q that is no farther away than twice that error.
+std::vector<double> LargestWithinReach(
+  const View<Point3>& points, const std::vector<double>& errors)
+{
+  std::map<int, ErrorCubes> sizes;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (errors[p] > 0.0)
+    {
+      const int size = std::ilogb(errors[p]) + 2;
+      ErrorCubes& cubes =
+        sizes.try_emplace(size, ErrorCubes{ std::ldexp(1.0, size) }).first->second;
+      cubes.Points[cubes.GetKey(points[p], {})].push_back(p);
+    }
+  }
+  for (auto& [size, cubes] : sizes)
+  {
+    for (auto& [key, cube] : cubes.Points)
+    {
+      std::sort(cube.begin(), cube.end(),
+        [&errors](std::size_t a, std::size_t b) { return errors[a] > errors[b]; });
+    }
+  }
+  std::vector<double> largest = errors;
+  const auto search = [&](std::size_t p, const std::vector<std::size_t>& cube)
+  {
+    for (const std::size_t q : cube)
+    {
+      const double e = errors[q];
+      if (e <= largest[p])
+      {
+        return;
+      }
+      if (Distance(points[p], points[q]) <= 2.0 * e)
+      {
+        largest[p] = e;
+        return;
+      }
+    }
+  };
+  ParallelFor(0, static_cast<std::int64_t>(points.size()), 1024,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
+      {
+        for (auto size = sizes.rbegin(); size != sizes.rend() && largest[p] < size->second.Edge / 2;
+             ++size)
+        {
+          for (int n = 0; n < 27; ++n)
+          {
+            const auto cube = size->second.Points.find(
+              size->second.GetKey(points[p], { n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1 }));
+            if (cube != size->second.Points.end())
+            {
+              search(p, cube->second);
+            }
+          }
+        }
+      }
+    });
+  return largest;
+}
+
+}
+
 std::vector<double> SamplingErrors(const SurfaceView& mesh)
 {
   std::vector<double> error(mesh.Points.size(), 0.0);
@@ -488,16 +579,7 @@ std::vector<double> SamplingErrors(const SurfaceView& mesh)
       error[At(p)] = std::max(error[At(p)], e);
     }
   }
-  const std::vector<double> own = error;
-  for (const Triangle& t : mesh.Triangles)
-  {
-    const double e = std::max({ own[At(t[0])], own[At(t[1])], own[At(t[2])] });
-    for (const std::int64_t p : t)
-    {
-      error[At(p)] = std::max(error[At(p)], e);
-    }
-  }
-  return error;
+  return LargestWithinReach(mesh.Points, error);
 }
 
 double EdgeLengthFor(const SurfaceView& mesh, double points)

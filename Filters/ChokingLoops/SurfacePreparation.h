@@ -5,6 +5,7 @@
 #ifndef isthmus_SurfacePreparation_h
 #define isthmus_SurfacePreparation_h
 
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
 #include "Persistence/CellFiltration.h"
@@ -63,7 +64,8 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
 
 /**
  * For each point of `mesh`: the largest distance e from a point of a triangle to the nearest corner
- * of that triangle, over the triangles round the point and round its neighbours.
+ * of that triangle, over the triangles round the point and those with a corner within 2 e of it:
+ * the samples nearest to a point of a triangle are at most that far from its corners.
  *
  * For a surface M whose points S are samples, d_M^2 <= d_S^2 <= d_M^2 + e^2 everywhere: a feature
  * of S with death^2 - birth^2 > e^2 is a feature of M, and a radius d of S corresponds to a radius
@@ -71,12 +73,17 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
  */
 std::vector<double> SamplingErrors(const SurfaceView& mesh);
 
+/// Largest cosine of the angle between normals on opposite sides of a wall or a gap; those at an
+/// edge of the wall are less apart.
+constexpr double OppositeNormals = -0.7;
+
 /// The errors that samples of a surface M cause.
 struct SampleErrors
 {
   std::vector<double> Point; ///< SamplingErrors(); empty if M itself is part of a complex
   /// How far M is from the samples' triangles (AdaptiveSamples.h); empty if they are M.
   std::vector<double> Deviation{};
+  std::vector<Point3> Normal{}; ///< of the samples' triangles at their points
 
   /**
    * The largest possible d_S^2 - d_M^2 (AdaptiveSamples.h) where d_M^2 is `squared`, by the errors
@@ -95,6 +102,24 @@ struct SampleErrors
     }
     // The sampling error of M itself is included in e, so that sqrt(d_M^2 + t^2) is at most this.
     return (1.0 + 1e-7) * (e * e + h * (h + 2.0 * std::sqrt(squared + e * e)));
+  }
+
+  /// The squared distance up to which a simplex is not distinct from M. Below 0 if its corners are
+  /// on opposite sides of a wall or a gap: it is not part of M, however thin that is.
+  double SquaredDistance(const SimplexId* corners, std::size_t count) const
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const Point3& normal = this->Normal[static_cast<std::size_t>(corners[k])];
+      for (std::size_t j = 0; j < k; ++j)
+      {
+        if (Dot(normal, this->Normal[static_cast<std::size_t>(corners[j])]) < OppositeNormals)
+        {
+          return -1.0;
+        }
+      }
+    }
+    return this->Squared(corners, count);
   }
 };
 

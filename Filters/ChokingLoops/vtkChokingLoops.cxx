@@ -41,47 +41,6 @@ namespace
 constexpr double AnalysisPart = 0.9; ///< of the progress bar
 constexpr int ManyRounds = 1000;     ///< in practice, until nothing gets shorter
 
-/// Seconds in words, rounded up to tenths.
-std::string SecondsText(double seconds)
-{
-  return isthmus::FormatNumber(0.1 * std::ceil(10.0 * seconds)) + " s";
-}
-
-constexpr const char* Unsettled = ", including handles or tunnels on the surface's own triangles, "
-                                  "which the samples do not resolve.";
-
-// Estimated costs are for developers: VTK shows the level TRACE only if asked to.
-void LogDrawingCost(const isthmus::DrawingCost& cost)
-{
-  vtkLog(TRACE, << isthmus::JoinText("Choking loops: ", cost.Loops, " features still to be drawn, ",
-                  "about ", SecondsText(cost.Seconds), "."));
-}
-
-/// Logs the minimum memory of an analysis; its time depends on the shape.
-void LogMinimumCost(const isthmus::SurfaceView& surface, double spacing)
-{
-  // Halved edges are three quarters of the spacing long, on average.
-  const double asked =
-    spacing > 0.0 ? 2.0 * std::pow(isthmus::EdgeLengthFor(surface, 1.0) / spacing, 2.0) : 20000.0;
-  const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
-  const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
-  vtkLog(TRACE, << isthmus::JoinText("Choking loops of at least ", whole(samples),
-                  " samples: at least ", whole(50.0 + samples / 400.0), " MiB."));
-}
-
-/// The cost of each round goes to the trace log.
-void LogAnalysisCost(const isthmus::AnalysisCost& cost)
-{
-  if (cost.Seconds < 0.0)
-  {
-    vtkLog(TRACE, << isthmus::JoinText("Choking loops: ", cost.Samples, " samples, about ",
-                    isthmus::MemoryText(cost.Bytes), "."));
-    return;
-  }
-  vtkLog(TRACE, << isthmus::JoinText("Choking loops: from sampling to features about ",
-                  SecondsText(cost.Seconds), " in all", (cost.Own > 0 ? Unsettled : ".")));
-}
-
 }
 
 class vtkChokingLoops::vtkInternals
@@ -194,7 +153,6 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseSurface(
       "(Alpha Shape, Contour).");
   }
   const bool isDelaunay = this->Parameters.Filtration == isthmus::LoopFiltration::Delaunay;
-  LogMinimumCost(triangles, isDelaunay ? this->Parameters.SampleSpacing : 0.0);
   if (this->Parameters.CapHoles)
   {
     isthmus::RepairedSurface repaired =
@@ -207,9 +165,8 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseSurface(
   }
   if (isDelaunay)
   {
-    isthmus::ChokingLoopParameters parameters = this->Parameters;
-    parameters.Estimated = LogAnalysisCost;
-    return std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
+    return std::make_unique<isthmus::ChokingLoops>(
+      std::move(triangles), this->Parameters, progress);
   }
   return isthmus::AnalyseOnTetrahedra(
     std::move(triangles), vtkUnstructuredGrid::SafeDownCast(grid), this->Parameters,
@@ -259,8 +216,8 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
          "filtration lie on the surface. The automatic membranes are used instead.");
   }
   const auto progress = isthmus::Between(isthmus::MakeProgress(this), AnalysisPart, 1.0);
-  isthmus::DrawFeatures(analysis, chosen, rounds, this->Internals->Current().Geometry,
-    LogDrawingCost, progress, method);
+  isthmus::DrawFeatures(
+    analysis, chosen, rounds, this->Internals->Current().Geometry, progress, method);
   std::vector<isthmus::ShownFeature> shown;
   for (const std::size_t feature : chosen)
   {

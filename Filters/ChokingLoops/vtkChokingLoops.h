@@ -35,13 +35,11 @@
  * Needles, double triangles, and parts that touch or cross are repaired if this changes the volume
  * by at most 1 %, with a warning and the field data `Repaired` and `RepairedPlaces`. A surface that
  * is not closed, consistently oriented and finite, or that cannot be repaired, causes an error that
- * names triangles, and the outputs are empty. Handles and tunnels narrower than the sampling error
- * are found on a TetGen mesh of both sides; a warning then says that their `Radius` is an upper
- * bound, or, if TetGen fails, that their number and side are not guaranteed.
+ * names triangles, and the outputs are empty. Of handles and tunnels narrower than the sampling
+ * error, number and side are those of the surface; a warning says that their `Radius` is an upper
+ * bound.
  *
- * The analysis is cached: changes of thresholds, side and shortening do not repeat it. Time is
- * nearly linear, about 30 s and 2.5 GB for a million points on two threads; loops and membranes
- * take little additional time.
+ * The analysis is cached: changes of thresholds, side and shortening do not repeat it.
  */
 #ifndef vtkChokingLoops_h
 #define vtkChokingLoops_h
@@ -213,10 +211,9 @@ public:
   ///@}
 
   ///@{
-  /// 0 (default): every point of the surface is a sample. Above: a surface with more than 40,000
-  /// points is analysed on as few of them as its thickness requires, and the radii of trusted
-  /// features are then measured on the surface itself to this percentage. Has no effect with a
-  /// SampleSpacing.
+  /// Of radii, in percent (default 1). A surface with more than 40,000 points is analysed on as few
+  /// of them as its thickness requires, and the radii of trusted features are then measured on the
+  /// surface itself. With a SampleSpacing every point of the surface is a sample instead.
   ISTHMUS_PARAMETER(Accuracy, double);
   ///@}
 

@@ -2,7 +2,6 @@
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/Stopwatch.h"
 #include "Persistence/ExactOrthosphere.h"
 #include "Persistence/TriangulationCells.h"
 
@@ -291,19 +290,14 @@ void MarkIndistinct(CellFiltration& f, const IndistinctDistance& distance)
 }
 
 CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress,
-  const std::function<void(double seconds)>& triangulated, const IndistinctDistance& indistinct)
+  const IndistinctDistance& indistinct)
 {
   CellFiltration f;
   f.Points = std::move(points);
   {
-    Stopwatch watch;
     Delaunay triangulation;
     Triangulate(f.Points, triangulation, Between(progress, 0.0, 0.4));
     ImportCells(triangulation, f, Between(progress, 0.4, 0.45));
-    if (triangulated)
-    {
-      triangulated(watch.Lap());
-    }
   }
   ReleaseFreeMemory(); // of the triangulation's many small blocks
   f.Connect(Between(progress, 0.45, 0.6));

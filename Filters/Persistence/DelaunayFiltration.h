@@ -32,16 +32,11 @@ using IndistinctDistance = std::function<double(const SimplexId* corners, std::s
  * from the surface that the points were taken from. Triangles with values up to it, their edges and
  * the tetrahedra between them are marked as indistinct.
  *
- * `triangulated` is called with the time of the triangulation, from which the rest can be
- * predicted.
- *
  * `points` are distinct and finite. Throws std::invalid_argument for fewer than four points, or if
  * all lie in one plane. O(n log n) for samples of a surface; about 1.0 KB for each point.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration DelaunayFiltration(std::vector<Point3> points,
-  const ProgressCallback& progress = {},
-  const std::function<void(double seconds)>& triangulated = {},
-  const IndistinctDistance& indistinct = {});
+  const ProgressCallback& progress = {}, const IndistinctDistance& indistinct = {});
 
 }
 

@@ -10,7 +10,7 @@ set(only "")
 if (NOT whole)
   set(only TestParallelFor TestGradientPaths TestSimplexOrder TestStarMatching TestStarDefects
     TestSurfaceToGrid TestDiffusionRows TestCompactCombinatorialMap TestCubicalPersistence
-    TestParallelDrawing TestConformingMesh)
+    TestParallelDrawing)
   list(JOIN only " " only)
 endif ()
 build_sanitized("${folder}" -DISTHMUS_UNIT_SHARE=0 "-DISTHMUS_UNIT_ONLY=${only}"

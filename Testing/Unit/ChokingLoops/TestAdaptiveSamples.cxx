@@ -5,6 +5,7 @@
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
+#include "Core/Index.h"
 #include "Surfaces/TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +20,18 @@ using namespace isthmus::testing;
 namespace
 {
 
-ChokingLoops Analyse(const TriangleMesh& surface, double accuracy)
+/// Every point of the surface is a sample.
+ChokingLoops AnalyseAll(const TriangleMesh& surface)
 {
   ChokingLoopParameters parameters;
-  parameters.Accuracy = accuracy;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      parameters.SampleSpacing = std::max(parameters.SampleSpacing,
+        Distance(surface.Points[At(t[k])], surface.Points[At(t[(k + 1) % 3])]));
+    }
+  }
   return ChokingLoops(surface, parameters);
 }
 
@@ -72,7 +81,7 @@ TEST(AdaptiveSamples, RadiusOfANeckIsTheAnalyticOne)
   {
     const TriangleMesh surface =
       Revolution([neck](double z) { return DumbbellRadius(z, neck); }, -2.0, 2.0, 160, 500);
-    ChokingLoops loops = Analyse(surface, 1.0);
+    ChokingLoops loops{ TriangleMesh(surface) };
     ASSERT_TRUE(loops.Fine());
     EXPECT_LT(loops.Samples().Points.size(), surface.Points.size() / 2);
     const auto radii = Radii(loops, FeatureKind::Additional, SpaceSide::Inside);
@@ -89,7 +98,7 @@ TEST(AdaptiveSamples, RadiusOfANeckIsTheAnalyticOne)
 TEST(AdaptiveSamples, RingHasItsHandleAndTunnel)
 {
   const TriangleMesh surface = Torus(3.0, 1.0, 600, 200);
-  ChokingLoops loops = Analyse(surface, 1.0);
+  ChokingLoops loops{ TriangleMesh(surface) };
   EXPECT_LT(loops.Samples().Points.size(), surface.Points.size() / 4);
   const auto handles = Radii(loops, FeatureKind::Handle, SpaceSide::Inside);
   const auto tunnels = Radii(loops, FeatureKind::Tunnel, SpaceSide::Outside);
@@ -112,7 +121,7 @@ TEST(AdaptiveSamples, ThinHandleOfAThickRingIsTrusted)
     const double radius = 0.5 * ((1.0 + thin) - (1.0 - thin) * p[0] / away);
     p = center + radius * (p - center);
   }
-  const ChokingLoops loops = Analyse(surface, 1.0);
+  const ChokingLoops loops{ TriangleMesh(surface) };
   ASSERT_TRUE(loops.Fine());
   const std::vector<double> errors = SamplingErrors(loops.Samples());
   EXPECT_GT(*std::max_element(errors.begin(), errors.end()), 1.5 * thin);
@@ -126,8 +135,8 @@ TEST(AdaptiveSamples, SameFeaturesAsWithAllPoints)
 {
   const TriangleMesh surface = TangleCube(120);
   ASSERT_GT(surface.Points.size(), MostUsualSamples);
-  const ChokingLoops all = Analyse(surface, 0.0);
-  const ChokingLoops few = Analyse(surface, 1.0);
+  const ChokingLoops all = AnalyseAll(surface);
+  const ChokingLoops few{ TriangleMesh(surface) };
   EXPECT_FALSE(all.Fine());
   ASSERT_TRUE(few.Fine());
   EXPECT_LT(few.Samples().Points.size(), surface.Points.size() / 2);
@@ -149,7 +158,7 @@ TEST(AdaptiveSamples, SameFeaturesAsWithAllPoints)
 
 TEST(AdaptiveSamples, FeaturesAscendByRadius)
 {
-  const ChokingLoops loops = Analyse(TangleCube(120), 1.0);
+  const ChokingLoops loops{ TriangleMesh(TangleCube(120)) };
   const std::vector<ShapeFeature>& features = loops.Diagram().Features;
   EXPECT_TRUE(std::is_sorted(features.begin(), features.end(),
     [](const ShapeFeature& a, const ShapeFeature& b) { return a.Radius() < b.Radius(); }));

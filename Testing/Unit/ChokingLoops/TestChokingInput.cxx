@@ -10,7 +10,6 @@
 #include <vtkChokingLoops.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
-#include <vtkLogger.h>
 #include <vtkSMPTools.h>
 #include <vtkTable.h>
 
@@ -210,35 +209,6 @@ TEST(ChokingInput, HolesAreCappedOnRequestOnly)
   ASSERT_EQ(run.Surface(0)->GetNumberOfCells(), 2);
   EXPECT_EQ(facts->GetArray("NumberOfHandles")->GetTuple1(0), 1.0);
   EXPECT_EQ(facts->GetArray("NumberOfTunnels")->GetTuple1(0), 1.0);
-}
-
-void Append(void* text, const vtkLogger::Message& message)
-{
-  *static_cast<std::string*>(text) += message.message;
-}
-
-TEST(ChokingInput, CostIsEstimatedInTraceLogOnly)
-{
-  std::string log, shown;
-  vtkLogger::AddCallback("cost", Append, &log, vtkLogger::VERBOSITY_TRACE);
-  vtkLogger::AddCallback("shown", Append, &shown, vtkLogger::VERBOSITY_INFO); // the default
-  FilterRun plain(ToPolyData(Ring()));
-  EXPECT_NE(
-    log.find("Choking loops of at least 20000 samples: at least 100 MiB."), std::string::npos)
-    << log;
-  log.clear();
-  FilterRun finer(ToPolyData(Ring()), [](vtkChokingLoops* f) { f->SetSampleSpacing(0.05); });
-  vtkLogger::RemoveCallback("cost");
-  vtkLogger::RemoveCallback("shown");
-  EXPECT_EQ(shown, "");
-  const double samples =
-    finer.Surface(0)->GetFieldData()->GetArray("NumberOfSamples")->GetTuple1(0);
-  const std::string words = "at least ";
-  const auto at = log.find(words);
-  ASSERT_NE(at, std::string::npos) << log;
-  const double estimate = std::stod(log.substr(at + words.size()));
-  EXPECT_GT(estimate, samples / 3.0);
-  EXPECT_LT(estimate, samples * 3.0);
 }
 
 /// Every number of an output's arrays and points.

@@ -90,8 +90,8 @@ INSTANTIATE_TEST_SUITE_P(Counts, SharedSurface,
     Expected{ "skull_low_resolution.obj", 100, 10, 2, -1, -1 },
     Expected{ "65004.stl", 100, 10, 2, -1, -1 }, Expected{ "botijo.off", 100, 10, 5, -1, -1 },
     Expected{ "elk.off", 100, 10, 1, -1, -1 }, Expected{ "fertility.off", 100, 10, 4, -1, -1 },
-    Expected{ "casting.off", 100, 10, 9, -1, -1 }, // thin walls: these two complete generators from
-    Expected{ "1514499.stl", 100, 10, 15, -1, -1 }, // tetrahedra, see GeneratorCompletion
+    Expected{ "casting.off", 100, 10, 9, -1, -1 },  // thin walls: these two complete generators by
+    Expected{ "1514499.stl", 100, 10, 15, -1, -1 }, // the sides of their classes, see SideClasses
     Expected{ "129110__sf.obj", 100, 10, 24, -1, -1 },
     Expected{ "emd_5043.obj", 100, 5, 36, -1, -1 }),
   [](const auto& test)

@@ -1,13 +1,16 @@
 // The sampling density of a surface and its local refinement, by the lengths of the edges; regions
-// that a uniformly finer sampling does not resolve are not refined again.
+// that a uniformly finer sampling does not resolve are not refined again; the memory of the
+// analysis.
 
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
+#include "PeakMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace isthmus;
@@ -162,36 +165,53 @@ TriangleMesh Noise(int n)
     1.0, n);
 }
 
-/// The number of samples in each round of an analysis.
-std::vector<std::size_t> SamplesOfRounds(const TriangleMesh& surface)
+/// The number of samples before and after all rounds of refinement.
+std::pair<std::size_t, std::size_t> SamplesOfRounds(const TriangleMesh& surface)
 {
-  std::vector<std::size_t> samples;
-  ChokingLoopParameters parameters;
-  parameters.Estimated = [&samples](const AnalysisCost& cost)
-  {
-    if (samples.empty() || samples.back() != cost.Samples)
-    {
-      samples.push_back(cost.Samples);
-    }
-  };
-  const ChokingLoops loops(surface, parameters);
-  EXPECT_EQ(loops.Samples().Points.size(), samples.back());
-  return samples;
+  double spacing = 0.0;
+  const std::size_t first = FirstSamples(CheckedSurface(surface, false), spacing).Points.size();
+  return { first, ChokingLoops(surface).Samples().Points.size() };
 }
 
 TEST(ChokingSamples, NoiseIsRefinedEverywhereAtOnce)
 {
-  const std::vector<std::size_t> samples = SamplesOfRounds(Noise(14));
-  ASSERT_EQ(samples.size(), 2U);
-  EXPECT_GT(samples[1], 2 * samples[0]) << "edges of 0.6: 1 / 0.36 times as many";
-  EXPECT_LT(samples[1], 4 * samples[0]);
+  const auto [first, last] = SamplesOfRounds(Noise(14));
+  EXPECT_GT(last, 2 * first) << "edges of 0.6: 1 / 0.36 times as many";
+  EXPECT_LT(last, 4 * first);
 }
 
 TEST(ChokingSamples, StopsAfterARoundThatResolvesLessThanHalf)
 {
-  const std::vector<std::size_t> samples = SamplesOfRounds(Noise(12));
-  ASSERT_EQ(samples.size(), 2U);
-  EXPECT_LT(samples[1], 2 * samples[0]) << "finer in places";
+  const auto [first, last] = SamplesOfRounds(Noise(10));
+  EXPECT_GT(last, first);
+  EXPECT_LT(2 * last, 3 * first) << "finer in places, once";
+}
+
+// A limit of twice the peak allows the analysis, one of half the peak does not.
+TEST(ChokingSamples, MemoryIsEstimatedWithinAFactorOfTwo)
+{
+  TriangleMesh mesh = Torus(1.0, 0.3, 600, 200); // the heap before it is small in comparison
+  for (Point3& p : mesh.Points)
+  {
+    p = (1.0 + 0.05 * std::sin(5.0 * p[0] + 3.0 * p[1]) * std::cos(4.0 * p[1] - p[2])) * p;
+  }
+  ChokingLoopParameters parameters;
+  parameters.SampleSpacing = LongestEdge(mesh); // all points are samples
+  ResetPeakMemory();
+  const double before = PeakMemory();
+  if (before <= 0.0)
+  {
+    GTEST_SKIP() << "The kernel does not tell the peak of a process.";
+  }
+  {
+    const ChokingLoops loops(mesh, parameters);
+    EXPECT_EQ(loops.Samples().Points.size(), mesh.Points.size());
+  }
+  const double peak = (PeakMemory() - before) / (1024.0 * 1024.0);
+  parameters.MemoryLimit = static_cast<int>(2.0 * peak);
+  EXPECT_NO_THROW(ChokingLoops(mesh, parameters));
+  parameters.MemoryLimit = static_cast<int>(0.5 * peak);
+  EXPECT_THROW(ChokingLoops(mesh, parameters), std::exception);
 }
 
 }
