@@ -20,7 +20,6 @@
 
 #include "Atoms/AtomRadii.h"
 #include "Atoms/Ball.h"
-#include "Atoms/PeriodicCell.h"
 #include "Atoms/PolymerAtoms.h"
 #include "vtkIsthmusFiltersAtomsModule.h"
 
@@ -97,14 +96,6 @@ struct MoleculeAtoms
  */
 VTKISTHMUSFILTERSATOMS_EXPORT MoleculeAtoms ReadAtoms(
   vtkDataObject* atoms, const AtomOptions& options);
-
-/**
- * The periodic cell of the atoms: the field array `CellVectors` of vtkMacromoleculeReader. Adds a
- * warning to `warnings` where the field array `SpaceGroup` says that the atoms may be a part of the
- * cell only. Throws std::invalid_argument if there is no cell, or if it is flat.
- */
-VTKISTHMUSFILTERSATOMS_EXPORT PeriodicCell ReadPeriodicCell(
-  vtkDataObject* atoms, std::vector<std::string>& warnings);
 
 /// The charges of `atoms.Kept` in e, from the point array `name` of `input`. Throws
 /// std::invalid_argument if there is no such array of one component, or a charge is not finite.

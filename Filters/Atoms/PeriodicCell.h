@@ -6,11 +6,15 @@
 #define isthmus_PeriodicCell_h
 
 #include "Core/Geometry.h"
+#include "vtkIsthmusFiltersAtomsModule.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
+
+class vtkDataObject;
 
 namespace isthmus
 {
@@ -77,6 +81,14 @@ private:
   std::vector<Point3> Vectors;
   std::vector<Point3> Inverse; ///< rows
 };
+
+/**
+ * The periodic cell of the atoms: the field array `CellVectors` of vtkMacromoleculeReader. Adds a
+ * warning to `warnings` where the field array `SpaceGroup` says that the atoms may be a part of the
+ * cell only. Throws std::invalid_argument if there is no cell, or if it is flat.
+ */
+VTKISTHMUSFILTERSATOMS_EXPORT PeriodicCell ReadPeriodicCell(
+  vtkDataObject* atoms, std::vector<std::string>& warnings);
 
 }
 

@@ -1,5 +1,6 @@
 #include "vtkMolecularPockets.h"
 
+#include "Atoms/PeriodicCell.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/Cached.h"
 #include "Core/GatherRanks.h"

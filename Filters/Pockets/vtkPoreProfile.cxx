@@ -1,6 +1,7 @@
 #include "vtkPoreProfile.h"
 
 #include "Atoms/MoleculeAtoms.h"
+#include "Atoms/PeriodicCell.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/NamedColumns.h"
