@@ -1,9 +1,9 @@
 """Compares the largest balls that fit into zeolites, and get through them, with the Database of Zeolite Structures.
 
-Usage: pvpython zeolites.py FOLDER [--database FILE] [--pyzeo PYTHON] [--each]
+Usage: pvpython zeolites.py [FOLDER] [--database FILE] [--pyzeo PYTHON] [--each]
 
 FOLDER contains iza.csv and a file CODE.cif of each framework with all atoms of its cell (the shared data
-zeolites). --database: the file frameworks.db of the PyPI package zefram, whose frameworks that are not in FOLDER
+zeolites); without it, all frameworks are those of the database. --database: the file frameworks.db of the PyPI package zefram, whose frameworks that are not in FOLDER
 are added, with the symmetry applied. It also says which frameworks are disordered or interrupted; without it, all
 count as ordered. Oxygen has the radius 1.32 angstrom, silicon is dropped, as in the database.
 
@@ -130,13 +130,16 @@ def read_frameworks(folder, database):
         entries = {row[0]: row[1:] for row in
                    sqlite3.connect(database).execute(f"select {columns} from frameworks") if row[3] is not None}
     frameworks = []
-    with open(folder / "iza.csv", newline="") as file:
-        for row in csv.DictReader(file):
-            entry = entries.pop(row["code"], (False, False))
-            known = [float(row["largest_included_sphere_diameter"]),
-                     *(float(row[f"largest_free_sphere_diameter_{side}"]) for side in SIDES)]
-            text = without_silicon((folder / f"{row['code']}.cif").read_text())
-            frameworks.append((row["code"], known, text, not (entry[0] or entry[1]), True))
+    rows = []
+    if folder:
+        with open(folder / "iza.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+    for row in rows:
+        entry = entries.pop(row["code"], (False, False))
+        known = [float(row["largest_included_sphere_diameter"]),
+                 *(float(row[f"largest_free_sphere_diameter_{side}"]) for side in SIDES)]
+        text = without_silicon((folder / f"{row['code']}.cif").read_text())
+        frameworks.append((row["code"], known, text, not (entry[0] or entry[1]), True))
     for code, entry in sorted(entries.items()):
         frameworks.append((code, list(entry[2:6]), with_symmetry(entry[6]), not (entry[0] or entry[1]), False))
     return frameworks
@@ -157,7 +160,7 @@ def share(name, flags):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=Path)
+    parser.add_argument("folder", type=Path, nargs="?")
     parser.add_argument("--database", type=Path)
     parser.add_argument("--pyzeo")
     parser.add_argument("--each", action="store_true")
