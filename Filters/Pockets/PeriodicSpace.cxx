@@ -69,6 +69,7 @@ std::vector<std::size_t> DistinctAtoms(
     }
   }
   std::vector<std::size_t> distinct;
+  distinct.reserve(at.size());
   for (const auto& [place, atom] : at)
   {
     distinct.push_back(atom);

@@ -569,6 +569,7 @@ std::vector<Point3> Refine(const std::vector<Point3>& path, double spacing)
 Pore MeasureClosedWay(const std::vector<Point3>& points, const PeriodicField& field)
 {
   std::vector<double> radii;
+  radii.reserve(points.size());
   for (const Point3& point : points)
   {
     radii.push_back(field.Clearance(point));
