@@ -54,8 +54,7 @@ struct WidestPath
 
 }
 
-CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe,
-  const ProgressCallback& progress)
+CellAccessibility MeasureClearance(const RegularFiltration& f, double probe)
 {
   const CellFiltration& c = f.Complex;
   CellAccessibility access;
@@ -65,10 +64,22 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
     access.CellClearance[cell] = Clearance(f, c.Tetrahedra[cell], c.TetrahedronValue[cell], probe);
   }
   access.TriangleClearance.resize(c.TriangleCount());
-  std::priority_queue<WidestPath> paths;
   for (const TriangleId t : c.Triangles())
   {
     access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
+  }
+  access.Access.assign(c.Tetrahedra.size(), 0.0);
+  return access;
+}
+
+CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe,
+  const ProgressCallback& progress)
+{
+  const CellFiltration& c = f.Complex;
+  CellAccessibility access = MeasureClearance(f, probe);
+  std::priority_queue<WidestPath> paths;
+  for (const TriangleId t : c.Triangles())
+  {
     // Triangles with only one side are the exits: paths start there.
     const auto sides = c.TriangleSides(t);
     if (!sides[0].Exists() || !sides[1].Exists())
@@ -79,7 +90,6 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
   }
   // A path that is not better than one that waits for the same tetrahedron need not wait.
   HandleVector<TetrahedronId, WidestPath> waiting(c.Tetrahedra.size());
-  access.Access.assign(c.Tetrahedra.size(), 0.0);
   access.TowardsOutside.assign(c.Tetrahedra.size(), TriangleId::None());
   std::size_t reached = 0;
   while (!paths.empty())

@@ -29,6 +29,9 @@ struct CellAccessibility
     TowardsOutside; ///< the triangle through which the widest path leaves
 };
 
+/// The clearances, with an access of 0 everywhere. O(n).
+CellAccessibility MeasureClearance(const RegularFiltration& f, double probe);
+
 /// `probe` is the length by which the radii of `f` have been enlarged. O(n log n): one pass of
 /// Dijkstra's algorithm. Of equally wide paths (symmetric molecules), the one whose earliest
 /// triangle enters the filtration last is chosen; then the lower id decides. @throws Cancelled

@@ -8,6 +8,7 @@
 #include "Pockets/CellAccessibility.h"
 #include "Pockets/CellProgress.h"
 #include "Pockets/EmptySpace.h"
+#include "Pockets/PeriodicSpace.h"
 #include "Pockets/PocketScore.h"
 #include "Pockets/PocketSites.h"
 #include "Pockets/SiteCopies.h"
@@ -132,9 +133,8 @@ PocketByCell AddCrevices(const CellFiltration& c, const FacesByCell& faces,
 }
 
 /// Area of a triangle that is not covered by the balls at its corners.
-double OpenArea(const RegularFiltration& f, TriangleId triangle)
+double OpenArea(const RegularFiltration& f, const std::array<SimplexId, 3>& t)
 {
-  const auto t = f.Complex.TrianglePoints(triangle);
   std::array<Point3, 3> corners;
   std::array<double, 3> radii{};
   for (std::size_t k = 0; k < 3; ++k)
@@ -145,15 +145,22 @@ double OpenArea(const RegularFiltration& f, TriangleId triangle)
   return MeasureOpenArea(corners, radii);
 }
 
+/// A triangle through which a ball can leave a pocket.
+struct OpenTriangle
+{
+  std::array<SimplexId, 3> Points; ///< ascending, at the side of the pocket
+  double Clearance;
+};
+
 /// The open triangles of one pocket, in their order, with the group of each.
-std::vector<PocketMouth> Group(
-  const RegularFiltration& f, const CellAccessibility& access, const TriangleChain& open)
+std::vector<PocketMouth> Group(const RegularFiltration& f, const std::vector<OpenTriangle>& open)
 {
   DisjointSets<std::size_t> sets(open.size());
-  std::map<EdgeId, std::size_t> firstAt;
+  std::map<std::pair<SimplexId, SimplexId>, std::size_t> firstAt;
   for (std::size_t i = 0; i < open.size(); ++i)
   {
-    for (const EdgeId edge : f.Complex.TriangleEdges(open[i]))
+    const auto& t = open[i].Points;
+    for (const auto& edge : { std::pair(t[0], t[1]), std::pair(t[0], t[2]), std::pair(t[1], t[2]) })
     {
       sets.Join(firstAt.emplace(edge, i).first->second, i);
     }
@@ -168,16 +175,29 @@ std::vector<PocketMouth> Group(
       mouths.emplace_back();
     }
     PocketMouth& mouth = mouths[number.first->second];
-    const auto t = f.Complex.TrianglePoints(open[i]);
-    const double clearance = access.TriangleClearance[open[i]];
-    mouth.Radius = std::max(mouth.Radius, clearance);
-    mouth.Area += OpenArea(f, open[i]);
+    const auto& t = open[i].Points;
+    mouth.Radius = std::max(mouth.Radius, open[i].Clearance);
+    mouth.Area += OpenArea(f, t);
     mouth.Triangles.push_back({ t[0], t[1], t[2] });
-    mouth.Clearance.push_back(clearance);
+    mouth.Clearance.push_back(open[i].Clearance);
   }
   std::stable_sort(mouths.begin(), mouths.end(),
     [](const PocketMouth& a, const PocketMouth& b) { return a.Radius > b.Radius; });
   return mouths;
+}
+
+/// The points of a triangle, ascending, as corners of the tetrahedron `cell`: in a crystal, those
+/// of the tetrahedron on its other side may be copies.
+std::array<SimplexId, 3> PointsOfFace(
+  const CellFiltration& c, const FacesByCell& faces, TetrahedronId cell, TriangleId triangle)
+{
+  const auto& own = faces[cell];
+  const auto corner =
+    static_cast<std::size_t>(std::find(own.begin(), own.end(), triangle) - own.begin());
+  const auto& t = c.Tetrahedra[cell];
+  std::array<SimplexId, 3> points{ t[(corner + 1) % 4], t[(corner + 2) % 4], t[(corner + 3) % 4] };
+  std::sort(points.begin(), points.end());
+  return points;
 }
 
 /**
@@ -185,11 +205,11 @@ std::vector<PocketMouth> Group(
  * each tetrahedron; with `outOfAll`, out of all pockets); those that share an edge are one mouth.
  * O(n log n).
  */
-void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
-  const PocketByCell& labels, double inner, bool outOfAll, std::vector<Pocket>& pockets,
-  const ProgressCallback& progress)
+void AddMouths(const RegularFiltration& f, const FacesByCell& faces,
+  const CellAccessibility& access, const PocketByCell& labels, double inner, bool outOfAll,
+  std::vector<Pocket>& pockets, const ProgressCallback& progress)
 {
-  HandleVector<PocketNumber, TriangleChain> open(pockets.size());
+  HandleVector<PocketNumber, std::vector<OpenTriangle>> open(pockets.size());
   const auto pocketOf = [&labels](TetrahedronId cell)
   { return cell.Exists() ? labels[cell] : PocketNumber::None(); };
   for (const TriangleId t : f.Complex.Triangles())
@@ -201,18 +221,20 @@ void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
     const bool leads = outOfAll ? a.Exists() != b.Exists() : a != b;
     if (leads && access.TriangleClearance[t] > inner)
     {
-      for (const PocketNumber pocket : { a, b })
+      for (const TetrahedronId side : sides)
       {
+        const PocketNumber pocket = pocketOf(side);
         if (pocket.Exists())
         {
-          open[pocket].push_back(t);
+          open[pocket].push_back(
+            { PointsOfFace(f.Complex, faces, side, t), access.TriangleClearance[t] });
         }
       }
     }
   }
   for (std::size_t i = 0; i < pockets.size(); ++i)
   {
-    pockets[i].Mouths = Group(f, access, open[PocketNumber::At(i)]);
+    pockets[i].Mouths = Group(f, open[PocketNumber::At(i)]);
   }
 }
 
@@ -230,12 +252,11 @@ std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
   return order;
 }
 
-RegularFiltration EnlargedFiltration(const std::vector<Ball>& atoms,
-  const std::vector<std::size_t>& order, const PocketOptions& options,
-  const ProgressCallback& progress)
+/// The atoms in that order. @throws std::invalid_argument for a negative radius.
+std::vector<Ball> OrderedAtoms(
+  const std::vector<Ball>& atoms, const std::vector<std::size_t>& order)
 {
-  std::vector<Point3> centers;
-  std::vector<double> radii;
+  std::vector<Ball> ordered;
   for (const std::size_t i : order)
   {
     if (atoms[i].Radius < 0.0)
@@ -243,8 +264,20 @@ RegularFiltration EnlargedFiltration(const std::vector<Ball>& atoms,
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
         FormatNumber(atoms[i].Radius) + ", but a radius must not be negative.");
     }
-    centers.push_back(atoms[i].Center);
-    radii.push_back(atoms[i].Radius + options.ProbeRadius);
+    ordered.push_back(atoms[i]);
+  }
+  return ordered;
+}
+
+RegularFiltration EnlargedFiltration(
+  const std::vector<Ball>& atoms, const PocketOptions& options, const ProgressCallback& progress)
+{
+  std::vector<Point3> centers;
+  std::vector<double> radii;
+  for (const Ball& atom : atoms)
+  {
+    centers.push_back(atom.Center);
+    radii.push_back(atom.Radius + options.ProbeRadius);
   }
   return MakeRegularFiltration(std::move(centers), std::move(radii), progress, options.Predicted);
 }
@@ -586,6 +619,118 @@ void MeasureWhole(const Space& space, PocketResult& result, const ProgressCallba
   result.UnionArea = whole.Area;
 }
 
+/// For each tetrahedron of a pocket the shift by which it is connected to the others, through
+/// triangles that the probe passes. O(n).
+HandleVector<TetrahedronId, CellShift> ConnectPockets(
+  const PeriodicSpace& crystal, const PocketByCell& labels)
+{
+  const CellFiltration& c = crystal.Filtration.Complex;
+  HandleVector<TetrahedronId, CellShift> shifts(labels.size(), NoCellShift);
+  HandleVector<TetrahedronId, char> isReached(labels.size(), 0);
+  for (const TetrahedronId first : labels.Keys())
+  {
+    std::queue<TetrahedronId> next;
+    const auto reach = [&](TetrahedronId cell, const CellShift& shift)
+    {
+      if (isReached[cell] == 0)
+      {
+        isReached[cell] = 1;
+        shifts[cell] = shift;
+        next.push(cell);
+      }
+    };
+    if (labels[first].Exists())
+    {
+      reach(first, NoCellShift);
+    }
+    for (; !next.empty(); next.pop())
+    {
+      const TetrahedronId cell = next.front();
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const TetrahedronId other = c.Neighbours[cell][k];
+        if (labels[other] == labels[cell] && c.TriangleValue[crystal.Faces[cell][k]] > 0.0)
+        {
+          reach(other, Add(shifts[cell], crystal.Steps[cell][k]));
+        }
+      }
+    }
+  }
+  return shifts;
+}
+
+/// Volumes in one cell.
+void MeasureCrystal(const PeriodicSpace& crystal, const PocketByCell& labels, PocketResult& result)
+{
+  result.HullVolume = crystal.Cell.Volume();
+  for (const TetrahedronId cell : labels.Keys())
+  {
+    const EmptyCell& empty = crystal.Empty[cell];
+    (labels[cell].Exists() ? result.PocketVolume : result.RestVolume) += empty.Volume;
+    result.UnionArea += std::accumulate(empty.Area.begin(), empty.Area.end(), 0.0);
+  }
+  result.FullVolume = result.HullVolume - result.PocketVolume - result.RestVolume;
+  result.UnionVolume = result.FullVolume;
+}
+
+/// The pockets of a crystal, each once: of a pocket without end, the part that one cell has.
+PocketResult FindPocketsOfCrystal(const std::vector<Ball>& atoms,
+  const std::vector<std::size_t>& order, const PocketOptions& options,
+  const ProgressCallback& progress)
+{
+  PeriodicSpace crystal = MakePeriodicSpace(atoms, PeriodicCell(options.Cell), options.ProbeRadius,
+    options.BurialRadius, options.Predicted, Between(progress, 0.0, 0.8));
+  PocketResult result;
+  Space space;
+  space.Access = crystal.Access;
+  space.Empty = crystal.Empty;
+  const CellFiltration& c = crystal.Filtration.Complex;
+  space.Cores = PocketCores(c, space.Access, options);
+  space.Labels = AddCrevices(
+    c, crystal.Faces, space.Access, options.OuterRadius, space.Cores, Between(progress, 0.8, 0.85));
+  MeasureCrystal(crystal, space.Labels, result);
+  const PocketNumber last = *std::max_element(space.Labels.begin(), space.Labels.end());
+  std::vector<Pocket> pockets(last.Exists() ? last.Index() + 1 : 0);
+  space.Filtration = crystal.Filtration;
+  FillCells(space, pockets);
+  // Around the tetrahedra as they are stored all atoms are among the images.
+  FillBurial(c, options.BurialRadius, pockets, Between(progress, 0.85, 0.92));
+  const auto shifts = ConnectPockets(crystal, space.Labels);
+  std::vector<std::size_t> done(pockets.size(), 0);
+  for (const TetrahedronId cell : space.Labels.Keys())
+  {
+    if (space.Labels[cell].Exists())
+    {
+      crystal.Move(cell, shifts[cell]);
+      const std::size_t pocket = space.Labels[cell].Index();
+      PocketCell& moved = pockets[pocket].Cells[done[pocket]++];
+      moved.Center = crystal.Filtration.Centers[cell];
+      const auto& corners = c.Tetrahedra[cell];
+      std::copy(corners.begin(), corners.end(), moved.Atoms.begin());
+    }
+  }
+  space.Filtration = std::move(crystal.Filtration);
+  FillLining(space, false, pockets, Between(progress, 0.92, 0.96));
+  AddMouths(space.Filtration, crystal.Faces, space.Access, space.Labels, options.InnerRadius, false,
+    pockets, Between(progress, 0.96, 1.0));
+  for (std::size_t i = 0; i < crystal.Images.size(); ++i)
+  {
+    result.Copies.push_back(space.Filtration.Complex.Points[i]);
+    result.CopyAtoms.push_back(static_cast<std::int64_t>(order[crystal.Images[i].Atom]));
+  }
+  for (Pocket& pocket : pockets)
+  {
+    ScorePocket(pocket);
+    if (pocket.Volume > 0.0 && pocket.Volume >= options.MinimumVolume)
+    {
+      result.Pockets.push_back(std::move(pocket));
+    }
+  }
+  RankPockets(result.Pockets);
+  Report(progress, 1.0);
+  return result;
+}
+
 }
 
 void Check(const PocketOptions& options)
@@ -606,8 +751,13 @@ PocketResult FindPockets(
 {
   Check(options);
   const std::vector<std::size_t> order = CanonicalOrder(atoms);
+  const std::vector<Ball> ordered = OrderedAtoms(atoms, order);
+  if (!options.Cell.empty())
+  {
+    return FindPocketsOfCrystal(ordered, order, options, progress);
+  }
   Space space;
-  space.Filtration = EnlargedFiltration(atoms, order, options, Between(progress, 0.0, 0.4));
+  space.Filtration = EnlargedFiltration(ordered, options, Between(progress, 0.0, 0.4));
   const CellFiltration& c = space.Filtration.Complex;
   PocketResult result;
   if (c.Tetrahedra.empty())
@@ -651,8 +801,8 @@ PocketResult FindPockets(
     FillBurial(c, options.BurialRadius, pockets, Between(progress, 0.86, 0.92));
   }
   FillLining(space, sites, pockets, Between(progress, 0.92, 0.935));
-  AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, sites, pockets,
-    Between(progress, 0.935, 0.95));
+  AddMouths(space.Filtration, faces, space.Access, space.Labels, options.InnerRadius, sites,
+    pockets, Between(progress, 0.935, 0.95));
   Report(progress, 0.95);
   if (sites)
   {

@@ -32,6 +32,10 @@ struct PocketOptions
   /// ranked by Score.
   const std::vector<SiteAtom>* SiteAtoms = nullptr;
   bool KeepDescriptors = false; ///< SitePlace::Descriptors
+  /// The three vectors of a periodic cell, of which the atoms are the whole content; empty: none.
+  /// A pocket is then space that the outer ball does not reach from infinitely far, and there are
+  /// no sites, since the model knows nothing of neighbours in a crystal.
+  std::vector<Point3> Cell;
   /// Called with the predicted time of the triangulation in seconds (RegularFiltration.h).
   std::function<void(double)> Predicted;
 };
@@ -100,8 +104,11 @@ struct PocketResult
 {
   std::vector<Pocket> Pockets;       ///< or sites; the best first
   std::vector<SitePlace> SitePlaces; ///< all places, if there are sites
-  double UnionVolume = 0.0;          ///< volume of all atoms enlarged by the probe
-  double UnionArea = 0.0;            ///< accessible surface of all atoms
+  /// In a periodic cell the numbers of atoms in the pockets refer to these copies of them.
+  std::vector<Point3> Copies;
+  std::vector<std::int64_t> CopyAtoms; ///< of each copy: its atom
+  double UnionVolume = 0.0;            ///< volume of all atoms enlarged by the probe
+  double UnionArea = 0.0;              ///< accessible surface of all atoms
   double PocketVolume = 0.0; ///< volume of all pockets, including those dropped as too small
   double RestVolume = 0.0;   ///< empty volume of the convex hull outside of all pockets
   double HullVolume = 0.0;   ///< total volume of the tetrahedra

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace isthmus
@@ -54,6 +55,7 @@ struct Pore
   std::vector<PoreSample> Samples;
   std::vector<std::size_t> Bottlenecks; ///< samples that are local minima, the narrowest first
   double Span = 0.0;                    ///< distance between the first and the last sample
+  std::string Direction;                ///< "a", "b" or "c": along that vector of a crystal's cell
 };
 
 }

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <set>
 #include <stdexcept>
+#include <unordered_map>
+#include <utility>
 
 namespace isthmus
 {
@@ -117,9 +120,8 @@ std::vector<Point3> CentersAlong(const RegularFiltration& f, const CellPath& pat
 }
 
 /// The center of the circle that is orthogonal to the balls of a triangle, in its plane.
-Point3 TriangleCenter(const RegularFiltration& f, TriangleId triangle)
+Point3 TriangleCenter(const RegularFiltration& f, const std::array<SimplexId, 3>& t)
 {
-  const auto t = f.Complex.TrianglePoints(triangle);
   const Point3& a = f.Complex.Points[At(t[0])];
   const Point3 u = f.Complex.Points[At(t[1])] - a, v = f.Complex.Points[At(t[2])] - a;
   const auto square = [](double x) { return x * x; };
@@ -142,7 +144,7 @@ Channel Join(const RegularFiltration& f, TriangleId triangle, const CellPath& a,
 {
   Channel channel;
   channel.Radius = radius;
-  const Point3 start = TriangleCenter(f, triangle);
+  const Point3 start = TriangleCenter(f, f.Complex.TrianglePoints(triangle));
   channel.Path = CentersAlong(f, a, radius, start, beyond);
   std::reverse(channel.Path.begin(), channel.Path.end());
   channel.Narrowest = channel.From = channel.Path.size() - 1;
@@ -190,6 +192,135 @@ struct Step
   }
 };
 
+/// A tetrahedron of a crystal, moved by whole cells.
+using MovedCell = std::pair<TetrahedronId, CellShift>;
+
+struct HashOfMovedCell
+{
+  std::size_t operator()(const MovedCell& cell) const
+  {
+    std::size_t hash = cell.first.Index();
+    for (const int shift : cell.second)
+    {
+      hash = 1000003 * hash + static_cast<std::size_t>(shift + 1000);
+    }
+    return hash;
+  }
+};
+
+/// A path that has reached `Cell` at some cost, from the tetrahedron `From` through its face
+/// opposite to `Corner`.
+struct MovedStep
+{
+  double Cost;
+  MovedCell Cell;
+  MovedCell From;
+  std::size_t Corner;
+
+  bool operator<(const MovedStep& other) const
+  {
+    return this->Cost != other.Cost ? this->Cost > other.Cost : this->Cell > other.Cell;
+  }
+};
+
+/// The center of a face's circle, in the stored copy of the tetrahedron; none if the face is
+/// attached: then it is not narrower than the space on both sides of it.
+std::optional<Point3> FaceCenter(const PeriodicSpace& space, const PeriodicFace& face)
+{
+  const RegularFiltration& f = space.Filtration;
+  const auto& t = f.Complex.Tetrahedra[face.Cell];
+  const Point3 center = TriangleCenter(
+    f, { t[(face.Corner + 1) % 4], t[(face.Corner + 2) % 4], t[(face.Corner + 3) % 4] });
+  const auto corner = At(t[(face.Corner + 1) % 4]);
+  const Point3 d = center - f.Complex.Points[corner];
+  const double power = Dot(d, d) - f.Radii[corner] * f.Radii[corner];
+  // The values of copies differ by rounding.
+  constexpr double rounding = 1e-7; // angstrom^2
+  const bool isAttached =
+    power < f.Complex.TriangleValue[space.Faces[face.Cell][face.Corner]] - rounding;
+  return isAttached ? std::nullopt : std::optional<Point3>(center);
+}
+
+}
+
+std::vector<Point3> PathAlongCell(
+  const PeriodicSpace& space, std::size_t axis, const ProgressCallback& progress)
+{
+  const RegularFiltration& f = space.Filtration;
+  const CellFiltration& c = f.Complex;
+  const PeriodicCell& cell = space.Cell;
+  const PeriodicPassage& passage = space.Passages[axis];
+  if (!(passage.Radius > 0.0))
+  {
+    return {};
+  }
+  const auto center = [&](const MovedCell& at)
+  { return f.Centers[at.first] + cell.Vector(at.second); };
+  const MovedCell first(passage.Narrowest.Cell, NoCellShift);
+  std::unordered_map<MovedCell, MovedStep, HashOfMovedCell> reached;
+  reached.emplace(first, MovedStep{ 0.0, first, first, 0 });
+  std::priority_queue<MovedStep> steps;
+  const auto leave = [&](const MovedCell& from, std::size_t corner, double cost)
+  {
+    const MovedCell next(
+      c.Neighbours[from.first][corner], Add(from.second, space.Steps[from.first][corner]));
+    const double width = space.Access.TriangleClearance[space.Faces[from.first][corner]];
+    if (width >= passage.Radius && reached.count(next) == 0)
+    {
+      const double length = Length(center(next) - center(from));
+      steps.push({ cost + (length + 1e-6) / (width * width), next, from, corner });
+    }
+  };
+  leave(first, passage.Narrowest.Corner, 0.0);
+  const auto isGoal = [&](const MovedCell& at)
+  {
+    return at.first == first.first && at.second[axis] != 0 && at.second[(axis + 1) % 3] == 0 &&
+      at.second[(axis + 2) % 3] == 0;
+  };
+  MovedCell last = first;
+  while (!isGoal(last) && !steps.empty())
+  {
+    const MovedStep step = steps.top();
+    steps.pop();
+    if (!reached.emplace(step.Cell, step).second)
+    {
+      continue;
+    }
+    ReportCells(progress, reached.size(), std::max(reached.size(), f.Centers.size()));
+    last = step.Cell;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      leave(step.Cell, corner, step.Cost);
+    }
+  }
+  if (!isGoal(last))
+  {
+    return {};
+  }
+  const std::optional<Point3> narrow = FaceCenter(space, passage.Narrowest);
+  std::vector<Point3> path;
+  if (narrow)
+  {
+    path.push_back(*narrow + cell.Vector(last.second));
+  }
+  path.push_back(center(last));
+  for (MovedCell at = last; at != first;)
+  {
+    const MovedStep& step = reached.at(at);
+    at = step.From;
+    const std::optional<Point3> between =
+      at == first ? narrow : FaceCenter(space, { at.first, step.Corner });
+    if (between)
+    {
+      path.push_back(*between + cell.Vector(at.second));
+    }
+    if (at != first || !narrow)
+    {
+      path.push_back(center(at));
+    }
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility& access,

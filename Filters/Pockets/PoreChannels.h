@@ -5,7 +5,7 @@
 #ifndef isthmus_PoreChannels_h
 #define isthmus_PoreChannels_h
 
-#include "Pockets/CellAccessibility.h"
+#include "Pockets/PeriodicSpace.h"
 #include "Pockets/Pore.h"
 
 namespace isthmus
@@ -35,6 +35,15 @@ struct Channel
  */
 std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility& access,
   double probe, const PoreOptions& options, const ProgressCallback& progress = {});
+
+/**
+ * The path through a crystal from the narrowest place of the widest way along vector `axis` of the
+ * cell to a copy of this place: of the paths as wide as this, the one with the least integral of 1
+ * / clearance^2. Empty if atoms block the way. Between the centers of two tetrahedra there is that
+ * of their triangle, where it is narrower than both.
+ */
+std::vector<Point3> PathAlongCell(
+  const PeriodicSpace& space, std::size_t axis, const ProgressCallback& progress = {});
 
 /**
  * The path from `first` to `last` with the least integral of 1 / clearance^2 among paths no farther

@@ -168,6 +168,8 @@ void FillPoreTable(const PoreReport& report, vtkTable* output)
   const auto add = [&](const char* name, const auto& of)
   { AddComputedColumn<vtkDoubleArray>(data, name, report.Pores, of); };
   AddComputedColumn<vtkIntArray>(data, "PoreId", report.Pores.size(), PoreNumber);
+  AddComputedColumn<vtkStringArray>(
+    data, "Direction", report.Pores, [](const Pore& pore) { return pore.Direction; });
   add("Radius", [](const Pore& pore) { return Narrowest(pore).Radius; });
   add("RadiusError", [](const Pore& pore) { return pore.DipBelowNarrowest(); });
   add("Length", [](const Pore& pore) { return pore.Samples.back().ArcLength; });

@@ -1,5 +1,6 @@
 #include "Pockets/PoreProfile.h"
 
+#include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Pockets/EmptySpace.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -490,6 +492,155 @@ Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3
     course.Planes.push_back({ point + (static_cast<double>(i) * options.Spacing) * along, along });
   }
   return PoreThrough(AtomField(atoms), course, static_cast<std::size_t>(before), point, progress);
+}
+
+namespace
+{
+
+/// Clearances in a crystal, from the atoms around one cell.
+class PeriodicField
+{
+public:
+  PeriodicField(const PeriodicSpace& space, const PeriodicCell& cell)
+    : Space(space)
+    , Cell(cell)
+    , Balls(MakeBalls(space))
+    , Field(Balls)
+  {
+  }
+
+  double Clearance(const Point3& place) const
+  {
+    return this->Field.At(place + this->Cell.Vector(this->IntoCell(place))).Radius;
+  }
+
+  /// Atoms whose surface is within `reach` of `place`.
+  void AddNear(const Point3& place, double reach, std::set<AtomImage>& images) const
+  {
+    const CellShift into = this->IntoCell(place);
+    for (const std::int64_t i : this->Field.Touching(place + this->Cell.Vector(into), reach))
+    {
+      const AtomImage& image = this->Space.Images[static_cast<std::size_t>(i)];
+      images.insert({ image.Atom, Add(image.Shift, Negative(into)) });
+    }
+  }
+
+private:
+  static std::vector<Ball> MakeBalls(const PeriodicSpace& space)
+  {
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < space.Images.size(); ++i)
+    {
+      balls.push_back({ space.Filtration.Complex.Points[i], space.Filtration.Radii[i] - Probe });
+    }
+    return balls;
+  }
+
+  CellShift IntoCell(const Point3& place) const
+  {
+    const Point3 f = this->Cell.Fractions(place);
+    return { -static_cast<int>(std::floor(f[0])), -static_cast<int>(std::floor(f[1])),
+      -static_cast<int>(std::floor(f[2])) };
+  }
+
+  const PeriodicSpace& Space;
+  const PeriodicCell& Cell;
+  std::vector<Ball> Balls;
+  AtomField Field;
+};
+
+/// Points no more than `spacing` apart, including those of the path.
+std::vector<Point3> Refine(const std::vector<Point3>& path, double spacing)
+{
+  std::vector<Point3> points{ path.front() };
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    const Point3 step = path[i + 1] - path[i];
+    const double parts = std::ceil(std::max(1.0, Length(step) / spacing));
+    for (double k = 1.0; k <= parts; ++k)
+    {
+      points.push_back(k == parts ? path[i + 1] : path[i] + (k / parts) * step);
+    }
+  }
+  return points;
+}
+
+/// A closed way, of which the first and the last point are copies, from its widest point on.
+Pore MeasureClosedWay(const std::vector<Point3>& points, const PeriodicField& field)
+{
+  std::vector<double> radii;
+  radii.reserve(points.size());
+  for (const Point3& point : points)
+  {
+    radii.push_back(field.Clearance(point));
+  }
+  const std::size_t count = points.size() - 1;
+  const auto begin =
+    static_cast<std::size_t>(std::max_element(radii.begin(), radii.end() - 1) - radii.begin());
+  const Point3 whole = points.back() - points.front();
+  Pore pore;
+  double length = 0.0;
+  for (std::size_t i = 0; i <= count; ++i)
+  {
+    const std::size_t at = (begin + i) % count;
+    const Point3 center = begin + i < count ? points[at] : points[at] + whole;
+    length += i > 0 ? Length(center - pore.Samples.back().Center) : 0.0;
+    pore.Samples.push_back({ center, radii[at], 0.0, 0.0, length, -1 });
+  }
+  pore.Span = Length(whole);
+  return pore;
+}
+
+}
+
+PeriodicPores FindPeriodicPores(const std::vector<Ball>& atoms, const PeriodicCell& cell,
+  const PoreOptions& options, const ProgressCallback& progress)
+{
+  Check(options);
+  const PeriodicSpace space =
+    MakePeriodicSpace(atoms, cell, Probe, 0.0, options.Predicted, Between(progress, 0.0, 0.6));
+  const PeriodicField field(space, space.Cell);
+  PeriodicPores found;
+  const TetrahedronId widest = space.Widest();
+  found.LargestRadius = space.Access.CellClearance[widest];
+  found.LargestCenter = space.Filtration.Centers[widest];
+  std::set<AtomImage> images;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto share = static_cast<double>(axis) / 3.0;
+    const std::vector<Point3> path =
+      PathAlongCell(space, axis, Between(progress, 0.6 + 0.3 * share, 0.7 + 0.3 * share));
+    if (path.empty())
+    {
+      continue;
+    }
+    found.Pores.push_back(MeasureClosedWay(Refine(path, options.Spacing), field));
+    found.Pores.back().Direction = "abc"[axis];
+    for (const PoreSample& sample : found.Pores.back().Samples)
+    {
+      constexpr double lining = 1.0; // angstrom, more than that of PoreOutput.cxx
+      field.AddNear(sample.Center, sample.Radius + 2.0 * options.Spacing + lining, images);
+    }
+  }
+  for (const AtomImage& image : images)
+  {
+    const auto home = At(space.NumberOfImage.at({ image.Atom, NoCellShift }));
+    found.Images.push_back({ space.Filtration.Complex.Points[home] + space.Cell.Vector(image.Shift),
+      atoms[image.Atom].Radius });
+    found.Atoms.push_back(image.Atom);
+  }
+  const AtomField around(found.Images);
+  for (Pore& pore : found.Pores)
+  {
+    for (PoreSample& sample : pore.Samples)
+    {
+      sample.NearestAtom = around.At(sample.Center, sample.Radius).Atom;
+    }
+    EstimateRadiusErrors(around, pore.Samples, {});
+    pore.Bottlenecks = Bottlenecks(pore.Samples);
+  }
+  Report(progress, 1.0);
+  return found;
 }
 
 }

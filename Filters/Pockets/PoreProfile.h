@@ -12,6 +12,7 @@
 #define isthmus_PoreProfile_h
 
 #include "Atoms/Ball.h"
+#include "Atoms/PeriodicCell.h"
 #include "Core/Progress.h"
 #include "Pockets/Pore.h"
 
@@ -34,6 +35,31 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
  * there is no path; Cancelled. Time: linear in planes and in the atoms near them.
  */
 Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3& direction,
+  const PoreOptions& options, const ProgressCallback& progress = {});
+
+/// The ways through a crystal along the vectors of its cell.
+struct PeriodicPores
+{
+  /// From the widest place of a way to the next copy of it. Its smallest radius is that of the
+  /// largest ball that gets through the crystal along this vector. A blocked one is missing.
+  std::vector<Pore> Pores;
+  /// The atoms around the pores, with copies where the pores are; NearestAtom refers to them.
+  std::vector<Ball> Images;
+  std::vector<std::size_t> Atoms; ///< of each image: its atom in the input
+  double LargestRadius = 0.0;     ///< of the largest ball between the atoms
+  Point3 LargestCenter{ 0.0, 0.0, 0.0 };
+};
+
+/**
+ * The widest ways through a crystal along a, b and c, over all paths from a place to a copy of it
+ * that is displaced by a multiple of this vector (PeriodicSpace.h). Of `options`, Spacing counts.
+ * The radius at each point of the way is that of the largest ball centered there, not in a plane
+ * across it. Exact for atoms of one radius; where radii differ, the way follows the power diagram,
+ * which is not the widest one, but is as wide as stated.
+ *
+ * @throws std::invalid_argument for options and atoms out of range, or no atom; Cancelled.
+ */
+PeriodicPores FindPeriodicPores(const std::vector<Ball>& atoms, const PeriodicCell& cell,
   const PoreOptions& options, const ProgressCallback& progress = {});
 
 }

@@ -1,5 +1,6 @@
 #include "vtkMolecularPockets.h"
 
+#include "Atoms/PeriodicCell.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/Cached.h"
 #include "Core/GatherRanks.h"
@@ -96,6 +97,21 @@ std::vector<isthmus::SiteName> MakeSiteNames(
   return names;
 }
 
+/// The atoms to which the pockets of a crystal refer.
+void TakeCopies(const isthmus::PocketResult& result, isthmus::MoleculeAtoms& atoms)
+{
+  std::vector<isthmus::Ball> balls;
+  std::vector<vtkIdType> points;
+  for (std::size_t i = 0; i < result.Copies.size(); ++i)
+  {
+    const auto atom = static_cast<std::size_t>(result.CopyAtoms[i]);
+    balls.push_back({ result.Copies[i], atoms.Balls[atom].Radius });
+    points.push_back(atoms.Points[atom]);
+  }
+  atoms.Balls = std::move(balls);
+  atoms.Points = std::move(points);
+}
+
 /// The numbers of a surface's point array; empty if it is missing and not required.
 std::vector<double> ReadNumbers(const std::string& name, vtkPolyData* surface, bool required)
 {
@@ -124,7 +140,7 @@ class vtkMolecularPockets::vtkInternals
 {
 public:
   using Key = std::tuple<isthmus::ObjectState, std::string, std::array<double, 5>,
-    std::array<bool, 7>, std::string>;
+    std::array<bool, 8>, std::string>;
   isthmus::Cached<Key, isthmus::PocketResult> Pockets;
 };
 
@@ -311,9 +327,13 @@ void vtkMolecularPockets::Compute(
   options.Predicted = isthmus::WarnAboutLongTriangulation(this);
   isthmus::AtomOptions which = isthmus::SelectPolymer(isthmus::InputArrayName(this, 0), keep);
   which.MinimumConfidence = this->MinimumConfidence;
-  const isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
+  isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
+  if (this->UsePeriodicCell)
+  {
+    options.Cell = isthmus::ReadPeriodicCell(input, atoms.Warnings).GetVectors();
+  }
   const std::vector<isthmus::SiteAtom> siteAtoms = MakeSiteAtoms(atoms);
-  if (this->FindSites && !siteAtoms.empty())
+  if (this->FindSites && !this->UsePeriodicCell && !siteAtoms.empty())
   {
     options.SiteAtoms = &siteAtoms;
     options.KeepDescriptors = this->OutputArrays.Has("SiteDescriptors");
@@ -323,8 +343,8 @@ void vtkMolecularPockets::Compute(
   const vtkInternals::Key key{ isthmus::GetState(input), isthmus::InputArrayName(this, 0),
     { options.ProbeRadius, options.InnerRadius, options.OuterRadius, options.BurialRadius,
       this->MinimumConfidence },
-    { this->FindSites, options.KeepDescriptors, keep.Hydrogens, keep.Waters, keep.Ions,
-      keep.Ligands, keep.ProstheticGroups },
+    { this->FindSites, this->UsePeriodicCell, options.KeepDescriptors, keep.Hydrogens, keep.Waters,
+      keep.Ions, keep.Ligands, keep.ProstheticGroups },
     this->IncludeResidues };
   isthmus::PocketResult result = this->Internals->Pockets.Get(key,
     [&]
@@ -342,6 +362,10 @@ void vtkMolecularPockets::Compute(
   if (options.SiteAtoms)
   {
     isthmus::OrderTiedSites(MakeSiteNames(result.Pockets, atoms), result.Pockets);
+  }
+  if (this->UsePeriodicCell)
+  {
+    TakeCopies(result, atoms);
   }
   std::vector<isthmus::PocketSurfaceMeans> means;
   const bool hasSurface = surface && surface->GetNumberOfPoints() > 0;
@@ -395,6 +419,7 @@ void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumVolume: " << this->GetMinimumVolume() << "\n";
   os << indent << "FindSites: " << this->FindSites << "\n";
   this->OutputArrays.Print(os, indent);
+  os << indent << "UsePeriodicCell: " << this->UsePeriodicCell << "\n";
   os << indent << "UsePolarizedCurvature: " << this->UsePolarizedCurvature << "\n";
   os << indent << "PolarizedArrayName: " << this->PolarizedArrayName << "\n";
   os << indent << "PotentialArrayName: " << this->PotentialArrayName << "\n";

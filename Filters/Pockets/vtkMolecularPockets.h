@@ -109,6 +109,17 @@ public:
   ///@}
 
   ///@{
+  /// Whether the atoms repeat by their periodic cell (field array `CellVectors`): a pocket is then
+  /// space of the crystal that a ball of OuterRadius does not reach from infinitely far, it is
+  /// listed once, and there are no sites. All atoms of the cell must be in the input: that of a
+  /// protein's file holds one asymmetric unit, whose pockets are those of the molecule. Default:
+  /// off.
+  vtkSetMacro(UsePeriodicCell, bool);
+  vtkGetMacro(UsePeriodicCell, bool);
+  vtkBooleanMacro(UsePeriodicCell, bool);
+  ///@}
+
+  ///@{
   /// Whether a surface on input 1 contributes to the score. Default: on.
   vtkSetMacro(UsePolarizedCurvature, bool);
   vtkGetMacro(UsePolarizedCurvature, bool);
@@ -197,6 +208,7 @@ private:
 
   isthmus::PocketOptions Parameters;
   bool FindSites = true;
+  bool UsePeriodicCell = false;
   bool UsePolarizedCurvature = true;
   std::string PolarizedArrayName = "PolarizedCurvature";
   std::string PotentialArrayName = "Potential";

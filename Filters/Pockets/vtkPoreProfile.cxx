@@ -1,14 +1,18 @@
 #include "vtkPoreProfile.h"
 
 #include "Atoms/MoleculeAtoms.h"
+#include "Atoms/PeriodicCell.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/RangeChecks.h"
 #include "Pockets/LongTriangulation.h"
 #include "Pockets/PoreOutput.h"
 #include "Pockets/PoreProfile.h"
 
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -22,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkPoreProfile);
 
@@ -125,6 +130,9 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
     { 1, ArrayPlace::Rows, "Y", 1, "length", ArrayChoice::None, "center of the ball" },
     { 1, ArrayPlace::Rows, "Z", 1, "length", ArrayChoice::None, "center of the ball" },
     { 2, ArrayPlace::Rows, "PoreId", 1, "", ArrayChoice::None, "1 is the longest pore" },
+    { 2, ArrayPlace::Rows, "Direction", 1, "", ArrayChoice::None,
+      "a, b or c: the vector of the cell along which a ball of Radius gets through the crystal; "
+      "empty: other modes than CellVectors" },
     { 2, ArrayPlace::Rows, "Radius", 1, "length", ArrayChoice::None, "the smallest" },
     { 2, ArrayPlace::Rows, "RadiusError", 1, "length", ArrayChoice::None,
       "estimate: the radius between the planes is as small as Radius - RadiusError" },
@@ -137,6 +145,10 @@ const std::vector<isthmus::OutputArray>& vtkPoreProfile::OutputArrayTable()
       "position of the narrowest place" },
     { 2, ArrayPlace::Rows, "BottleneckZ", 1, "length", ArrayChoice::None,
       "position of the narrowest place" },
+    { 2, ArrayPlace::Field, "LargestIncludedRadius", 1, "length", ArrayChoice::None,
+      "of the largest ball between the atoms of a crystal; with CellVectors" },
+    { 2, ArrayPlace::Field, "LargestIncludedCenter", 3, "length", ArrayChoice::None,
+      "its center; with CellVectors" },
     { 3, ArrayPlace::Points, "PoreId", 1, "", ArrayChoice::None, "of the pore" },
     { 3, ArrayPlace::Points, "Rank", 1, "", ArrayChoice::None,
       "1 is the narrowest bottleneck of the pore" },
@@ -260,12 +272,40 @@ void TakeRadiiOfHole(const std::vector<int>& elements, isthmus::MoleculeAtoms& a
   }
 }
 
+/// The pores along the vectors of the cell. `atoms` become those around the pores, with copies.
+std::vector<isthmus::Pore> FindInCrystal(vtkPointSet* input, const isthmus::PoreOptions& options,
+  isthmus::MoleculeAtoms& atoms, vtkTable* table, const isthmus::ProgressCallback& progress)
+{
+  const isthmus::PeriodicCell cell = isthmus::ReadPeriodicCell(input, atoms.Warnings);
+  isthmus::PeriodicPores found = isthmus::FindPeriodicPores(atoms.Balls, cell, options, progress);
+  std::vector<vtkIdType> points;
+  for (const std::size_t atom : found.Atoms)
+  {
+    points.push_back(atoms.Points[atom]);
+  }
+  atoms.Balls = std::move(found.Images);
+  atoms.Points = std::move(points);
+  isthmus::AddColumn<vtkDoubleArray>(
+    table->GetFieldData(), "LargestIncludedRadius", { found.LargestRadius });
+  isthmus::AddTuple<vtkDoubleArray>(
+    table->GetFieldData(), "LargestIncludedCenter", found.LargestCenter);
+  for (const char* direction : { "a", "b", "c" })
+  {
+    if (std::none_of(found.Pores.begin(), found.Pores.end(),
+          [&](const isthmus::Pore& pore) { return pore.Direction == direction; }))
+    {
+      atoms.Notes.push_back(std::string("Atoms block all ways along ") + direction + ".");
+    }
+  }
+  return std::move(found.Pores);
+}
+
 }
 
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
 {
   isthmus::Check(this->Parameters);
-  isthmus::RequireRange("Mode", this->Mode, Automatic, PointAndDirection);
+  isthmus::RequireRange("Mode", this->Mode, Automatic, CellVectors);
   isthmus::RequireRange("RadiusTable", this->RadiusTable, OfInput, Hole);
   isthmus::PolymerOptions keep;
   keep.Hydrogens = this->IncludeHydrogens;
@@ -292,9 +332,11 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
         " apart: channels narrower than that are not found.");
     }
   }
+  const auto progress = isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.95);
   const PoreQuery ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };
-  const auto pores =
-    Find(atoms.Balls, ways, options, isthmus::Between(isthmus::MakeProgress(this), 0.0, 0.95));
+  const auto pores = this->Mode == CellVectors
+    ? FindInCrystal(input, options, atoms, vtkTable::GetData(outputs, 2), progress)
+    : Find(atoms.Balls, ways, options, progress);
   const std::string confidence = Fill({ pores, atoms }, input, outputs);
   if (!confidence.empty())
   {

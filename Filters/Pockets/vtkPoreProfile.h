@@ -14,12 +14,15 @@
  *
  * Mode Automatic finds the channels through the molecule; TwoPoints follows the pore from Point1 to
  * Point2; PointAndDirection uses planes perpendicular to Direction, both ways from Point, as HOLE
- * does. The definitions are in PoreProfile.h and PoreChannels.h.
+ * does. CellVectors finds the widest ways through a crystal along the vectors a, b and c of its
+ * periodic cell (field array `CellVectors`), whose atoms must all be there. The definitions are in
+ * PoreProfile.h and PoreChannels.h.
  *
  * Outputs, whose arrays OutputArrayTable() lists:
  *  - 0: vtkPolyData, one polyline per pore, through the centers of the largest balls;
  *  - 1: vtkTable, the same samples as rows, for a chart;
- *  - 2: vtkTable, one row per pore;
+ *  - 2: vtkTable, one row per pore; with CellVectors its field data have the radius and the center
+ *    of the largest ball between the atoms;
  *  - 3: vtkPolyData, bottlenecks: points at local minima of the radius;
  *  - 4: vtkTable, lining residues: `PoreId` and the columns of vtkMolecularPockets;
  *  - 5: vtkPolyData, tubes with the radii of the pores;
@@ -27,7 +30,8 @@
  *    and `PoreId`.
  *
  * **Errors** (message, empty outputs): missing radii; radii, points or options out of range; no
- * path between the points. A molecule without channels is not an error.
+ * path between the points; no periodic cell for CellVectors. A molecule without channels is not an
+ * error.
  *
  * **Cost.** Linear in planes and in the atoms near them. Results are bitwise the same on any number
  * of threads.
@@ -76,7 +80,8 @@ public:
   {
     Automatic = 0,
     TwoPoints = 1,
-    PointAndDirection = 2
+    PointAndDirection = 2,
+    CellVectors = 3
   };
 
   ///@{

@@ -676,4 +676,20 @@ std::vector<std::array<double, 3>> ReadCIFCell(cif::Block& block)
     : CellVectors(lengths, { angle("angle_alpha"), angle("angle_beta"), angle("angle_gamma") });
 }
 
+std::string ReadCIFSpaceGroup(cif::Block& block)
+{
+  for (const char* tag : { "_symmetry.space_group_name_H-M", "_space_group.name_H-M_alt",
+         "_symmetry_space_group_name_H-M", "_space_group_name_H-M_alt" })
+  {
+    for (const std::string& value : block.find_values(tag))
+    {
+      if (!cif::is_null(value))
+      {
+        return cif::as_string(value);
+      }
+    }
+  }
+  return {};
+}
+
 }

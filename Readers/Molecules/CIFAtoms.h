@@ -68,6 +68,9 @@ CIFAtoms ReadCIFAtoms(gemmi::cif::Block& block, bool withLabels);
 /// The vectors of the cell; empty: there is none.
 std::vector<std::array<double, 3>> ReadCIFCell(gemmi::cif::Block& block);
 
+/// The Hermann-Mauguin symbol of the space group; empty: there is none.
+std::string ReadCIFSpaceGroup(gemmi::cif::Block& block);
+
 }
 
 #endif

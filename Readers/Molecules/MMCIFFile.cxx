@@ -422,10 +422,9 @@ Macromolecule ReadModel(
     return TakeAssembly(*block.Block, model, assembly, path);
   }
   SetStructure(ReadCIFStructure(*block.Block), molecule.Atoms);
-  if (isMacromolecule)
-  {
-    molecule.Cell = ReadCIFCell(*block.Block);
-  }
+  molecule.Cell = ReadCIFCell(*block.Block);
+  molecule.SpaceGroup = ReadCIFSpaceGroup(*block.Block);
+  molecule.MayBeBroken = isMacromolecule; // crystals of small molecules are not simulated
   return std::move(molecule);
 }
 

@@ -58,6 +58,8 @@ struct Macromolecule
   std::int64_t NumberOfModels = 0; ///< in the file
   /// The three vectors of the periodic cell, angstrom; empty if the file has none.
   std::vector<std::array<double, 3>> Cell;
+  std::string SpaceGroup;    ///< Hermann-Mauguin symbol that the file gives; empty: none
+  bool MayBeBroken = true;   ///< at the periodic box, as simulation programs write molecules
   double UnitOfFormat = 1.0; ///< the format's unit of length, angstrom
   std::vector<std::string> Notes;
   std::vector<std::string> Warnings;

@@ -163,7 +163,7 @@ Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& pat
   {
     SortBonds(molecule);
   }
-  if (mayHaveBonds)
+  if (mayHaveBonds && molecule.MayBeBroken)
   {
     MakeMoleculesWhole(molecule, options.BondsByDistance);
   }

@@ -232,6 +232,18 @@ void AddFacts(const Macromolecule& molecule, vtkFieldData* to)
     symbols[static_cast<std::size_t>(element)] = ElementSymbol(element);
   }
   AddSentences(to, "ElementSymbols", symbols);
+  if (molecule.Cell.size() == 3)
+  {
+    auto* vectors = AddArray<vtkDoubleArray>(to, "CellVectors", molecule.Cell.size(), 3);
+    for (std::size_t k = 0; k < molecule.Cell.size(); ++k)
+    {
+      vectors->SetTypedTuple(static_cast<vtkIdType>(k), molecule.Cell[k].data());
+    }
+    if (!molecule.SpaceGroup.empty())
+    {
+      AddSentences(to, "SpaceGroup", { molecule.SpaceGroup });
+    }
+  }
   AddSentences(to, "Notes", molecule.Notes);
   AddSentences(to, "Warnings", molecule.Warnings);
 }

@@ -431,7 +431,9 @@ Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
     ends.push_back(lines.size());
   }
   molecule.Atoms = read(lines, Between(progress, 0.2, 1.0));
-  molecule.Cell = FindCell(split, parts);
+  PDBCell cell = FindCell(split, parts);
+  molecule.Cell = std::move(cell.Vectors);
+  molecule.SpaceGroup = std::move(cell.SpaceGroup);
   std::vector<PDBRun> runs;
   for (std::size_t part = 0, atom = 0; part < parts.size(); ++part)
   {

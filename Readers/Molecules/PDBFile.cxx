@@ -966,7 +966,9 @@ Macromolecule ReadPDBColumns(std::string_view text, const std::string& path,
       {
         report.Note("Predicted model, as its title says: the B factors are confidences (pLDDT).");
       }
-      result.Cell = FindCell(lines, model);
+      PDBCell cell = FindCell(lines, model);
+      result.Cell = std::move(cell.Vectors);
+      result.SpaceGroup = std::move(cell.SpaceGroup);
     }
   }
   result.NumberOfModels = molecule.NumberOfModels;

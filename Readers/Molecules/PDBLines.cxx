@@ -596,7 +596,7 @@ std::vector<PDBModel> FindModels(
   return GroupModels({ lines, atoms }, parts, report);
 }
 
-std::vector<Point3> FindCell(const PDBLines& lines, const PDBModel& model)
+PDBCell FindCell(const PDBLines& lines, const PDBModel& model)
 {
   const PDBRecord* chosen = nullptr;
   for (const PDBRecord& record : lines.Records)
@@ -613,6 +613,7 @@ std::vector<Point3> FindCell(const PDBLines& lines, const PDBModel& model)
     return {};
   }
   constexpr std::array<std::size_t, 7> columns{ 6, 15, 24, 33, 40, 47, 54 };
+  constexpr std::size_t firstOfGroup = 55, lengthOfGroup = 11;
   std::string_view rest = chosen->Line.substr(6);
   bool inColumns = true;
   bool inWords = true;
@@ -625,9 +626,13 @@ std::vector<Point3> FindCell(const PDBLines& lines, const PDBModel& model)
   {
     inWords = inWords && IsNumber(NextWord(rest), numbers[i]);
   }
-  return inColumns || inWords
-    ? CellVectors({ numbers[0], numbers[1], numbers[2] }, { numbers[3], numbers[4], numbers[5] })
-    : std::vector<Point3>();
+  if (!inColumns && !inWords)
+  {
+    return {};
+  }
+  return { CellVectors(
+             { numbers[0], numbers[1], numbers[2] }, { numbers[3], numbers[4], numbers[5] }),
+    inColumns ? std::string(Columns(chosen->Line, firstOfGroup, lengthOfGroup)) : std::string() };
 }
 
 bool AreCombined(const PDBLines& lines, const std::vector<PDBModel>& models)

@@ -96,9 +96,15 @@ extern const PDBAtomText PDBColumnsOfAtoms;
 std::vector<PDBModel> FindModels(const PDBLines& lines, ReadingReport& report,
   const PDBAtomText& atoms = PDBColumnsOfAtoms, ModelCombination combine = ModelCombination::Never);
 
-/// The vectors of the cell that CRYST1 gives: the last one before the atoms of a model, or else the
-/// first one. Empty if there is none, it is a dummy, or it cannot be read.
-std::vector<std::array<double, 3>> FindCell(const PDBLines& lines, const PDBModel& model);
+/// What CRYST1 gives; empty if there is none, it is a dummy, or it cannot be read.
+struct PDBCell
+{
+  std::vector<std::array<double, 3>> Vectors;
+  std::string SpaceGroup;
+};
+
+/// The last record CRYST1 before the atoms of a model, or else the first one.
+PDBCell FindCell(const PDBLines& lines, const PDBModel& model);
 
 /// Whether FindModels has combined the models of a file to one.
 bool AreCombined(const PDBLines& lines, const std::vector<PDBModel>& models);

@@ -1,5 +1,6 @@
 #include "Molecules/PeriodicMolecules.h"
 
+#include "Atoms/PeriodicCell.h"
 #include "Atoms/PointBins.h"
 #include "Core/Geometry.h"
 #include "Core/NumberText.h"
@@ -22,65 +23,11 @@ namespace
 
 constexpr double LongestBond = 2.6;
 
-using Shift = std::array<int, 3>; ///< whole cells along each vector
-
-Shift Add(const Shift& a, const Shift& b)
-{
-  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
-}
-
-Shift Negative(const Shift& a)
-{
-  return { -a[0], -a[1], -a[2] };
-}
-
-constexpr Shift NoShift{ 0, 0, 0 };
-
-class PeriodicCell
-{
-public:
-  explicit PeriodicCell(const std::vector<Point3>& vectors)
-    : Vectors(vectors)
-  {
-    const double volume = Dot(vectors[0], Cross(vectors[1], vectors[2]));
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->Inverse.push_back((1.0 / volume) * Cross(vectors[(k + 1) % 3], vectors[(k + 2) % 3]));
-    }
-  }
-
-  Point3 Fractions(const Point3& place) const
-  {
-    return { Dot(this->Inverse[0], place), Dot(this->Inverse[1], place),
-      Dot(this->Inverse[2], place) };
-  }
-
-  Point3 Vector(const Shift& shift) const
-  {
-    return shift[0] * this->Vectors[0] + shift[1] * this->Vectors[1] + shift[2] * this->Vectors[2];
-  }
-
-  /// Distance of the faces that vector `k` joins.
-  double Height(std::size_t k) const { return 1.0 / Length(this->Inverse[k]); }
-
-  /// The shift of `to` by which it comes nearest to `from`, for points closer than half a cell.
-  Shift NearestImage(const Point3& from, const Point3& to) const
-  {
-    const Point3 f = this->Fractions(from - to);
-    return { static_cast<int>(std::lround(f[0])), static_cast<int>(std::lround(f[1])),
-      static_cast<int>(std::lround(f[2])) };
-  }
-
-private:
-  std::vector<Point3> Vectors;
-  std::vector<Point3> Inverse; ///< rows
-};
-
 /// A bond to atom `To`, moved by `Image` cells.
 struct PeriodicBond
 {
   std::size_t From, To;
-  Shift Image;
+  CellShift Image;
 };
 
 /// Whether atoms may be bonded to images: some are nearly a cell apart.
@@ -113,13 +60,13 @@ std::vector<PeriodicBond> FindPeriodicBonds(const Macromolecule& molecule, const
   const std::size_t count = molecule.Atoms.size();
   std::vector<BondingAtom> atoms; // in the cell, then images beside it
   std::vector<std::size_t> of;
-  std::vector<Shift> moved;
+  std::vector<CellShift> moved;
   atoms.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Atom& atom = molecule.Atoms[i];
     const Point3 f = cell.Fractions(atom.Position);
-    const Shift into{ -static_cast<int>(std::floor(f[0])), -static_cast<int>(std::floor(f[1])),
+    const CellShift into{ -static_cast<int>(std::floor(f[0])), -static_cast<int>(std::floor(f[1])),
       -static_cast<int>(std::floor(f[2])) };
     atoms.push_back({ atom.Position + cell.Vector(into), atom.Element, atom.AltLoc });
     of.push_back(i);
@@ -132,7 +79,7 @@ std::vector<PeriodicBond> FindPeriodicBonds(const Macromolecule& molecule, const
     const Point3 f = cell.Fractions(atoms[i].Position);
     for (int code = 1; code < 27; ++code)
     {
-      const Shift image{ (code % 3 + 1) % 3 - 1, (code / 3 % 3 + 1) % 3 - 1,
+      const CellShift image{ (code % 3 + 1) % 3 - 1, (code / 3 % 3 + 1) % 3 - 1,
         (code / 9 + 1) % 3 - 1 };
       bool isBeside = true;
       for (std::size_t k = 0; k < 3; ++k)
@@ -167,7 +114,7 @@ std::vector<PeriodicBond> FindPeriodicBonds(const Macromolecule& molecule, const
     const auto b = static_cast<std::size_t>(bond.Second);
     const Point3& from = molecule.Atoms[a].Position;
     const Point3& to = molecule.Atoms[b].Position;
-    const Shift image = cell.NearestImage(from, to);
+    const CellShift image = cell.NearestImage(from, to);
     if (bond.FromFile && Distance(from, to + cell.Vector(image)) < longest)
     {
       bonds.push_back({ a, b, image });
@@ -210,7 +157,7 @@ public:
     , Cell(cell)
     , Bonds(std::move(bonds))
     , Residue(NumberResidues(molecule.Atoms))
-    , Shifts(molecule.Atoms.size(), NoShift)
+    , Shifts(molecule.Atoms.size(), NoCellShift)
   {
   }
 
@@ -222,7 +169,7 @@ public:
       {
         const std::size_t a = this->Residue[bond.From];
         const std::size_t b = this->Residue[bond.To];
-        return bond.Image != NoShift && std::max(a, b) - std::min(a, b) <= 1 &&
+        return bond.Image != NoCellShift && std::max(a, b) - std::min(a, b) <= 1 &&
           this->Molecule.Atoms[bond.From].Chain == this->Molecule.Atoms[bond.To].Chain;
       });
   }
@@ -275,7 +222,7 @@ private:
       ++begin[bond.To + 1];
     }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::pair<std::size_t, Shift>> neighbours(2 * this->Bonds.size());
+    std::vector<std::pair<std::size_t, CellShift>> neighbours(2 * this->Bonds.size());
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
     for (const PeriodicBond& bond : this->Bonds)
     {
@@ -298,7 +245,7 @@ private:
         for (std::size_t n = begin[i]; n < begin[i + 1]; ++n)
         {
           const auto& [other, image] = neighbours[n];
-          const Shift shift = Add(this->Shifts[i], image);
+          const CellShift shift = Add(this->Shifts[i], image);
           if (this->ComponentOf[other] == count)
           {
             this->ComponentOf[other] = this->Components.size();
@@ -316,7 +263,7 @@ private:
   /// Most atoms of a molecule stay where they are.
   void Complete(Component& component)
   {
-    std::map<Shift, std::size_t> counts;
+    std::map<CellShift, std::size_t> counts;
     std::vector<std::size_t> residues;
     for (const std::size_t i : component.Atoms)
     {
@@ -327,20 +274,20 @@ private:
     component.Residues =
       static_cast<std::size_t>(std::unique(residues.begin(), residues.end()) - residues.begin());
     component.IsBroken = counts.size() > 1;
-    const Shift most = std::max_element(counts.begin(), counts.end(),
+    const CellShift most = std::max_element(counts.begin(), counts.end(),
       [](const auto& a, const auto& b) {
         return a.second < b.second;
       })->first;
     for (const std::size_t i : component.Atoms)
     {
-      this->Shifts[i] = component.IsInfinite ? NoShift : Add(this->Shifts[i], Negative(most));
+      this->Shifts[i] = component.IsInfinite ? NoCellShift : Add(this->Shifts[i], Negative(most));
     }
   }
 
   std::size_t CountMoved() const
   {
     return static_cast<std::size_t>(std::count_if(this->Shifts.begin(), this->Shifts.end(),
-      [](const Shift& shift) { return shift != NoShift; }));
+      [](const CellShift& shift) { return shift != NoCellShift; }));
   }
 
   void MoveAtoms()
@@ -427,8 +374,8 @@ private:
         {
           bins.emplace(placed, contact);
         }
-        const Shift best = this->BestShift(component, *bins, center, contact);
-        moved += best != NoShift ? 1 : 0;
+        const CellShift best = this->BestShift(component, *bins, center, contact);
+        moved += best != NoCellShift ? 1 : 0;
         this->MoveBy(component, best);
       }
       if (isChain)
@@ -445,10 +392,10 @@ private:
   }
 
   /// The shift with most contacts, none if it has no more than there are now.
-  Shift BestShift(
+  CellShift BestShift(
     const Component& component, const PointBins& bins, const Point3& center, double contact) const
   {
-    const auto count = [&](const Shift& shift)
+    const auto count = [&](const CellShift& shift)
     {
       const Point3 by = this->Cell.Vector(shift);
       std::size_t contacts = 0;
@@ -459,13 +406,13 @@ private:
       }
       return contacts;
     };
-    Shift best = NoShift;
-    std::size_t most = count(NoShift);
-    const Shift middle = this->Cell.NearestImage(center, this->CenterOf(component.Atoms));
+    CellShift best = NoCellShift;
+    std::size_t most = count(NoCellShift);
+    const CellShift middle = this->Cell.NearestImage(center, this->CenterOf(component.Atoms));
     for (int code = 0; code < 27; ++code)
     {
-      const Shift shift = Add(middle, { code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1 });
-      const std::size_t contacts = shift == NoShift ? 0 : count(shift);
+      const CellShift shift = Add(middle, { code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1 });
+      const std::size_t contacts = shift == NoCellShift ? 0 : count(shift);
       if (contacts > most)
       {
         most = contacts;
@@ -475,7 +422,7 @@ private:
     return best;
   }
 
-  void MoveBy(const Component& component, const Shift& shift)
+  void MoveBy(const Component& component, const CellShift& shift)
   {
     const Point3 by = this->Cell.Vector(shift);
     for (const std::size_t i : component.Atoms)
@@ -490,7 +437,7 @@ private:
   {
     for (const PeriodicBond& bond : this->Bonds)
     {
-      if (bond.Image != NoShift && bond.From != bond.To &&
+      if (bond.Image != NoCellShift && bond.From != bond.To &&
         !this->Components[this->ComponentOf[bond.From]].IsInfinite)
       {
         this->Molecule.Bonds.push_back({ static_cast<std::int64_t>(std::min(bond.From, bond.To)),
@@ -504,7 +451,7 @@ private:
   const PeriodicCell& Cell;
   std::vector<PeriodicBond> Bonds;
   std::vector<std::size_t> Residue;
-  std::vector<Shift> Shifts;
+  std::vector<CellShift> Shifts;
   std::vector<Component> Components;
   std::vector<std::size_t> ComponentOf;
 };

@@ -119,6 +119,7 @@ SILENT = {
     ("MolecularFlowSurface", "CoarseToFine"): "a quicker way to a surface that small grids reach at once",
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"
        for name in ("OuterRadius", "ShownPocket", "UsePolarizedCurvature")},
+    ("MolecularPockets", "UsePeriodicCell"): "the hollow ball has no cell: TestPeriodicSpace has crystals",
     ("MolecularPockets", "MinimumVolume"): "sites of any volume are listed: TestPocketSurface has whole pockets",
     **{("MoleculeCartoon", name): "the atoms are one chain without names: TestMoleculeCartoon has each kind of residue"
        for name in ("ComputeSecondaryStructure", "IncludeIons", "IncludeLigands", "IncludeWaters", "RibbonThickness", "RibbonWidth",

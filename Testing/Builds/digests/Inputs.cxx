@@ -197,6 +197,23 @@ vtkAlgorithmOutput* Inputs::PredictedResidue()
     });
 }
 
+vtkAlgorithmOutput* Inputs::Crystal()
+{
+  return this->Keep<vtkMacromoleculeReader>("crystal",
+    [&](vtkMacromoleculeReader* reader)
+    {
+      // Between neighbours on a cubic lattice of 5 angstrom.
+      reader->SetFileName(
+        this
+          ->TextFile("crystal.cif",
+            "data_crystal\n_cell_length_a 5\n_cell_length_b 5\n_cell_length_c 5.5\n"
+            "_symmetry_space_group_name_H-M 'P 1'\nloop_\n_atom_site_label\n"
+            "_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+            "O1 0.5 0 0\nO2 0 0.5 0\nO3 0 0 0.5\n")
+          .c_str());
+    });
+}
+
 vtkAlgorithmOutput* Inputs::Channel()
 {
   return this->Keep<vtkTrivialProducer>("channel",

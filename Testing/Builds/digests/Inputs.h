@@ -48,6 +48,7 @@ public:
   vtkAlgorithmOutput* ChargedProtein();   ///< 1HEW with charges and radii
   vtkAlgorithmOutput* Peptide();          ///< 1A1P, without charges
   vtkAlgorithmOutput* PredictedResidue(); ///< glycine with pLDDT
+  vtkAlgorithmOutput* Crystal();          ///< a framework of oxygen atoms with their cell
   vtkAlgorithmOutput* Channel();          ///< gramicidin with artificial charges; its axis is y
   vtkAlgorithmOutput* Models();           ///< Protein at five times, deformed more and more
   vtkAlgorithmOutput* Fullerene();        ///< C60

@@ -192,6 +192,12 @@ void AddPockets(Cases& cases)
       filter->SetInputConnection(inputs.ChargedProtein());
       filter->SetSurfaceConnection(inputs.PolarizedSurface());
     });
+  AddCase<vtkMolecularPockets>(cases, "crystal",
+    [](vtkMolecularPockets* filter, Inputs& inputs)
+    {
+      filter->SetInputConnection(inputs.Crystal());
+      filter->UsePeriodicCellOn();
+    });
   AddCase<vtkPolarizedCurvature>(cases, "",
     [](vtkPolarizedCurvature* filter, Inputs& inputs)
     {
@@ -200,6 +206,12 @@ void AddPockets(Cases& cases)
     });
   AddCase<vtkPoreProfile>(cases, "",
     [](vtkPoreProfile* filter, Inputs& inputs) { filter->SetInputConnection(inputs.Channel()); });
+  AddCase<vtkPoreProfile>(cases, "crystal",
+    [](vtkPoreProfile* filter, Inputs& inputs)
+    {
+      filter->SetInputConnection(inputs.Crystal());
+      filter->SetMode(vtkPoreProfile::CellVectors);
+    });
 }
 
 }

@@ -21,6 +21,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -246,4 +248,59 @@ TEST(MacromoleculeReader, ReportsProgressAndStops)
   reading.Reader->AddObserver(vtkCommand::ProgressEvent, stop);
   EXPECT_EQ(reading.Read(file.Path())->GetNumberOfPoints(), 0);
   EXPECT_FALSE(reading.Observer->GetError());
+}
+
+// Rows a, b, c. Crystals of small molecules have one as well, but are not made whole by it.
+TEST(MacromoleculeReader, PeriodicCell)
+{
+  const std::string atoms =
+    "ATOM      1  CA  SER A  10       0.000   0.000   0.000  1.00 10.00           C  \n";
+  const std::string cif = "data_x\n_cell_length_a 10\n_cell_length_b 12\n_cell_length_c 14\n"
+                          "_cell_angle_beta 60\n_symmetry_space_group_name_H-M 'P 21/c'\nloop_\n"
+                          "_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n"
+                          "_atom_site_fract_z\nC1 0.01 0.5 0.5\nC2 0.91 0.5 0.5\n";
+  struct Case
+  {
+    std::string Name, Text;
+    std::array<double, 3> C;
+    std::string Group;
+  };
+  const double x = 7.0, z = 7.0 * std::sqrt(3.0);
+  for (const Case& known :
+    { Case{ "cell.pdb",
+        "CRYST1   10.000   12.000   14.000  90.00  60.00  90.00 P 1 21 1      2\n" + atoms,
+        { x, 0.0, z }, "P 1 21 1" },
+      Case{ "plain.pdb", "CRYST1   10.000   12.000   14.000  90.00  60.00  90.00\n" + atoms,
+        { x, 0.0, z }, "" },
+      Case{ "cell.cif", cif, { x, 0.0, z }, "P 21/c" } })
+  {
+    const TemporaryFile file(known.Text, known.Name);
+    Reading reading;
+    vtkPolyData* output = reading.Read(file.Path());
+    vtkDataArray* cell = output->GetFieldData()->GetArray("CellVectors");
+    ASSERT_TRUE(cell) << known.Name;
+    ASSERT_EQ(cell->GetNumberOfTuples(), 3);
+    EXPECT_DOUBLE_EQ(cell->GetComponent(0, 0), 10.0);
+    EXPECT_DOUBLE_EQ(cell->GetComponent(1, 1), 12.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(cell->GetComponent(2, k), known.C.at(static_cast<std::size_t>(k)), 1e-9);
+    }
+    vtkAbstractArray* group = output->GetFieldData()->GetAbstractArray("SpaceGroup");
+    ASSERT_EQ(group != nullptr, !known.Group.empty()) << known.Name;
+    if (group)
+    {
+      EXPECT_EQ(group->GetVariantValue(0).ToString(), known.Group);
+    }
+    if (known.Name == "cell.cif") // one and a half angstrom apart across the face
+    {
+      double p[2][3];
+      output->GetPoint(0, p[0]);
+      output->GetPoint(1, p[1]);
+      EXPECT_NEAR(p[1][0] - p[0][0], 9.0, 1e-9);
+    }
+  }
+  Reading without;
+  const TemporaryFile file(atoms, "none.pdb");
+  EXPECT_EQ(without.Read(file.Path())->GetFieldData()->GetArray("CellVectors"), nullptr);
 }
