@@ -96,6 +96,10 @@ public:
   ParallelBzip2(const ParallelBzip2&) = delete;
   ParallelBzip2& operator=(const ParallelBzip2&) = delete;
 
+  /// The decoder in its present state, to continue from here again; null while blocks that were
+  /// decompressed wait to be returned.
+  std::unique_ptr<ParallelBzip2> Copy() const;
+
   /// Like that of Bzip2Codec, but continues with members that follow immediately; without input (at
   /// the end of the file) it returns the remaining data.
   CodecState Step(

@@ -264,7 +264,7 @@ def check_panel():
     source.UpdatePipeline()
     data = servermanager.Fetch(source)
     assert data.GetDimensions() == (10, 33, 8), data.GetDimensions()
-    assert close(data.GetOrigin(), (30.0, 0.0, 12.0)), data.GetOrigin()
+    assert close(data.GetOrigin(), (30.0, 3.0, 12.0)), data.GetOrigin()
     old = simple.MRCSeriesReader(FileNames=[path])
     old.UpdatePipeline()
     assert servermanager.Fetch(old).GetPointData().GetArray("Density")
