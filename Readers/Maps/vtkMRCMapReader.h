@@ -43,8 +43,8 @@
  * the file and what is wrong, the output is empty, and an error code of vtkErrorCode is set.
  *
  * **Cost.** Reading takes one pass over the required bytes, in parallel, without a copy for float
- * maps in the byte order of this machine. Pieces (update extents) and CropExtent leave the rest of a
- * plain file unread. A compressed file is decompressed up to the last node needed (twice with
+ * maps in the byte order of this machine. Pieces (update extents) and CropExtent leave the rest of
+ * a plain file unread. A compressed file is decompressed up to the last node needed (twice with
  * SampleRate), the first time from its beginning and later, as far as it is known by then, from
  * less than 64 MiB before the first node needed (bzip2 only on several threads). Memory: the
  * output, plus a few MiB (up to 32 MiB for compressed files, and 12 MiB for the index of one), plus

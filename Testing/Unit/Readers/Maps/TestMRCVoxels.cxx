@@ -311,8 +311,8 @@ TEST(MRCVoxelsLarge, MeansInPieces)
 TEST(MRCVoxels, MeansAreWithoutValuesThatStandForNoData)
 {
   MRCTestFile map({ 40, 40, 20 }, 2);
-  map.AddVoxels(
-    [](int c, int r, int s, int) { return c < 13 ? -9999.0 : 0.01 * c + 0.02 * r + 0.03 * s - 0.5; });
+  map.AddVoxels([](int c, int r, int s, int)
+    { return c < 13 ? -9999.0 : 0.01 * c + 0.02 * r + 0.03 * s - 0.5; });
   const TemporaryFile file(map.Bytes());
   MRCTestReading reading(file.Path());
   reading->SetSampleRate(4, 4, 4);
