@@ -50,6 +50,9 @@ public:
     return size >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
   }
 
+  /// Copies that may be kept of one file, of 90 kB each.
+  static constexpr std::size_t MostCopies = 128;
+
   /// The decoder in its present state, to continue from here again.
   std::unique_ptr<BasicGzipCodec> Copy() const { return std::make_unique<BasicGzipCodec>(*this); }
 
@@ -86,8 +89,8 @@ protected:
   ~ZlibInflater() { inflateEnd(&this->Stream); }
   ZlibInflater(const ZlibInflater& other)
   {
-    z_stream source = other.Stream; // zlib takes it without const
-    if (inflateCopy(&this->Stream, &source) != Z_OK)
+    // It is not changed, but must be the stream itself, to which its state points.
+    if (inflateCopy(&this->Stream, const_cast<z_stream*>(&other.Stream)) != Z_OK)
     {
       throw std::bad_alloc();
     }
@@ -164,6 +167,8 @@ public:
   ~Bzip2Codec() { BZ2_bzDecompressEnd(&this->Stream); }
   Bzip2Codec(const Bzip2Codec&) = delete;
   Bzip2Codec& operator=(const Bzip2Codec&) = delete;
+
+  static constexpr std::size_t MostCopies = 0;
 
   /// Not possible with libbz2.
   std::unique_ptr<Bzip2Codec> Copy() const { return nullptr; }

@@ -218,8 +218,7 @@ public:
       return; // another source was faster
     }
     this->Places.push_back(std::move(place));
-    constexpr std::size_t most = 128; // 90 kB each of gzip, a few MB of bzip2
-    if (this->Places.size() > most)
+    if (this->Places.size() > Codec::MostCopies)
     {
       this->Distance *= 2;
       std::size_t kept = 0;

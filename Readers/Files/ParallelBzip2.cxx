@@ -244,7 +244,7 @@ ParallelBzip2::~ParallelBzip2() = default;
 
 std::unique_ptr<ParallelBzip2> ParallelBzip2::Copy() const
 {
-  if (!this->Ready.empty())
+  if (!this->Ready.empty() || this->Waiting.size() > 1)
   {
     return nullptr;
   }

@@ -47,8 +47,8 @@
  * a plain file unread. A compressed file is decompressed up to the last node needed (twice with
  * SampleRate), the first time from its beginning and later, as far as it is known by then, from
  * less than 64 MiB before the first node needed (bzip2 only on several threads). Memory: the
- * output, plus a few MiB (up to 32 MiB for compressed files, and 12 MiB for the index of one), plus
- * the nodes read when resampling.
+ * output, plus a few MiB (up to 32 MiB for compressed files, and 12 MiB for the index of one, 60
+ * MiB by bzip2), plus the nodes read when resampling.
  */
 #ifndef vtkMRCMapReader_h
 #define vtkMRCMapReader_h

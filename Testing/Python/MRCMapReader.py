@@ -263,7 +263,7 @@ def check_panel():
                                  SampleRate=[1, 2, 1])
     source.UpdatePipeline()
     data = servermanager.Fetch(source)
-    assert data.GetDimensions() == (10, 33, 8), data.GetDimensions()
+    assert data.GetDimensions() == (10, 32, 8), data.GetDimensions()
     assert close(data.GetOrigin(), (30.0, 3.0, 12.0)), data.GetOrigin()
     old = simple.MRCSeriesReader(FileNames=[path])
     old.UpdatePipeline()

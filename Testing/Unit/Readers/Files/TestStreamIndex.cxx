@@ -1,6 +1,7 @@
 // Parts of compressed files that were decompressed before: the same bytes from any place, without
 // what lies before it.
 
+#include "Files/Codecs.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
 #include "TemporaryFile.h"
@@ -89,6 +90,34 @@ void ExpectPartsWithoutTheBeginning(const TemporaryFile& file)
     { EXPECT_FALSE(Part(*later, 1000) == content.substr(1000, 1000)); }, isthmus::ReaderError);
 }
 
+}
+
+TEST(StreamIndex, ACopyOfADecoderContinuesAlone)
+{
+  using Zlib = isthmus::BasicGzipCodec<isthmus::ZlibInflater>;
+  const std::string content = Content().substr(0, 1 << 20);
+  std::string packed = Gzip(content);
+  const auto check = [&](auto decoder)
+  {
+    auto* in = reinterpret_cast<unsigned char*>(packed.data());
+    std::size_t inSize = packed.size() / 2, outSize = content.size();
+    std::string first(content.size(), '\0');
+    auto* out = reinterpret_cast<unsigned char*>(first.data());
+    decoder.Step(in, inSize, out, outSize);
+    const auto copy = decoder.Copy();
+    std::string second = first;
+    for (std::string* const text : { &first, &second })
+    {
+      unsigned char* next = in;
+      auto* to = reinterpret_cast<unsigned char*>(text->data()) + content.size() - outSize;
+      std::size_t left = packed.size() - packed.size() / 2 + inSize, room = outSize;
+      auto& one = text == &first ? decoder : *copy;
+      EXPECT_EQ(one.Step(next, left, to, room), isthmus::CodecState::MemberEnd);
+      EXPECT_TRUE(*text == content);
+    }
+  };
+  check(isthmus::GzipCodec());
+  check(Zlib());
 }
 
 TEST(StreamIndex, GzipContinuesFromKnownPlaces)
