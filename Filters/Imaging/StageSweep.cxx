@@ -16,7 +16,7 @@ namespace
 /// Rows of a strip that the next one reads.
 constexpr std::int64_t borderRows = 2;
 
-std::int64_t Parts(std::int64_t whole, std::int64_t part)
+std::int64_t CountParts(std::int64_t whole, std::int64_t part)
 {
   return (whole + part - 1) / part;
 }
@@ -40,14 +40,14 @@ struct SweepPlan
       PaddedStride(grid.Dimensions[0]) * static_cast<std::int64_t>(sizeof(T));
     this->StripRows =
       std::clamp(laneBytes / (rowsOfStage * stages * rowBytes), borderRows, mostRows);
-    this->Strips = Parts(grid.Dimensions[1] + stages, this->StripRows);
+    this->Strips = CountParts(grid.Dimensions[1] + stages, this->StripRows);
     this->Waves = grid.Dimensions[2] + stages;
     this->Lanes = std::min({ std::int64_t{ ParallelThreads() }, this->Strips, this->Waves });
     // Large enough to be worth a thread, small enough that a user who aborts need not wait.
     constexpr std::int64_t blockNodes = 1 << 23;
     this->BlockWaves = std::clamp<std::int64_t>(
       blockNodes / (this->StripRows * stages * grid.Dimensions[0]), 1, this->Waves / this->Lanes);
-    this->Blocks = Parts(this->Waves, this->BlockWaves);
+    this->Blocks = CountParts(this->Waves, this->BlockWaves);
   }
 };
 
@@ -276,7 +276,7 @@ void SweepStages(const DiffusionGrid<T>& grid, const std::vector<RowUpdate<T>>& 
   // Lane n does strips n, n + Lanes, ..., at each step one block of waves. It starts n steps later
   // than the first, so that the strip before is always a block ahead; a lane has as many blocks as
   // there are lanes, or more, so none has to wait for the last.
-  const std::int64_t steps = Parts(plan.Strips, plan.Lanes) * plan.Blocks + plan.Lanes - 1;
+  const std::int64_t steps = CountParts(plan.Strips, plan.Lanes) * plan.Blocks + plan.Lanes - 1;
   Stopwatch watch;
   double passed = 0.0;
   for (std::int64_t step = 0; step < steps; ++step)
