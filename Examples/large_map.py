@@ -13,7 +13,7 @@ and ResidualSmoothing add to the range. The margin is therefore MARGIN standard 
 and the result equals that of a single piece to a few millionths of the map's deviation.
 
 After an interruption (power failure, queue limit, Ctrl-C), the same command resumes the work: OUTPUT.mrc.blocks
-lists the finished blocks. Unpack compressed maps first: otherwise each block would unpack everything before it.
+lists the finished blocks. A compressed map is unpacked once; later blocks continue from places that are remembered then.
 """
 
 import argparse

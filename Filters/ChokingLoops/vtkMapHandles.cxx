@@ -14,6 +14,7 @@
 #include "Core/RangeChecks.h"
 #include "Core/SameNodes.h"
 #include "Imaging/HalfMapAgreement.h"
+#include "Persistence/CubicalPersistence.h"
 #include "Persistence/PersistenceCache.h"
 #include "vtkChokingLoops.h"
 
@@ -351,6 +352,11 @@ void vtkMapHandles::TakeMaps(vtkInternals& work, vtkImageData* other)
     }
     isthmus::RequireUsualValues(others);
     isthmus::RequireSameNodes(work.Image, other);
+    // The resamples are as noisy as a half.
+    isthmus::RequireCubicalMemory(isthmus::MakeVolumeView(work.Scalars, work.Image),
+      this->InsideIsHigher,
+      static_cast<double>(work.Image->GetNumberOfPoints()) *
+        (isthmus::FitsFloat(work.Scalars) ? 36.0 : 44.0));
     int n[3];
     work.Image->GetDimensions(n);
     const isthmus::HalfMapAgreement agreement =

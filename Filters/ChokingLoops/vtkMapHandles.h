@@ -47,7 +47,8 @@
  * same Seed.
  *
  * **Errors** (one message, empty outputs): a value that is not a number; an invalid range or
- * persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and
+ * persistence; a map without a level to choose; too little memory for the map, with the memory
+ * needed and what to do, before the work begins. Cost: that of vtkScalarPersistence, a contour, and
  * with Loops that of vtkChokingLoops. With several MPI ranks, the first one does all the work.
  *
  * Method: MapHandles.h, CubicalPersistence.h.

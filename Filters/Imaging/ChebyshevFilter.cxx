@@ -2,6 +2,7 @@
 
 #include "Core/Geometry.h"
 #include "Imaging/DiffusionEvaluation.h"
+#include "Imaging/StageSweep.h"
 #include "Imaging/SuperTimeStepping.h"
 
 #include <unsupported/Eigen/FFT>
@@ -118,20 +119,30 @@ void AddChebyshevSeries(const DiffusionGrid<T>& grid,
   const DiffusionOperator<T> laplacian = Laplacian(grid);
   const double bound = LaplacianBound<T>(grid.Spacing);
   std::size_t terms = 2;
-  StageSequence<T> recurrence;
+  std::vector<StageSum<T>> sums;
   for (std::size_t k = 0; k < changes.size(); ++k)
   {
     terms = std::max(terms, series[k].size());
-    std::fill_n(changes[k], grid.Size(), T(0));
-    recurrence.Sums.push_back(
-      { changes[k], std::vector<T>(series[k].begin() + 1, series[k].end()) });
+    sums.push_back({ changes[k], std::vector<T>(series[k].begin() + 1, series[k].end()) });
   }
-  recurrence.Updates.push_back(FirstTerm<T>(bound));
-  recurrence.Updates.resize(terms - 1, NextTerm<T>(bound));
+  std::vector<RowUpdate<T>> updates(terms - 1, NextTerm<T>(bound));
+  updates.front() = FirstTerm<T>(bound);
+  constexpr double volumes = 4.0; // that the other way takes
+  const double volumeBytes = static_cast<double>(grid.Size()) * sizeof(T);
+  if (!grid.ExchangeHalo && SweepBytes(grid, updates.size()) < volumes * volumeBytes)
+  {
+    SweepStages(grid, updates, values, sums, progress);
+    return;
+  }
+  std::for_each(
+    changes.begin(), changes.end(), [&grid](T* change) { std::fill_n(change, grid.Size(), T(0)); });
+  StageSequence<T> recurrence;
+  recurrence.Updates = updates;
+  recurrence.Sums = sums;
   recurrence.Current = values;
   recurrence.First = values;
-  const StageVolumes<T> volumes(grid, laplacian);
-  recurrence.Volumes = volumes.Pointers();
+  const StageVolumes<T> between(grid, laplacian);
+  recurrence.Volumes = between.Pointers();
   EvaluateStages(grid, laplacian, recurrence, progress);
 }
 

@@ -64,8 +64,9 @@ struct DenoiseMapResult
  * Denoises `values` in place. `noise` (may be null) is a volume of noise like that in `values`,
  * which then gives level and spectrum. A mask or labels (NoiseEstimate::FewValues) are not changed.
  *
- * Memory: 5 volumes beside `values` for linear choices (3 on several ranks), for edge stopping
- * those of Diffuse and one more; in addition the sample, up to 100 MiB.
+ * Memory: one volume beside `values` for linear choices and the rows of SweepBytes (3 volumes on
+ * several ranks), for edge stopping those of Diffuse and one more; in addition the sample, up to
+ * 100 MiB whatever the size of the volume.
  * @throws Cancelled if `progress` returns false; otherwise the exceptions of Diffuse.
  */
 template <typename T>

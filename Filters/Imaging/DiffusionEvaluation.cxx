@@ -29,11 +29,6 @@ public:
   {
   }
 
-  static std::int64_t PaddedStride(std::int64_t rowLength)
-  {
-    return PaddedLength(rowLength) + 2 * RowMargin;
-  }
-
   /// The rows kept from now on: those from `first`, of a grid with `rows` rows and `planes` planes.
   void Place(std::int64_t first, std::int64_t rows, std::int64_t planes)
   {
@@ -159,14 +154,6 @@ int StoredDepth(const DiffusionLags& lags, const DiffusionOperator<T>& diffusion
     : 0;
 }
 
-/// Repeats the ends of a row into its margins.
-template <typename T>
-void RepeatEnds(T* row, std::int64_t n)
-{
-  row[-1] = row[0];
-  std::fill(row + n, row + PaddedLength(n) + 1, row[n - 1]);
-}
-
 template <typename T>
 std::int64_t DiffusionPipeline<T>::TileRowsThatFit(
   const DiffusionOperator<T>& diffusion, int stages)
@@ -185,8 +172,8 @@ std::int64_t DiffusionPipeline<T>::TileRowsThatFit(
   }
   // The first values and rates are read in place, once by each stage.
   planes += stages > 1 ? 2 * (stages * lags.Out - lags.Out + 1) : 0;
-  const auto rowBytes = PlaneRing<T>::PaddedStride(diffusion.Dimensions[0]) *
-    static_cast<std::int64_t>(sizeof(T)) * planes;
+  const auto rowBytes =
+    PaddedStride(diffusion.Dimensions[0]) * static_cast<std::int64_t>(sizeof(T)) * planes;
   return std::max(fewestRows, cacheBytes / rowBytes - stages * lags.Out - lags.Out);
 }
 
@@ -196,7 +183,7 @@ DiffusionPipeline<T>::DiffusionPipeline(
   : Diffusion(diffusion)
   , Lags(diffusion)
   , Length(diffusion.Dimensions[0])
-  , RateScratch(static_cast<std::size_t>(PlaneRing<T>::PaddedStride(this->Length)))
+  , RateScratch(static_cast<std::size_t>(PaddedStride(this->Length)))
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

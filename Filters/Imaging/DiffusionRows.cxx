@@ -141,6 +141,30 @@ ISTHMUS_INLINE void GramDivergence(const RowStencil<T>& w, const RowStencil<T>& 
 }
 
 template <typename T>
+ISTHMUS_INLINE void PseudoResidual(
+  const RowStencil<T>& in, T left, T right, std::int64_t n, double* __restrict out)
+{
+  const T *c = in.Center, *f = in.Front, *b = in.Back, *d = in.Below, *u = in.Above;
+  auto node = [=](std::int64_t i, T before, T after)
+  {
+    const T value = c[i];
+    const int equal = (before == value) + (after == value) + (f[i] == value) + (b[i] == value) +
+      (d[i] == value) + (u[i] == value);
+    const double sum = static_cast<double>(before) + static_cast<double>(after) +
+      static_cast<double>(f[i]) + static_cast<double>(b[i]) + static_cast<double>(d[i]) +
+      static_cast<double>(u[i]);
+    const double residual = std::abs(static_cast<double>(value) - sum / 6.0);
+    return equal >= 3 ? -1.0 : residual;
+  };
+  for (std::int64_t i = 1; i + 1 < n; ++i)
+  {
+    out[i] = node(i, c[i - 1], c[i + 1]);
+  }
+  out[n - 1] = node(n - 1, n > 1 ? c[n - 2] : left, right);
+  out[0] = node(0, left, n > 1 ? c[1] : right);
+}
+
+template <typename T>
 ISTHMUS_INLINE void Update(const RowUpdate<T>& update, const T* current, const T* previous,
   const T* first, const T* __restrict rate, const T* firstRate, std::int64_t n, T* out)
 {
@@ -212,6 +236,11 @@ ISTHMUS_INLINE void AddChange(
     const std::array<T, 3>& weights, std::int64_t n, T* out)                                       \
   {                                                                                                \
     GramDivergence(w, slope, weights, n, out);                                                     \
+  }                                                                                                \
+  ISTHMUS_VECTOR_CLONES void PseudoResidualRow(                                                    \
+    const RowStencil<T>& in, T left, T right, std::int64_t n, double* out)                         \
+  {                                                                                                \
+    PseudoResidual(in, left, right, n, out);                                                       \
   }                                                                                                \
   ISTHMUS_VECTOR_CLONES void UpdateRow(const RowUpdate<T>& update, const T* current,               \
     const T* previous, const T* first, const T* rate, const T* firstRate, std::int64_t n, T* out)  \

@@ -11,6 +11,7 @@
 #ifndef isthmus_DiffusionRows_h
 #define isthmus_DiffusionRows_h
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -24,6 +25,20 @@ constexpr std::int64_t RowMargin = 16;
 constexpr std::int64_t PaddedLength(std::int64_t n)
 {
   return (n + RowMargin - 1) / RowMargin * RowMargin;
+}
+
+/// Number of nodes of scratch memory that a row of n nodes takes, with both margins.
+constexpr std::int64_t PaddedStride(std::int64_t n)
+{
+  return PaddedLength(n) + 2 * RowMargin;
+}
+
+/// Repeats the ends of a row into its margins.
+template <typename T>
+void RepeatEnds(T* row, std::int64_t n)
+{
+  row[-1] = row[0];
+  std::fill(row + n, row + PaddedLength(n) + 1, row[n - 1]);
 }
 
 /// A row and its four neighbouring rows in y and z; neighbours in x are in the row itself.
@@ -68,6 +83,14 @@ void GramDivergenceRow(const RowStencil<float>& w, const RowStencil<float>& slop
   const std::array<float, 3>& weights, std::int64_t n, float* out);
 void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& slope,
   const std::array<double, 3>& weights, std::int64_t n, double* out);
+
+/// out = |value - mean of its six neighbours|, or -1 where three of them or more have the value.
+/// Rows of a volume, without margins; a missing neighbour row is the row itself, and `left` and
+/// `right` are what lies beyond the n nodes.
+void PseudoResidualRow(
+  const RowStencil<float>& in, float left, float right, std::int64_t n, double* out);
+void PseudoResidualRow(
+  const RowStencil<double>& in, double left, double right, std::int64_t n, double* out);
 
 /**
  * What one stage of a time step computes from a row:

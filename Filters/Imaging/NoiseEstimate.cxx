@@ -1,6 +1,9 @@
 #include "Imaging/NoiseEstimate.h"
 
+#include "Imaging/DiffusionRows.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isthmus
@@ -8,8 +11,10 @@ namespace isthmus
 namespace
 {
 
-/// Calls body(|pseudo-residual|, value) for those of the nodes [begin, end) of one row whose
-/// value fewer than three of their neighbours have.
+constexpr std::int64_t rowPiece = 256; ///< nodes whose residuals are computed at once
+
+/// Calls body(residuals, values, count) for pieces of the nodes [begin, end) of one row: the moduli
+/// of the pseudo-residuals, -1 at nodes whose value three or more of their neighbours have.
 template <typename T, typename Body>
 void ForResiduals(
   const DiffusionGrid<T>& grid, const T* values, std::int64_t begin, std::int64_t end, Body&& body)
@@ -21,21 +26,16 @@ void ForResiduals(
   // Beyond the ends a node replaces its missing neighbour.
   const std::int64_t front = j > 0 ? -step : 0, back = j + 1 < size[1] ? step : 0;
   const std::int64_t below = k > 0 ? -plane : 0, above = k + 1 < size[2] ? plane : 0;
-  for (std::int64_t n = begin; n < end; ++n)
+  std::array<double, rowPiece> residuals;
+  for (std::int64_t first = begin; first < end; first += rowPiece)
   {
-    const T* at = values + n;
-    const T left = n > start ? at[-1] : at[0];
-    const T right = n + 1 < start + size[0] ? at[1] : at[0];
-    const int equal = (left == at[0]) + (right == at[0]) + (at[front] == at[0]) +
-      (at[back] == at[0]) + (at[below] == at[0]) + (at[above] == at[0]);
-    if (equal >= 3)
-    {
-      continue;
-    }
-    const double sum = static_cast<double>(left) + static_cast<double>(right) +
-      static_cast<double>(at[front]) + static_cast<double>(at[back]) +
-      static_cast<double>(at[below]) + static_cast<double>(at[above]);
-    body(std::abs(static_cast<double>(at[0]) - sum / 6.0), static_cast<double>(at[0]));
+    const std::int64_t count = std::min(rowPiece, end - first), next = first + count;
+    const T* at = values + first;
+    const T left = first > start ? at[-1] : at[0];
+    const T right = next < start + size[0] ? at[count] : at[count - 1];
+    PseudoResidualRow(RowStencil<T>{ at, at + front, at + back, at + below, at + above }, left,
+      right, count, residuals.data());
+    body(residuals.data(), at, count);
   }
 }
 
@@ -44,20 +44,29 @@ template <typename T>
 double MedianResidual(const DiffusionGrid<T>& grid, const T* values, double high, double count)
 {
   constexpr std::size_t bins = 256;
+  constexpr std::size_t ignored = 8; // several, since one would be added to node after node
   double low = 0.0, before = 0.0;
   for (int pass = 0; pass < 3 && high > low; ++pass)
   {
     const double scale = bins / (high - low);
-    const auto counts = SumRows<bins>(grid,
-      [&](std::int64_t begin, std::int64_t end, std::array<double, bins>& sum)
+    const auto counts = SumRows<bins + ignored>(grid,
+      [&](std::int64_t begin, std::int64_t end, std::array<double, bins + ignored>& sum)
       {
         ForResiduals(grid, values, begin, end,
-          [&](double residual, double)
+          [&](const double* residuals, const T*, std::int64_t nodes)
           {
-            const double bin = (residual - low) * scale;
-            if (bin >= 0.0 && bin < bins)
+            // Without branches, which cannot be predicted here.
+            std::array<std::int32_t, rowPiece> bin;
+            for (std::size_t n = 0; n < static_cast<std::size_t>(nodes); ++n)
             {
-              sum[static_cast<std::size_t>(bin)] += 1.0;
+              const double place = (residuals[n] - low) * scale;
+              const bool counted = place >= 0.0 && place < double(bins);
+              const auto other = static_cast<std::int32_t>(bins + n % ignored);
+              bin[n] = counted ? static_cast<std::int32_t>(place) : other;
+            }
+            for (std::size_t n = 0; n < static_cast<std::size_t>(nodes); ++n)
+            {
+              sum[static_cast<std::size_t>(bin[n])] += 1.0;
             }
           });
       });
@@ -82,19 +91,23 @@ bool HasFewValues(const DiffusionGrid<T>& grid, const T* values)
   for (std::int64_t row = 0; row < grid.Size() && many == 0.0; row += grid.Dimensions[0])
   {
     ForResiduals(grid, values, row, row + grid.Dimensions[0],
-      [&](double, double value)
+      [&](const double* residuals, const T* at, std::int64_t nodes)
       {
-        const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
-        if (many > 0.0 || std::find(seen.begin(), end, value) != end)
+        for (std::int64_t n = 0; n < nodes && many == 0.0; ++n)
         {
-          return;
+          const auto value = static_cast<double>(at[n]);
+          const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
+          if (residuals[n] < 0.0 || std::find(seen.begin(), end, value) != end)
+          {
+            continue;
+          }
+          if (count == seen.size())
+          {
+            many = 1.0;
+            return;
+          }
+          seen[count++] = value;
         }
-        if (count == seen.size())
-        {
-          many = 1.0;
-          return;
-        }
-        seen[count++] = value;
       });
   }
   if (grid.SumOverRanks)
@@ -110,17 +123,26 @@ template <typename T>
 NoiseEstimate EstimateNoise(const DiffusionGrid<T>& grid, const T* values)
 {
   const auto sums = SumRows<5>(grid,
-    [&](std::int64_t begin, std::int64_t end, std::array<double, 5>& sum)
+    [&](std::int64_t begin, std::int64_t end, std::array<double, 5>& ofPlane)
     {
+      std::array<double, 5> sum = ofPlane; // a copy can be in registers
       sum[4] += static_cast<double>(end - begin);
       ForResiduals(grid, values, begin, end,
-        [&](double residual, double value)
+        [&](const double* residuals, const T* at, std::int64_t nodes)
         {
-          sum[0] += 1.0;
-          sum[1] += value;
-          sum[2] += value * value;
-          sum[3] += residual * residual;
+          for (std::int64_t n = 0; n < nodes; ++n)
+          {
+            if (residuals[n] >= 0.0)
+            {
+              const auto value = static_cast<double>(at[n]);
+              sum[0] += 1.0;
+              sum[1] += value;
+              sum[2] += value * value;
+              sum[3] += residuals[n] * residuals[n];
+            }
+          }
         });
+      ofPlane = sum;
     });
   NoiseEstimate estimate;
   estimate.FewValues = HasFewValues(grid, values);

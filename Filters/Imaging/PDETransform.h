@@ -59,8 +59,8 @@ VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionParameters LowPass(
  *
  * Cost: one recurrence for all modes, whose length is about five times b^(1/2) times the longest
  * wavelength over 2 pi (89 stages with the defaults in float), and for each mode an addition in the
- * stages that it needs. Memory: two volumes in addition to `values` and `modes`, or four on one
- * rank, where several stages are done in one pass.
+ * stages that it needs. Memory in addition to `values` and `modes`: on one rank the rows of
+ * SweepBytes, at most four volumes; on several ranks two volumes.
  */
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT void TransformByPDE(const DiffusionGrid<T>& grid,

@@ -14,8 +14,9 @@
  * Where an array of noise like the volume's is known, e.g. from half maps, it is set by
  * `SetInputArrayToProcess(1, ...)` and gives level and spectrum.
  *
- * Memory in addition to input and output: 5 volumes of the output's type, and a sample of the
- * volume of up to 100 MiB.
+ * Memory in addition to input and output, Goal Surfaces: one volume of the output's type, two
+ * planes along x and z for each of the 10 to 60 terms of the series (3 volumes on several ranks
+ * instead), and a sample of the volume of up to 100 MiB.
  *
  * @sa vtkDenoiseFromHalfMaps vtkHighOrderDiffusion
  */

@@ -12,7 +12,7 @@
  * FirstOrder to LastOrder. All modes come from one Chebyshev recurrence of the Laplacian
  * (PDETransform.h), to 1e-7 of the input (float) or 1e-13 (double), apart from rounding. Cost: the
  * number of terms of this recurrence is about three times the longest wavelength in voxels. Memory:
- * n + 1 output volumes and four more.
+ * n + 1 output volumes, and two planes along x and z for each term, at most four volumes.
  *
  * @sa vtkHighOrderDiffusion vtkDiffusionHighPass
  */

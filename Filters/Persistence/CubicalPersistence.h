@@ -36,6 +36,14 @@ namespace isthmus
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CubicalDiagram CubicalPersistence(const VolumeView& volume,
   const CubicalParameters& parameters = {}, const ProgressCallback& progress = {});
 
+/// Memory that CubicalPersistence will take for these values, with its result: the number of
+/// critical cells, which decides on it, is counted in a sample of up to two million nodes.
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT double CubicalBytes(const VolumeView& volume, bool superlevel);
+
+/// @throws std::runtime_error with what to do if CubicalBytes and `more` bytes are not available.
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RequireCubicalMemory(
+  const VolumeView& volume, bool superlevel, double more = 0.0);
+
 }
 
 #endif

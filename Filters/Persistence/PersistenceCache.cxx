@@ -62,7 +62,11 @@ const CubicalDiagram& PersistenceCache::Pairs(
   const VolumeView& volume, const CubicalParameters& parameters, const ProgressCallback& progress)
 {
   return this->Diagram.Get({ parameters.Superlevel, parameters.Levels },
-    [&] { return CubicalPersistence(volume, parameters, progress); });
+    [&]
+    {
+      RequireCubicalMemory(volume, parameters.Superlevel);
+      return CubicalPersistence(volume, parameters, progress);
+    });
 }
 
 }

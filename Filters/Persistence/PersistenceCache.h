@@ -33,7 +33,8 @@ public:
   const VolumeStatistics& Statistics(vtkDataArray* scalars, const VolumeView& volume);
 
   /// Pairs of the same values. Cost where they are not cached: CubicalPersistence.h.
-  /// @pre Statistics() was called with this volume. @throws Cancelled
+  /// @pre Statistics() was called with this volume. @throws Cancelled, and std::runtime_error with
+  /// what to do if the memory does not suffice.
   const CubicalDiagram& Pairs(const VolumeView& volume, const CubicalParameters& parameters,
     const ProgressCallback& progress);
 

@@ -30,13 +30,14 @@
  * classes from the longest to the shortest, so it does not depend on the threshold.
  *
  * **Errors** (one message, empty outputs): a value that is not a number, with its position; an
- * invalid range or persistence. An empty image gives empty outputs.
+ * invalid range or persistence; too little memory for the volume, with the memory needed and what
+ * to do, before the work begins. An empty image gives empty outputs.
  *
- * **Cost.** Nearly linear for maps; memory for each node in addition to the input: 4-20 bytes for
- * maps, 100 for white noise. Changing MinimumPersistence only looks up cached results. The result
- * is the same on any number of threads. On several MPI ranks, each rank requests the whole volume;
- * the first one computes and holds the tables and points. (Each rank computes the simplified volume
- * and keeps its part.)
+ * **Cost.** Nearly linear for maps; memory for each node in addition to the input: 5 bytes, and
+ * 100 for each critical cell: 4-20 bytes for maps, 80 for white noise. Changing MinimumPersistence
+ * only looks up cached results. The result is the same on any number of threads. On several MPI
+ * ranks, each rank requests the whole volume; the first one computes and holds the tables and
+ * points. (Each rank computes the simplified volume and keeps its part.)
  *
  * Method and sources: CubicalPersistence.h, ScalarSimplification.h, CubicalCycles.h.
  */

@@ -26,8 +26,9 @@ public:
    * which is smaller only at the end of the content.
    *
    * With RandomAccess() any number of threads may read at once. Without it only one thread may read
-   * at a time, and decompression restarts from the beginning if the offset is before the previous
-   * one.
+   * at a time, and decompression restarts from the last known place before the offset if that is
+   * before the previous one: files are indexed while they are decompressed (by gzip, or bzip2 on
+   * several threads), and the index is kept while the program runs.
    * @throws ReaderError on an input error or a damaged compressed stream.
    */
   virtual std::size_t Read(std::uint64_t offset, void* to, std::size_t size) = 0;

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <new>
 
 namespace isthmus
@@ -49,6 +50,12 @@ public:
     return size >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
   }
 
+  /// Copies that may be kept of one file, of 90 kB each.
+  static constexpr std::size_t MostCopies = 128;
+
+  /// The decoder in its present state, to continue from here again.
+  std::unique_ptr<BasicGzipCodec> Copy() const { return std::make_unique<BasicGzipCodec>(*this); }
+
   /// Decompresses from `in` to `out`, and advances both, until one of them is exhausted.
   /// @pre The first time, `in` contains the whole header of the member: ISA-L 2.30 reports a header
   /// as damaged if it arrives in parts and has its own checksum.
@@ -80,7 +87,14 @@ protected:
     }
   }
   ~ZlibInflater() { inflateEnd(&this->Stream); }
-  ZlibInflater(const ZlibInflater&) = delete;
+  ZlibInflater(const ZlibInflater& other)
+  {
+    // It is not changed, but must be the stream itself, to which its state points.
+    if (inflateCopy(&this->Stream, const_cast<z_stream*>(&other.Stream)) != Z_OK)
+    {
+      throw std::bad_alloc();
+    }
+  }
   ZlibInflater& operator=(const ZlibInflater&) = delete;
 
   CodecState Inflate()
@@ -153,6 +167,11 @@ public:
   ~Bzip2Codec() { BZ2_bzDecompressEnd(&this->Stream); }
   Bzip2Codec(const Bzip2Codec&) = delete;
   Bzip2Codec& operator=(const Bzip2Codec&) = delete;
+
+  static constexpr std::size_t MostCopies = 0;
+
+  /// Not possible with libbz2.
+  std::unique_ptr<Bzip2Codec> Copy() const { return nullptr; }
 
   /// Decompresses from `in` to `out`, and advances both, until one of them is exhausted.
   CodecState Step(

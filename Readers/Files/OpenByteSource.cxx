@@ -1,6 +1,7 @@
 #include "Files/OpenByteSource.h"
 
 #include "Core/LargePages.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Files/Codecs.h"
 #include "Files/ParallelBzip2.h"
@@ -10,9 +11,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -42,9 +45,11 @@ public:
 
   std::uint64_t Size() const { return this->Bytes; }
   const std::string& Path() const { return this->Name; }
+  /// Of another content, another text.
+  const std::string& Stamp() const { return this->Version; }
 
 private:
-  std::string Name;
+  std::string Name, Version;
   int Descriptor = -1;
   std::uint64_t Bytes = 0;
 };
@@ -87,10 +92,13 @@ PlainFile::PlainFile(const std::string& path)
     throw ReaderError(empty ? ReaderFailure::Truncated : ReaderFailure::CannotRead, path + wrong);
   }
   this->Bytes = static_cast<std::uint64_t>(status.st_size);
+  this->Version = JoinText(path, ' ', status.st_dev, ' ', status.st_ino, ' ', status.st_size, ' ',
+    status.st_mtim.tv_sec, ' ', status.st_mtim.tv_nsec);
 }
 
 PlainFile::PlainFile(PlainFile&& other) noexcept
   : Name(std::move(other.Name))
+  , Version(std::move(other.Version))
   , Descriptor(std::exchange(other.Descriptor, -1))
   , Bytes(other.Bytes)
 {
@@ -159,12 +167,91 @@ private:
 
 constexpr std::size_t skipBytes = std::size_t{ 1 } << 18;
 
+/// Places of a compressed file from which decompressing can continue: the decoder as it was there.
+/// They are collected while a file is decompressed, so that its parts can be read later without
+/// what lies before them.
+template <typename Codec>
+class StreamIndex
+{
+public:
+  struct Place
+  {
+    std::uint64_t Position = 0;     ///< in the content
+    std::uint64_t FilePosition = 0; ///< of the next byte of the file
+    std::shared_ptr<const Codec> Decoder;
+  };
+
+  /// The index of a file that has this stamp. Those of the last few files are kept.
+  static std::shared_ptr<StreamIndex> Of(const std::string& stamp)
+  {
+    constexpr std::size_t most = 4;
+    static std::mutex mutex;
+    static std::deque<std::pair<std::string, std::shared_ptr<StreamIndex>>> all;
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == stamp; });
+    if (found != all.end())
+    {
+      return found->second;
+    }
+    all.emplace_back(stamp, std::make_shared<StreamIndex>());
+    if (all.size() > most)
+    {
+      all.pop_front();
+    }
+    return all.back().second;
+  }
+
+  /// Whether a place at this position would be new and far enough from others.
+  bool Wants(std::uint64_t position) const
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const std::uint64_t before = this->Places.empty() ? 0 : this->Places.back().Position;
+    return position >= before + this->Distance;
+  }
+
+  void Add(Place place)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (!this->Places.empty() && place.Position <= this->Places.back().Position)
+    {
+      return; // another source was faster
+    }
+    this->Places.push_back(std::move(place));
+    if (this->Places.size() > Codec::MostCopies)
+    {
+      this->Distance *= 2;
+      std::size_t kept = 0;
+      for (std::size_t n = 1; n < this->Places.size(); n += 2)
+      {
+        this->Places[kept++] = this->Places[n];
+      }
+      this->Places.resize(kept);
+    }
+  }
+
+  /// The last place up to `position`; without a decoder: the beginning.
+  Place Before(std::uint64_t position) const
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto after = std::upper_bound(this->Places.begin(), this->Places.end(), position,
+      [](std::uint64_t value, const Place& place) { return value < place.Position; });
+    return after == this->Places.begin() ? Place() : *(after - 1);
+  }
+
+private:
+  mutable std::mutex Mutex;
+  std::uint64_t Distance = std::uint64_t{ 1 } << 25; ///< decompressed in a tenth of a second
+  std::vector<Place> Places;                         ///< ascending
+};
+
 template <typename Codec>
 class CompressedSource : public ByteSource
 {
 public:
   explicit CompressedSource(PlainFile file)
     : File(std::move(file))
+    , Index(StreamIndex<Codec>::Of(this->File.Stamp()))
     , Input(skipBytes)
     , Decoder(std::make_unique<Codec>())
   {
@@ -190,9 +277,10 @@ public:
 
   void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
   {
-    if (offset < this->Position)
+    const auto place = this->Index->Before(offset);
+    if (offset < this->Position || place.Position > this->Position)
     {
-      this->Restart();
+      this->Restart(place);
     }
     const std::uint64_t first = this->Position;
     std::vector<unsigned char> thrownAway(offset > first ? skipBytes : 0);
@@ -219,10 +307,11 @@ public:
   bool IsCut() const override { return this->Cut; }
 
 private:
-  void Restart()
+  void Restart(const typename StreamIndex<Codec>::Place& place)
   {
-    this->Decoder = std::make_unique<Codec>();
-    this->Position = this->FilePosition = 0;
+    this->Decoder = place.Decoder ? place.Decoder->Copy() : std::make_unique<Codec>();
+    this->Position = place.Position;
+    this->FilePosition = place.FilePosition;
     this->Left = 0;
     this->Ended = this->Cut = false;
   }
@@ -251,9 +340,25 @@ private:
       {
         this->Ended = this->Cut = true; // the file ends within the stream
       }
+      else
+      {
+        this->Remember(this->Position + size - wanted);
+      }
     }
     this->Position += size - wanted;
     return size - wanted;
+  }
+
+  /// Adds the decoder's state to the index, from time to time.
+  void Remember(std::uint64_t position)
+  {
+    if (this->Index->Wants(position))
+    {
+      if (std::shared_ptr<const Codec> decoder = this->Decoder->Copy())
+      {
+        this->Index->Add({ position, this->FilePosition - this->Left, std::move(decoder) });
+      }
+    }
   }
 
   void Refill()
@@ -284,6 +389,7 @@ private:
   }
 
   PlainFile File;
+  std::shared_ptr<StreamIndex<Codec>> Index;
   std::vector<unsigned char> Input;
   std::unique_ptr<Codec> Decoder;
   std::uint64_t Position = 0;     ///< in the content

@@ -242,6 +242,23 @@ private:
 ParallelBzip2::ParallelBzip2() = default;
 ParallelBzip2::~ParallelBzip2() = default;
 
+std::unique_ptr<ParallelBzip2> ParallelBzip2::Copy() const
+{
+  if (!this->Ready.empty() || this->Waiting.size() > 1)
+  {
+    return nullptr;
+  }
+  auto copy = std::make_unique<ParallelBzip2>();
+  copy->Finder = this->Finder;
+  copy->Waiting = this->Waiting;
+  copy->WaitingBlocks = this->WaitingBlocks;
+  copy->AtOnce = this->AtOnce;
+  copy->Checksum = this->Checksum;
+  copy->Ended = this->Ended;
+  copy->Foreign = this->Foreign;
+  return copy;
+}
+
 CodecState ParallelBzip2::Step(
   unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
 {

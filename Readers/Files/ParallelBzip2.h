@@ -96,6 +96,13 @@ public:
   ParallelBzip2(const ParallelBzip2&) = delete;
   ParallelBzip2& operator=(const ParallelBzip2&) = delete;
 
+  /// Copies that may be kept of one file; each has up to two compressed blocks.
+  static constexpr std::size_t MostCopies = 32;
+
+  /// The decoder in its present state, to continue from here again; null while blocks that were
+  /// decompressed wait to be returned, or more than one waits to be decompressed.
+  std::unique_ptr<ParallelBzip2> Copy() const;
+
   /// Like that of Bzip2Codec, but continues with members that follow immediately; without input (at
   /// the end of the file) it returns the remaining data.
   CodecState Step(

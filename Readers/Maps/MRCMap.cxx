@@ -4,10 +4,12 @@
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
 #include "Maps/MRCHeader.h"
+#include "Maps/NoData.h"
 
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <vector>
 
 namespace isthmus
 {
@@ -40,30 +42,37 @@ std::string Range(std::int64_t first, std::int64_t last)
   return std::to_string(first) + " to " + std::to_string(last);
 }
 
+/// Calls work with a number of the type of the voxels' values.
+template <typename Work>
+void WithType(const MRCVoxelType& type, Work&& work)
+{
+  switch (type.Value)
+  {
+    case MRCValue::SignedChar:
+      return work(static_cast<signed char>(0));
+    case MRCValue::UnsignedChar:
+      return work(static_cast<unsigned char>(0));
+    case MRCValue::Short:
+      return work(short(0));
+    case MRCValue::UnsignedShort:
+      return work(static_cast<unsigned short>(0));
+    case MRCValue::Float:
+      return work(0.0f);
+  }
+}
+
 /// ResampleValues for the type of a map's voxels.
 void ResampleVoxels(const MRCVoxelType& type, const VoxelLattice& lattice, const void* nodes,
   const NodeBox& have, const VoxelLattice& grid, const NodeBox& region, void* out,
   unsigned char* inside, const ProgressCallback& progress)
 {
-  const auto as = [&](auto value)
-  {
-    using T = decltype(value);
-    ResampleValues(type.Components, lattice, static_cast<const T*>(nodes), have, grid, region,
-      static_cast<T*>(out), inside, progress);
-  };
-  switch (type.Value)
-  {
-    case MRCValue::SignedChar:
-      return as(static_cast<signed char>(0));
-    case MRCValue::UnsignedChar:
-      return as(static_cast<unsigned char>(0));
-    case MRCValue::Short:
-      return as(short(0));
-    case MRCValue::UnsignedShort:
-      return as(static_cast<unsigned short>(0));
-    case MRCValue::Float:
-      return as(0.0f);
-  }
+  WithType(type,
+    [&](auto value)
+    {
+      using T = decltype(value);
+      ResampleValues(type.Components, lattice, static_cast<const T*>(nodes), have, grid, region,
+        static_cast<T*>(out), inside, progress);
+    });
 }
 
 }
@@ -141,8 +150,10 @@ void MRCMap::SelectNodes(const MRCOptions& options, const VoxelLattice& whole)
         ", but must be 1 (every node) or more.");
     }
     this->Nodes.First[a] = first;
-    this->Nodes.Stride[a] = std::min<std::int64_t>(options.SampleRate[a], whole.Dimensions[a]);
-    this->Nodes.Count[a] = (last - first) / this->Nodes.Stride[a] + 1;
+    this->Nodes.Stride[a] = std::min<std::int64_t>(
+      options.SampleRate[a], this->Means ? last - first + 1 : whole.Dimensions[a]);
+    const std::int64_t rest = this->Means ? this->Nodes.Stride[a] - 1 : 0;
+    this->Nodes.Count[a] = (last - first - rest) / this->Nodes.Stride[a] + 1;
   }
 }
 
@@ -150,8 +161,21 @@ void MRCMap::Select(const MRCOptions& options)
 {
   RequireChoice("NonOrthogonalCell", options.NonOrthogonalCell, NonOrthogonalCell::KeepCellAxes);
   const VoxelLattice whole = this->SelectVolume(options);
+  this->Means =
+    this->Head.Voxel.Components == 1 && options.SampleRate != std::array<int, 3>{ 1, 1, 1 };
+  this->Voxel = this->Means ? MRCVoxelType() : this->Head.Voxel; // floats
   this->SelectNodes(options, whole);
   this->Lattice = SelectLattice(whole, this->Nodes.First, this->Nodes.Count, this->Nodes.Stride);
+  if (this->Means)
+  {
+    std::array<double, 3> middle{};
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      middle[a] = static_cast<double>(this->Nodes.First[a]) +
+        0.5 * static_cast<double>(this->Nodes.Stride[a] - 1);
+    }
+    this->Lattice.Origin = whole.At(middle);
+  }
   this->Interpolated =
     options.NonOrthogonalCell == NonOrthogonalCell::Resample && !HasOrthogonalCell(this->Head);
   this->Target = this->Lattice;
@@ -176,7 +200,7 @@ NodeBox MRCMap::OutputBox() const
 
 std::uint64_t MRCMap::OutputBytes(const NodeBox& box) const
 {
-  std::uint64_t bytes = this->Head.Voxel.Bytes;
+  std::uint64_t bytes = this->Voxel.Bytes;
   for (std::size_t a = 0; a < 3; ++a)
   {
     const auto nodes =
@@ -197,8 +221,43 @@ void MRCMap::ReadNodes(const NodeBox& box, void* out, const ProgressCallback& pr
     part.First[a] += box[2 * a] * this->Nodes.Stride[a];
     part.Count[a] = box[2 * a + 1] - box[2 * a] + 1;
   }
-  ReadMRCVoxels(*this->Source, this->Layout, part, out, progress);
+  if (this->Means)
+  {
+    const std::optional<double> noData = this->FindNoData(part, Between(progress, 0.0, 0.2));
+    ReadMRCMeans(*this->Source, this->Layout, part, noData, static_cast<float*>(out),
+      Between(progress, 0.2, 1.0));
+  }
+  else
+  {
+    ReadMRCVoxels(*this->Source, this->Layout, part, out, progress);
+  }
   this->Source->CheckEnd();
+}
+
+/// The value that stands for "no data" in a sample of the voxels of a part, which must not enter
+/// means.
+std::optional<double> MRCMap::FindNoData(const MRCSelection& part, const ProgressCallback& progress)
+{
+  constexpr std::int64_t most = 1 << 22;
+  MRCSelection sample = part;
+  const auto count = [&sample]() { return sample.Count[0] * sample.Count[1] * sample.Count[2]; };
+  while (count() > most)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      sample.Stride[a] *= sample.Count[a] > 1 ? 2 : 1;
+      sample.Count[a] = (sample.Count[a] + 1) / 2;
+    }
+  }
+  std::optional<double> found;
+  WithType(this->Head.Voxel,
+    [&](auto value)
+    {
+      std::vector<decltype(value)> values(static_cast<std::size_t>(count()));
+      ReadMRCVoxels(*this->Source, this->Layout, sample, values.data(), progress);
+      found = FindNoDataValue(values.data(), count());
+    });
+  return found;
 }
 
 void MRCMap::Read(
@@ -216,8 +275,8 @@ void MRCMap::Read(
   {
     this->ReadNodes(needed, values.get(), Between(progress, 0.0, 0.5));
   }
-  ResampleVoxels(this->Head.Voxel, this->Lattice, values.get(), needed, this->Target, box, out,
-    inside, Between(progress, 0.5, 1.0));
+  ResampleVoxels(this->Voxel, this->Lattice, values.get(), needed, this->Target, box, out, inside,
+    Between(progress, 0.5, 1.0));
 }
 
 bool MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress)

@@ -5,7 +5,7 @@
  *     isthmus::MRCMap map("emd_5043.map.gz");
  *     map.Select({});                                  // everything
  *     std::vector<unsigned char> values(map.OutputBytes(map.OutputBox()));
- *     std::vector<unsigned char> inside(values.size() / map.Header().Voxel.Bytes);
+ *     std::vector<unsigned char> inside(values.size() / map.OutputVoxel().Bytes);
  *     map.Read(map.OutputBox(), values.data(), inside.data(), {});
  */
 #ifndef isthmus_MRCMap_h
@@ -21,6 +21,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace isthmus
@@ -47,6 +48,10 @@ public:
   const VoxelLattice& Grid() const { return this->Target; }
   /// True when the cell is not orthogonal and Read() interpolates.
   bool Resampled() const { return this->Interpolated; }
+  /// True when Read() computes means (MRCOptions::SampleRate).
+  bool Averaged() const { return this->Means; }
+  /// The type of a voxel in memory that Read() produces.
+  const MRCVoxelType& OutputVoxel() const { return this->Voxel; }
   /// All nodes of Grid().
   NodeBox OutputBox() const;
   /// Bytes of the values of a box of Grid(); the largest number if 64 bits overflow.
@@ -54,7 +59,7 @@ public:
 
   /**
    * Fills `out`, with x varying fastest, with the nodes `box` of Grid(), in the memory format of
-   * Header().Voxel, and `inside` (needed only if Resampled()) with 1, or 0 outside the map. The
+   * OutputVoxel(), and `inside` (needed only if Resampled()) with 1, or 0 outside the map. The
    * result is bitwise the same for any box and number of threads.
    *
    * @pre `box` lies in OutputBox() and is not empty.
@@ -78,6 +83,7 @@ private:
   VoxelLattice SelectVolume(const MRCOptions& options);
   void SelectNodes(const MRCOptions& options, const VoxelLattice& whole);
   void ReadNodes(const NodeBox& box, void* out, const ProgressCallback& progress);
+  std::optional<double> FindNoData(const MRCSelection& part, const ProgressCallback& progress);
 
   std::unique_ptr<ByteSource> Source;
   MRCHeader Head;
@@ -86,7 +92,9 @@ private:
   MRCSelection Nodes;
   VoxelLattice Lattice; ///< of the selected nodes
   VoxelLattice Target;
+  MRCVoxelType Voxel; ///< of the output
   bool Interpolated = false;
+  bool Means = false;
 };
 
 /// True if the file at `path` begins like a map, compressed or not. Never throws.

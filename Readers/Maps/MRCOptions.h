@@ -24,7 +24,8 @@ struct MRCOptions
   int VolumeIndex = -1;
   /// First and last node along x, y, z of the volume as stored; a last node of -1 is the end.
   std::array<int, 6> CropExtent{ 0, -1, 0, -1, 0, -1 };
-  /// Every n-th node along x, y, z, from the first of the crop; no averaging.
+  /// Means of n nodes along x, y, z, from the first of the crop, as floats; every n-th node of
+  /// voxels of several components. A rest of less than n nodes is not read.
   std::array<int, 3> SampleRate{ 1, 1, 1 };
   isthmus::NonOrthogonalCell NonOrthogonalCell = isthmus::NonOrthogonalCell::Resample;
 };

@@ -454,6 +454,156 @@ void ReadInOrder(const Reading& reading, ByteSource& source, const ProgressCallb
   }
 }
 
+/// Means of boxes of voxels, section by section of the means and some of their rows at a time.
+class MeanReading
+{
+public:
+  MeanReading(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+    const std::optional<double>& ignored, float* out)
+    : Source(source)
+    , Layout(layout)
+    , Ignored(ignored)
+    , Out(out)
+  {
+    const Index3 step{ 1, selection.Count[0], selection.Count[0] * selection.Count[1] };
+    for (std::size_t f = 0; f < 3; ++f)
+    {
+      const auto axis = static_cast<std::size_t>(layout.OutputAxis[f]);
+      this->First[f] = selection.First[axis];
+      this->Count[f] = selection.Count[axis];
+      this->Side[f] = selection.Stride[axis];
+      this->OutStep[f] = step[axis];
+    }
+  }
+
+  std::int64_t Rows() const { return this->Count[1]; }
+  std::int64_t Sections() const { return this->Count[2]; }
+
+  /// Rows of means whose voxels in one section of the file take about a MiB.
+  std::int64_t RowsAtOnce() const
+  {
+    constexpr std::int64_t pieceBytes = std::int64_t{ 1 } << 20;
+    const std::int64_t rowBytes = this->Count[0] * this->Side[0] * this->Side[1] *
+      static_cast<std::int64_t>(this->Layout.Type.Bytes);
+    return std::clamp<std::int64_t>(pieceBytes / rowBytes, 1, this->Count[1]);
+  }
+
+  /// The means of these rows of a section of means.
+  void Read(std::int64_t section, std::int64_t firstRow, std::int64_t endRow,
+    const ProgressCallback& progress) const
+  {
+    std::vector<double> sums(static_cast<std::size_t>(this->Count[0] * (endRow - firstRow)), 0.0);
+    std::vector<std::int32_t> counts(sums.size(), 0);
+    std::vector<unsigned char> voxels;
+    const std::int64_t piece = this->RowsAtOnce();
+    for (std::int64_t s = 0; s < this->Side[2]; ++s)
+    {
+      for (std::int64_t row = firstRow; row < endRow; row += piece)
+      {
+        const std::int64_t rows = std::min(piece, endRow - row);
+        const auto at = static_cast<std::size_t>(this->Count[0] * (row - firstRow));
+        this->ReadVoxels(section * this->Side[2] + s, row, rows, voxels);
+        this->AddVoxels(rows, voxels, &sums[at], &counts[at]);
+        Report(progress,
+          static_cast<double>(s * (endRow - firstRow) + row + rows - firstRow) /
+            static_cast<double>(this->Side[2] * (endRow - firstRow)));
+      }
+    }
+    for (std::int64_t row = firstRow; row < endRow; ++row)
+    {
+      float* const to = this->Out + section * this->OutStep[2] + row * this->OutStep[1];
+      for (std::int64_t c = 0; c < this->Count[0]; ++c)
+      {
+        const auto n = static_cast<std::size_t>(this->Count[0] * (row - firstRow) + c);
+        to[c * this->OutStep[0]] = static_cast<float>(
+          counts[n] > 0 ? sums[n] / static_cast<double>(counts[n]) : this->Ignored.value_or(0.0));
+      }
+    }
+  }
+
+private:
+  /// The voxels of some rows of means in one section of the file, counted from First.
+  void ReadVoxels(std::int64_t section, std::int64_t row, std::int64_t rows,
+    std::vector<unsigned char>& voxels) const
+  {
+    const Index3 first{ 0, row * this->Side[1], section },
+      count{ this->Count[0] * this->Side[0], rows * this->Side[1], 1 };
+    MRCSelection part;
+    for (std::size_t f = 0; f < 3; ++f)
+    {
+      const auto axis = static_cast<std::size_t>(this->Layout.OutputAxis[f]);
+      part.First[axis] = this->First[f] + first[f];
+      part.Count[axis] = count[f];
+    }
+    voxels.resize(static_cast<std::size_t>(count[0] * count[1]) * this->Layout.Type.Bytes);
+    const Reading reading(this->Source, this->Layout, part, voxels.data());
+    const Bytes scratch = Allocate(reading.ScratchBytes(count));
+    const Brick all{ {}, count };
+    reading.Fetch(all, scratch.get());
+    reading.Finish(all, scratch.get());
+  }
+
+  void AddVoxels(std::int64_t rows, const std::vector<unsigned char>& voxels, double* sums,
+    std::int32_t* counts) const
+  {
+    const auto as = [&](auto value)
+    { this->Add(rows, reinterpret_cast<const decltype(value)*>(voxels.data()), sums, counts); };
+    switch (this->Layout.Type.Value)
+    {
+      case MRCValue::SignedChar:
+        return as(static_cast<signed char>(0));
+      case MRCValue::UnsignedChar:
+        return as(static_cast<unsigned char>(0));
+      case MRCValue::Short:
+        return as(short(0));
+      case MRCValue::UnsignedShort:
+        return as(static_cast<unsigned short>(0));
+      case MRCValue::Float:
+        return as(0.0F);
+    }
+  }
+
+  template <typename T>
+  void Add(std::int64_t rows, const T* voxels, double* sums, std::int32_t* counts) const
+  {
+    // Of the axes x, y, z of the voxels that were read, columns are those of the smaller number.
+    const bool columnsFirst = this->Layout.OutputAxis[0] < this->Layout.OutputAxis[1];
+    const std::int64_t columns = this->Count[0] * this->Side[0];
+    const std::int64_t columnStep = columnsFirst ? 1 : rows * this->Side[1];
+    const std::int64_t rowStep = columnsFirst ? columns : 1;
+    for (std::int64_t r = 0; r < rows * this->Side[1]; ++r)
+    {
+      const std::int64_t to = this->Count[0] * (r / this->Side[1]);
+      for (std::int64_t c = 0; c < this->Count[0]; ++c)
+      {
+        double sum = sums[to + c];
+        std::int32_t count = counts[to + c];
+        const T* at = voxels + r * rowStep + c * this->Side[0] * columnStep;
+        for (std::int64_t k = 0; k < this->Side[0]; ++k, at += columnStep)
+        {
+          const auto value = static_cast<double>(*at);
+          if (!this->Ignored || value != *this->Ignored)
+          {
+            sum += value;
+            ++count;
+          }
+        }
+        sums[to + c] = sum;
+        counts[to + c] = count;
+      }
+    }
+  }
+
+  ByteSource& Source;
+  const MRCVoxelLayout& Layout;
+  std::optional<double> Ignored;
+  float* Out;
+  Index3 First{};
+  Index3 Count{}; ///< of means
+  Index3 Side{};  ///< of a box
+  Index3 OutStep{};
+};
+
 }
 
 void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
@@ -467,6 +617,35 @@ void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSe
   else
   {
     ReadInOrder(reading, source, progress);
+  }
+}
+
+void ReadMRCMeans(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+  const std::optional<double>& ignored, float* out, const ProgressCallback& progress)
+{
+  const MeanReading reading(source, layout, selection, ignored, out);
+  if (source.RandomAccess())
+  {
+    const std::int64_t piece = reading.RowsAtOnce();
+    const std::int64_t pieces = (reading.Rows() + piece - 1) / piece;
+    ParallelFor(
+      0, reading.Sections() * pieces, 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          const std::int64_t row = n % pieces * piece;
+          reading.Read(n / pieces, row, std::min(reading.Rows(), row + piece), {});
+        }
+      },
+      progress);
+    return;
+  }
+  for (std::int64_t section = 0; section < reading.Sections(); ++section)
+  {
+    const auto share = [&](std::int64_t n)
+    { return static_cast<double>(n) / static_cast<double>(reading.Sections()); };
+    reading.Read(section, 0, reading.Rows(), Between(progress, share(section), share(section + 1)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace isthmus
 {
@@ -105,6 +106,20 @@ struct MRCSelection
  */
 void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
   void* out, const ProgressCallback& progress);
+
+/**
+ * Fills `out` with the means of all voxels from First on in boxes of Stride, of which Count along
+ * each axis. Voxels of the value `ignored` do not count; where there are no others, it is the mean.
+ *
+ * @pre one component; the boxes lie within the volume; `out` has room for their means.
+ *
+ * Plain files are read by several threads, compressed ones from front to back. Scratch memory:
+ * 2 MiB for each thread and 12 bytes for each mean of a section (those of a few rows for plain
+ * files). Bitwise the same for any part of the boxes and number of threads.
+ * @throws as ReadMRCVoxels.
+ */
+void ReadMRCMeans(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+  const std::optional<double>& ignored, float* out, const ProgressCallback& progress);
 
 }
 

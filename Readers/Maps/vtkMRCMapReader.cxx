@@ -357,7 +357,7 @@ int vtkMRCMapReader::RequestInformation(
       const MRCMap map = Open(this->FileName, this->Parameters);
       this->ReportNotes(map);
       isthmus::Describe(MakeGridInformation(map.Grid()), info);
-      const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
+      const isthmus::MRCVoxelType& voxel = map.OutputVoxel();
       vtkDataObject::SetPointDataActiveScalarInfo(
         info, GetScalarType(voxel.Value), voxel.Components);
       info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
@@ -409,7 +409,7 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
   const isthmus::ProgressCallback progress = isthmus::MakeProgress(this);
   const bool counted =
     map.CheckBeforeAllocating(map.OutputBytes(box), isthmus::Between(progress, 0.0, 0.5));
-  const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
+  const isthmus::MRCVoxelType& voxel = map.OutputVoxel();
   const vtkIdType nodes = output->GetNumberOfPoints();
   const auto density = VoxelArray("Density", GetScalarType(voxel.Value), voxel.Components, nodes);
   vtkSmartPointer<vtkDataArray> inside;

@@ -43,10 +43,12 @@
  * the file and what is wrong, the output is empty, and an error code of vtkErrorCode is set.
  *
  * **Cost.** Reading takes one pass over the required bytes, in parallel, without a copy for float
- * maps in the byte order of this machine. Pieces (update extents), CropExtent and SampleRate leave
- * the rest of a plain file unread; a compressed file is decompressed up to the last node needed.
- * Memory: the output, plus a few MiB (up to 32 MiB for compressed files), plus the nodes read when
- * resampling.
+ * maps in the byte order of this machine. Pieces (update extents) and CropExtent leave the rest of
+ * a plain file unread. A compressed file is decompressed up to the last node needed (twice with
+ * SampleRate), the first time from its beginning and later, as far as it is known by then, from
+ * less than 64 MiB before the first node needed (bzip2 only on several threads). Memory: the
+ * output, plus a few MiB (up to 32 MiB for compressed files, and 12 MiB for the index of one, 60
+ * MiB by bzip2), plus the nodes read when resampling.
  */
 #ifndef vtkMRCMapReader_h
 #define vtkMRCMapReader_h
@@ -93,8 +95,9 @@ public:
   ///@}
 
   ///@{
-  /// Read every n-th node along x, y, z, from the first of the crop, without averaging.
-  /// Default: 1 1 1.
+  /// Bin the map: read means of n nodes along x, y, z, from the first of the crop, as floats at the
+  /// middle of these nodes. A rest of less than n nodes at the end is dropped. Voxels with several
+  /// components (modes 3, 4, 16) are not averaged, but every n-th of them is read. Default: 1 1 1.
   ISTHMUS_PARAMETER_VECTOR3(SampleRate, int);
   ///@}
 

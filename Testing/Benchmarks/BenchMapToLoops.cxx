@@ -6,6 +6,7 @@
 
 #include "PeakMemory.h"
 #include "vtkChokingLoops.h"
+#include "vtkDenoiseMap.h"
 #include "vtkMRCMapReader.h"
 #include "vtkMapSurface.h"
 
@@ -130,6 +131,32 @@ vtkSmartPointer<vtkImageData> Load(std::int64_t map, int n)
                         : ResampleMap(map == EMD5170 ? "emd_5170.map" : "emd_5043.map", n);
 }
 
+/// EMD-5043 on n^3 nodes, with noise of half its standard deviation.
+vtkSmartPointer<vtkImageData> NoisyMap(int n)
+{
+  auto image = ResampleMap("emd_5043.map", n);
+  auto* const values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  float* const value = values->GetPointer(0);
+  const vtkIdType count = values->GetNumberOfValues();
+  double sum = 0.0, squares = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    sum += static_cast<double>(value[i]);
+    squares += static_cast<double>(value[i]) * static_cast<double>(value[i]);
+  }
+  const double mean = sum / static_cast<double>(count);
+  const double deviation = std::sqrt(squares / static_cast<double>(count) - mean * mean);
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        value[i] += static_cast<float>(0.5 * deviation * NoiseAt(static_cast<std::uint64_t>(i)));
+      }
+    });
+  return image;
+}
+
 /// CPU time of this process and of finished TetGen processes.
 double ProcessorSeconds()
 {
@@ -191,6 +218,32 @@ void MapToLoops(benchmark::State& state)
     }
   }
 }
+
+/// Arguments: nodes along each axis, threads (0: all). Volumes: peak without the program and the
+/// image, in floats.
+void Denoise(benchmark::State& state)
+{
+  vtkSMPTools::Initialize(static_cast<int>(state.range(1)));
+  const auto image = NoisyMap(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    vtkNew<vtkDenoiseMap> filter;
+    filter->SetInputData(image);
+    ResetPeakMemory();
+    const double before = PeakMemory(), started = Now(), used = ProcessorSeconds();
+    filter->Update();
+    state.counters["seconds"] = Now() - started;
+    state.counters["cpu_s"] = ProcessorSeconds() - used;
+    state.counters["peak_GB"] = PeakMemory() / 1e9;
+    state.counters["volumes"] =
+      (PeakMemory() - before) / (4.0 * static_cast<double>(image->GetNumberOfPoints()));
+  }
+}
+BENCHMARK(Denoise)
+  ->ArgsProduct({ { 256, 512, 800 }, { 1, 0 } })
+  ->Iterations(1)
+  ->UseRealTime()
+  ->Unit(benchmark::kSecond);
 
 #define MAP(map, nodes, threads) Args({ map, nodes, threads })->Iterations(1)->UseRealTime()
 BENCHMARK(MapToLoops)

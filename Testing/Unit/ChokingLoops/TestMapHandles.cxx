@@ -3,6 +3,7 @@
 
 #include "vtkMapHandles.h"
 
+#include "AddressSpaceLimit.h"
 #include "SharedData.h"
 #include "vtkMRCMapReader.h"
 
@@ -554,6 +555,33 @@ TEST(MapHandles, HalfMapsThatDoNotFit)
       << errors->GetErrorMessage();
     EXPECT_EQ(Points(filter, 0)->GetNumberOfPoints(), 0);
   }
+}
+
+TEST(MapHandles, RefusesHalfMapsThatDoNotFitIntoMemory)
+{
+  const auto half = [](double sign)
+  {
+    return Image(128,
+      [sign](double x, double y, double z)
+      { return Necklace(5, x, y, z) + sign * 0.05 * std::sin(0.4 * x); });
+  };
+  vtkNew<vtkMapHandles> filter;
+  vtkNew<vtkTest::ErrorObserver> errors;
+  filter->AddObserver(vtkCommand::ErrorEvent, errors);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  filter->SetInputData(half(1.0));
+  filter->SetOtherHalfData(half(-1.0));
+  {
+    const isthmus::testing::AddressSpaceLimit limit(48); // the persistence of one needs 10 MiB
+    filter->Update();
+  }
+  const std::string said = errors->GetErrorMessage();
+  for (const char* words : { "The persistence of 128 x 128 x 128 values needs about 8",
+         " MiB are available: ", "crop", "SampleRate" })
+  {
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+  EXPECT_EQ(Points(filter, 0)->GetNumberOfPoints(), 0);
 }
 
 TEST(MapHandles, WarnsAboutUnrelatedHalfMaps)

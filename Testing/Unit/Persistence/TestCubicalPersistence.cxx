@@ -4,13 +4,17 @@
 #include "Persistence/CubicalPersistence.h"
 
 #include "CubicalChecks.h"
+#include "PeakMemory.h"
 #include "PersistenceVolumes.h"
 
 #include <vtkSMPTools.h>
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
+
+#include <malloc.h>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -219,4 +223,37 @@ TEST(CubicalPersistence, StopsOnRequest)
   EXPECT_THROW(
     CubicalPersistence(volume.View(), {}, [](double fraction) { return fraction < 0.4; }),
     Cancelled);
+}
+
+TEST(CubicalPersistence, BytesAreWithinAFactorOfTwo)
+{
+  const Size n{ 120, 128, 120 };
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise;
+  double before = 0.0;
+  for (const double deviation : { 0.0, 0.1, 0.3, 3.0 })
+  {
+    const auto volume = Fill<float>(
+      n, [&](double x, double y, double z) { return Wave(x, y, z) + deviation * noise(random); });
+    const double predicted = CubicalBytes(volume.View(), false);
+    malloc_trim(0); // else memory that was freed and is used again would not be measured
+    ResetPeakMemory();
+    before = PeakMemory();
+    if (before <= 0.0)
+    {
+      GTEST_SKIP() << "The kernel does not report the peak of a process.";
+    }
+    const CubicalDiagram diagram = CubicalPersistence(volume.View());
+    const double bytes = PeakMemory() - before;
+    EXPECT_GT(predicted, 0.5 * bytes) << deviation;
+    EXPECT_LT(predicted, 2.0 * bytes) << deviation;
+  }
+}
+
+TEST(CubicalPersistence, BytesOfSmallVolumes)
+{
+  EXPECT_EQ(CubicalBytes(VolumeView(), false), 0.0);
+  const auto row = Noise<std::uint8_t>({ 1, 1, 100 }, 0, 256);
+  EXPECT_GT(CubicalBytes(row.View(), false), 500.0);
+  EXPECT_LT(CubicalBytes(row.View(), true), 20500.0);
 }

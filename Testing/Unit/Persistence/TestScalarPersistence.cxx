@@ -2,6 +2,7 @@
 
 #include "vtkScalarPersistence.h"
 
+#include "AddressSpaceLimit.h"
 #include "ScalarImages.h"
 
 #include <vtkCallbackCommand.h>
@@ -12,6 +13,7 @@
 #include <vtkShortArray.h>
 #include <vtkTestErrorObserver.h>
 
+#include <random>
 #include <string>
 
 using namespace isthmus;
@@ -286,4 +288,39 @@ TEST(ScalarPersistence, AbortLeavesAnEmptyOutput)
   filter->Update();
   EXPECT_EQ(filter->GetDiagram()->GetNumberOfRows(), 0);
   EXPECT_EQ(filter->GetBettiCurves()->GetNumberOfRows(), 0);
+}
+
+TEST(ScalarPersistence, RefusesWhatDoesNotFitIntoMemory)
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise;
+  const auto noisy =
+    Image<vtkFloatArray>(160, [&](double, double, double) { return noise(random); });
+  vtkNew<vtkScalarPersistence> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInputData(noisy);
+  {
+    const AddressSpaceLimit limit(128);
+    filter->Update();
+  }
+  const std::string said = observer->GetErrorMessage();
+  EXPECT_NE(said.find("The persistence of 160 x 160 x 160 values needs about 3"), std::string::npos)
+    << said;
+  for (const char* words : { " MiB are available: ", "crop", "SampleRate" })
+  {
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+  EXPECT_EQ(filter->GetDiagram()->GetNumberOfRows(), 0);
+  // A smooth volume of the same size has few critical cells, and fits.
+  observer->Clear();
+  const auto smooth = Image<vtkFloatArray>(160, Ripple);
+  filter->SetInputData(smooth);
+  {
+    const AddressSpaceLimit limit(256);
+    filter->Update();
+  }
+  EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
+  EXPECT_GT(filter->GetDiagram()->GetNumberOfRows(), 10);
 }

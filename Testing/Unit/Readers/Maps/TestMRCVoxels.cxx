@@ -1,4 +1,4 @@
-// Every mode x byte order x axis order x compression, whole, cropped, strided and in pieces.
+// Every mode x byte order x axis order x compression, whole, cropped, binned and in pieces.
 
 #include "MRCTestFile.h"
 #include "MRCTestReading.h"
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace
 {
@@ -81,6 +82,31 @@ struct Box
   std::array<int, 3> Rate{ 1, 1, 1 };
 };
 
+/// Whether nodes are means of voxels (otherwise, with a rate, every n-th voxel).
+bool AreMeans(int mode, const Box& box)
+{
+  return mode != 3 && mode != 4 && mode != 16 && box.Rate != std::array<int, 3>{ 1, 1, 1 };
+}
+
+/// The mean of the values that the file was given in a box of the size box.Rate, from `first` on
+/// along x, y, z.
+double Mean(int mode, const Order& order, const Box& box, const int (&first)[3])
+{
+  double sum = 0.0;
+  for (int k = first[2]; k < first[2] + box.Rate[2]; ++k)
+  {
+    for (int j = first[1]; j < first[1] + box.Rate[1]; ++j)
+    {
+      for (int i = first[0]; i < first[0] + box.Rate[0]; ++i)
+      {
+        const int node[3] = { i, j, k };
+        sum += Value(mode, node[order[0] - 1], node[order[1] - 1], node[order[2] - 1], 0);
+      }
+    }
+  }
+  return sum / (box.Rate[0] * box.Rate[1] * box.Rate[2]);
+}
+
 /// Compares every node with the value that the file was given there.
 ::testing::AssertionResult AllRight(
   MRCTestReading& reading, int mode, const Order& order, const Box& box)
@@ -97,6 +123,17 @@ struct Box
       {
         const int node[3] = { box.Crop[0] + i * box.Rate[0], box.Crop[2] + j * box.Rate[1],
           box.Crop[4] + k * box.Rate[2] };
+        if (AreMeans(mode, box))
+        {
+          const double expected = Mean(mode, order, box, node),
+                       found = density->GetComponent(id, 0);
+          if (std::abs(found - expected) > 1e-6 * std::max(1.0, std::abs(expected)))
+          {
+            return ::testing::AssertionFailure()
+              << "node " << i << " " << j << " " << k << " is " << found << ", not " << expected;
+          }
+          continue;
+        }
         for (int component = 0; component < density->GetNumberOfComponents(); ++component)
         {
           const double expected =
@@ -169,7 +206,7 @@ TEST_P(MRCVoxels, WholeMap)
     });
 }
 
-TEST_P(MRCVoxels, CroppedAndStrided)
+TEST_P(MRCVoxels, CroppedAndBinned)
 {
   const Box boxes[] = { { { 1, 3, 0, -1, 2, 4 }, { 1, 1, 1 } },
     { { 1, 2, 1, 2, 1, 2 }, { 1, 1, 1 } }, { { 0, -1, 1, -1, 0, -1 }, { 2, 3, 2 } },
@@ -178,20 +215,25 @@ TEST_P(MRCVoxels, CroppedAndStrided)
     [&](MRCTestReading& reading)
     {
       const auto& [mode, order] = GetParam();
-      for (const Box& box : boxes)
+      for (Box box : boxes)
       {
         reading->SetCropExtent(box.Crop.data());
         reading->SetSampleRate(box.Rate.data());
+        const bool means = AreMeans(mode, box);
+        EXPECT_EQ(reading.Update()->GetScalarType(), means ? VTK_FLOAT : ScalarType(mode));
         vtkImageData* const image = reading.Update();
         ASSERT_FALSE(reading.HasFailed()) << reading.Error();
         const std::array<int, 3> size = this->Size();
         for (std::size_t a = 0; a < 3; ++a)
         {
           const int last = box.Crop[2 * a + 1] < 0 ? size[a] - 1 : box.Crop[2 * a + 1];
-          const int rate = std::min(box.Rate[a], size[a]);
-          EXPECT_EQ(image->GetDimensions()[a], (last - box.Crop[2 * a]) / rate + 1);
-          EXPECT_DOUBLE_EQ(image->GetOrigin()[a], box.Crop[2 * a]);
+          const int nodes = last - box.Crop[2 * a] + 1;
+          const int rate = std::min(box.Rate[a], means ? nodes : size[a]);
+          EXPECT_EQ(image->GetDimensions()[a], means ? nodes / rate : (nodes - 1) / rate + 1);
+          EXPECT_DOUBLE_EQ(
+            image->GetOrigin()[a], box.Crop[2 * a] + (means ? 0.5 * (rate - 1) : 0.0));
           EXPECT_DOUBLE_EQ(image->GetSpacing()[a], rate);
+          box.Rate[a] = rate;
         }
         EXPECT_TRUE(AllRight(reading, mode, order, box));
       }
@@ -238,6 +280,52 @@ TEST(MRCVoxelsLarge, ManyBricks)
         EXPECT_TRUE(AllRight(reading, mode, order, {})) << "mode " << mode << " packed " << packed;
       }
     }
+  }
+}
+
+/// Many bricks of means, in pieces that must have the bits of the whole.
+TEST(MRCVoxelsLarge, MeansInPieces)
+{
+  Box box;
+  box.Rate = { 4, 3, 2 };
+  for (const Order& order : { Order{ 1, 2, 3 }, Order{ 3, 1, 2 } })
+  {
+    const std::string bytes = MakeMap(1, true, order, { 301, 249, 83 }).Bytes();
+    for (const bool packed : { false, true })
+    {
+      const TemporaryFile file(packed ? Gzip(bytes) : bytes);
+      MRCTestReading whole(file.Path()), piece(file.Path());
+      whole->SetSampleRate(box.Rate.data());
+      piece->SetSampleRate(box.Rate.data());
+      whole.Update();
+      ASSERT_FALSE(whole.HasFailed()) << whole.Error();
+      EXPECT_TRUE(AllRight(whole, 1, order, box)) << "packed " << packed;
+      int extent[6] = { 3, 17, 2, 20, 5, 9 };
+      piece->UpdateExtent(extent);
+      EXPECT_TRUE(AllRight(piece, 1, order, box)) << "packed " << packed;
+      EXPECT_EQ(piece->GetOutput()->GetScalarComponentAsDouble(5, 7, 8, 0), whole.At(5, 7, 8));
+    }
+  }
+}
+
+TEST(MRCVoxels, MeansAreWithoutValuesThatStandForNoData)
+{
+  MRCTestFile map({ 40, 40, 20 }, 2);
+  map.AddVoxels([](int c, int r, int s, int)
+    { return c < 13 ? -9999.0 : 0.01 * c + 0.02 * r + 0.03 * s - 0.5; });
+  const TemporaryFile file(map.Bytes());
+  MRCTestReading reading(file.Path());
+  reading->SetSampleRate(4, 4, 4);
+  vtkImageData* const image = reading.Update();
+  vtkDataArray* const mask = image->GetPointData()->GetArray("NoData");
+  ASSERT_NE(mask, nullptr);
+  EXPECT_EQ(reading.Number("NoDataValue"), -9999.0);
+  for (int i = 0; i < 10; ++i)
+  {
+    EXPECT_EQ(mask->GetComponent(i, 0), i < 3 ? 1.0 : 0.0);
+    // Of the columns 12 to 15, the first has no data.
+    const double column = i == 3 ? 14.0 : 4.0 * i + 1.5;
+    EXPECT_NEAR(reading.At(i, 0, 0), i < 3 ? 0.0 : 0.01 * column + 0.05 * 1.5 - 0.5, 1e-6);
   }
 }
 
