@@ -89,6 +89,7 @@ class System:
             archive.unpack(list(self.versions), self.headers)
             known.write_text(fingerprint)
         search, compiler = self.search_path()
+        self.compiler = [COMPILER]
         self.flags = ["-fsyntax-only", "-nostdinc"]
         for folder in search:
             self.flags += ["-isystem", str(folder)]
@@ -170,15 +171,16 @@ class Checker:
         with tempfile.TemporaryDirectory() as work:
             dependencies = pathlib.Path(work) / "dependencies"
             # Read from the standard input, messages name the path in the repository.
-            done = subprocess.run([COMPILER, "-iquote", str(source.parent), *flags, *self.system.flags, "-MMD", "-MF", str(dependencies), "-MT", "x", "-x",
-                                   "c++", "-"], input=f'# 1 "{relative}"\n{text}', capture_output=True, text=True, cwd=ROOT,
+            done = subprocess.run([*self.system.compiler, "-iquote", str(source.parent), *flags, *self.system.flags, "-MMD", "-MF",
+                                   str(dependencies), "-MT", "x", "-o", f"{work}/object", "-x", "c++", "-"], input=f'# 1 "{relative}"\n{text}', capture_output=True, text=True, cwd=ROOT,
                                   env={**os.environ, "LC_ALL": "C"})
             names = re.split(r"(?<!\\)\s+", dependencies.read_text().replace("\\\n", " ").strip())[1:] \
                 if dependencies.exists() else []
         if done.returncode:
             return done.stderr or "the compiler was stopped", True
         names = [name.replace("\\ ", " ") for name in names]
-        headers = sorted({self.label(os.path.realpath(ROOT / name)) for name in names if name not in ("-", relative)})
+        headers = sorted({self.label(os.path.realpath(ROOT / name)) for name in names
+                          if name not in ("-", relative) and not name.endswith("-stdin.cpp")})
         known.parent.mkdir(exist_ok=True)
         partial = known.with_suffix(f".{os.getpid()}")
         partial.write_text(json.dumps({"key": key, "headers": {name: self.hash_of(name) for name in headers}}))
@@ -194,15 +196,10 @@ def errors_of(system, source, messages):
                      for line in lines or messages.splitlines())
 
 
-def check_all(suite, build, pattern):
+def check_sources(system, build, pairs):
+    """Compiles the pairs of a source and its flags, prints what fails, and ends the program."""
     start = time.monotonic()
-    system = System(suite)
     checker = Checker(system, build)
-    # Those with most to instantiate first.
-    pairs = sorted(((source, flags) for source, flags in sources_of(build) if re.search(pattern, str(source))),
-                   key=lambda pair: "CGAL" not in pair[0].read_text())
-    if not pairs:
-        sys.exit(f"other_systems.py: no source matches {pattern}.")
     with concurrent.futures.ThreadPoolExecutor(THREADS) as pool:
         results = list(pool.map(lambda pair: checker.check(*pair), pairs))
     for (source, _), (messages, _) in zip(pairs, results):
@@ -213,6 +210,16 @@ def check_all(suite, build, pattern):
     print(f"{system.name} ({system.report()}): sources: {len(results)}, compiled now: {ran} in "
           f"{time.monotonic() - start:.0f} s, failed: {failed}")
     sys.exit(bool(failed))
+
+
+def check_all(suite, build, pattern):
+    system = System(suite)
+    # Those with most to instantiate first.
+    pairs = sorted(((source, flags) for source, flags in sources_of(build) if re.search(pattern, str(source))),
+                   key=lambda pair: "CGAL" not in pair[0].read_text())
+    if not pairs:
+        sys.exit(f"other_systems.py: no source matches {pattern}.")
+    check_sources(system, build, pairs)
 
 
 def main(suite, build, pattern=""):

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # The Python wheel: built from this tree in a clean environment, repaired (libraries bundled, except VTK's), measured,
-# and tested where only pip's packages are: functions, panels, classes, the command; then with PyVista, and the
-# notebooks.
+# and tested where only pip's packages are: functions, panels, classes, the command, with the newest and the oldest VTK
+# that it accepts; then with PyVista, and the notebooks.
 # Usage: Testing/Builds/wheel.sh [--smoke | --units] [FOLDER]
 #   --smoke   no PyVista and no notebooks: the tests of functions and the command
 #   --units   the unit tests in C++ as well, on the libraries of the installed wheel: half an hour more to compile
 #   FOLDER    the build tree, where environments, wheel and pictures go as well; default: build_wheel/ in the tree
-# ISTHMUS_WHEEL: an existing wheel to test instead of building one. Exit status 77: PyPI cannot be reached, or a
+# ISTHMUS_WHEEL: an existing wheel to test instead of building one. ISTHMUS_PYTHON: the Python that it is for; in the folder
+# of another one only wrapping and linking are done again. Exit status 77: PyPI cannot be reached, or a
 # package of Debian to build with is missing; the message says which.
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -41,7 +42,7 @@ fresh()
   }
 }
 
-vtk=$(sed -nE 's/^ *"(vtk==[^"]+)",$/\1/p' "$source_dir/pyproject.toml")
+vtk=$(sed -nE 's/^ *"(vtk>=[^"]+)",$/\1/p' "$source_dir/pyproject.toml")
 if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   command -v c++ >/dev/null || skip "no C++ compiler."
   for header in CGAL/version.h eigen3/Eigen/Core gemmi/pdb.hpp tao/pegtl.hpp nlohmann/json.hpp boost/version.hpp gmp.h \
@@ -113,6 +114,10 @@ tests "$folder/plain_env/bin/python"
 if [ $scope = smoke ]; then
   exit 0
 fi
+oldest=$(sed -E 's/^vtk>=([0-9.]+),.*$/\1/' <<<"$vtk").0
+say "The same with VTK $oldest"
+fresh oldest_env "$ISTHMUS_WHEEL" "vtk==$oldest"
+tests "$folder/oldest_env/bin/python"
 say "Python tests that need no ParaView"
 "$folder/plain_env/bin/python" -m pip install --quiet --disable-pip-version-check scipy
 # Those that import isthmus, and neither they nor their helpers ParaView.
