@@ -5,7 +5,7 @@
 #ifndef isthmus_StartedProgram_h
 #define isthmus_StartedProgram_h
 
-#include "Core/ChildProcess.h"
+#include "Core/ChildLimits.h"
 
 #include <filesystem>
 #include <memory>
