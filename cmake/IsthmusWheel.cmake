@@ -41,10 +41,19 @@ if (NOT VTK_DIR OR ours EQUAL 0)
     set(VTK_DIR "${found}" CACHE PATH "The directory containing a CMake configuration file for VTK." FORCE)
   endif ()
 endif ()
-if (VTK_DIR)
+
+# isthmus_check_sdk(): stops where the options of the VTK that was found differ from those of the installed vtk.
+function (isthmus_check_sdk)
   execute_process(
-    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_LIST_DIR}/wheel/check_sdk.py" "${VTK_DIR}"
-    COMMAND_ERROR_IS_FATAL ANY)
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_SOURCE_DIR}/cmake/wheel/check_sdk.py" "${VTK_DIR}"
+    RESULT_VARIABLE status
+    ERROR_VARIABLE message)
+  if (status)
+    message(FATAL_ERROR "${message}")
+  endif ()
+endfunction ()
+if (VTK_DIR)
+  isthmus_check_sdk() # before find_package() fails for a lesser reason
 endif ()
 
 # Libraries in C++ must be compiled as the vtk wheel is, which those of Debian are not; gemmi is one from 0.6 on.

@@ -32,7 +32,9 @@ def vtk_of_this_python():
 
 def library(folder, name):
     """Read as bytes: names of functions are found without tools of the platform."""
-    for path in (*folder.glob(f"lib{name}.so"), *folder.glob(f".dylibs/lib{name}*.dylib")):
+    # In pip's vtk on Linux and on macOS, and in conda's.
+    for path in (*folder.glob(f"lib{name}.so"), *folder.glob(f".dylibs/lib{name}*.dylib"),
+                 *pathlib.Path(sys.prefix, "lib").glob(f"lib{name}-*")):
         return path.read_bytes()
     sys.exit(f"The library {name} of vtk was not found in {folder}.")
 
@@ -80,7 +82,9 @@ def main():
     version, folder = vtk_of_this_python()
     if len(sys.argv) == 1:
         # manylinux2014 is compiled with the C++ library's strings of before 2011.
-        print(version, folder, int(b"__cxx11" in library(folder, "vtkCommonCore")), sep="\n")
+        print(version, folder, int(sys.platform == "linux" and b"__cxx11" in library(folder, "vtkCommonCore")), sep="\n")
+        return
+    if sys.platform == "win32":
         return
     headers = headers_of(pathlib.Path(sys.argv[1]).resolve())
     sdk, installed = of_headers(headers), of_libraries(version, folder)
