@@ -15,7 +15,9 @@ import numbers
 import operator
 import os
 import re
+import signal
 import textwrap
+import threading
 import warnings
 
 from . import notebooks, other_libraries
@@ -83,6 +85,17 @@ class _Watch:
                 tags.append((watched, watched.AddObserver(event, self._collector(texts))))
         tags.append((algorithm, algorithm.AddObserver("ProgressEvent", self._advance)))
         self.tags = tags
+        # Raised on entry to an observer, before it can catch anything, KeyboardInterrupt would end the program: VTK exits.
+        self.before = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
+        if callable(self.before):
+            signal.signal(signal.SIGINT, self._interrupt)
+
+    def _interrupt(self, number, frame):
+        try:
+            self.before(number, frame)
+        except BaseException as error:
+            self.raised = error
+            self.algorithm.SetAbortExecute(1)
 
     @staticmethod
     def _collector(texts):
@@ -105,6 +118,8 @@ class _Watch:
         for watched, tag in self.tags:
             watched.RemoveObserver(tag)
         self.bar.close()
+        if callable(self.before):
+            signal.signal(signal.SIGINT, self.before)
 
 
 def sentence(text):
