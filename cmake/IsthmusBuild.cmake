@@ -158,7 +158,8 @@ function (isthmus_python_sources folder destination)
     DESTINATION "${destination}" COMPONENT python)
 
   set(sources "${from}/isthmus/py.typed")
-  foreach (part IN ITEMS __main__ accessor command data_pipelines functions incidence samples
+  foreach (part IN ITEMS __main__ accessor command data_pipelines functions incidence notebooks other_libraries
+      samples
       ${ISTHMUS_PARAVIEW_PYTHON})
     list(APPEND sources "${from}/isthmus/${part}.py")
   endforeach ()

@@ -2,7 +2,7 @@
 
 add_library(isthmus_compiler INTERFACE)
 target_compile_options(isthmus_compiler INTERFACE
-  -Wall -Wextra -Wshadow -Wconversion
+  "$<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-Wall;-Wextra;-Wshadow;-Wconversion>"
   # In groups of sources, types of unnamed namespaces are not in the main file; they stay in one group.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion> # which GCC's -Wconversion leaves out in C++

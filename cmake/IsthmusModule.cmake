@@ -9,7 +9,8 @@
 #     [LARGE X ...]             those that take the compiler more than a gigabyte
 #     [VECTORISED X ...])       sources whose loops must be vectorised
 #
-# File names have no extension. Dependencies are listed in the vtk.module of the same folder; the
+# File names have no extension. SOURCES whose names end in Windows, Mac, Linux or Posix (all but Windows) are
+# compiled on that system alone. Dependencies are listed in the vtk.module of the same folder; the
 # module itself and those that declare it as a dependency include its headers as "Imaging/X.h",
 # those of its VTK classes as "vtkX.h".
 
@@ -99,6 +100,13 @@ function (isthmus_add_module name)
     message(FATAL_ERROR "isthmus_add_module: unknown arguments ${module_UNPARSED_ARGUMENTS}")
   endif ()
   get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  set(others "Mac|Windows")
+  if (WIN32)
+    set(others "Linux|Mac|Posix")
+  elseif (APPLE)
+    set(others "Linux|Windows")
+  endif ()
+  list(FILTER module_SOURCES EXCLUDE REGEX "(${others})$")
   list(TRANSFORM module_HEADERS APPEND ".h")
   foreach (kind IN ITEMS SOURCES CGAL LARGE VECTORISED)
     list(TRANSFORM module_${kind} APPEND ".cxx")

@@ -5,10 +5,10 @@
 #ifndef isthmus_ChildProcess_h
 #define isthmus_ChildProcess_h
 
+#include "Core/ChildLimits.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersCoreModule.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -31,21 +31,6 @@ public:
 
 private:
   std::filesystem::path Folder;
-};
-
-struct ChildLimits
-{
-  double TimeLimit = 600.0; ///< of wall time, seconds
-  std::uint64_t Bytes = 0;  ///< of address space; 0: no limit
-};
-
-enum class ChildEnd
-{
-  Exited,   ///< by itself; Code is its exit status
-  Crashed,  ///< by a signal; Code is its number
-  TimedOut, ///< killed after ChildLimits::TimeLimit
-  NotFound, ///< there is no such program
-  NotRun    ///< it exists, but is a folder or not executable
 };
 
 struct ChildResult

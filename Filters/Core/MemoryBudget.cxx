@@ -1,16 +1,11 @@
 #include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
+#include "Core/SystemMemory.h"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
-#include <string_view>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#endif
 
 namespace isthmus
 {
@@ -22,51 +17,11 @@ constexpr double Unknown = std::numeric_limits<double>::infinity();
 /// More bytes than any machine has, within the range of std::size_t.
 constexpr double Most = 1e18;
 
-/// The number after `key` in a file of lines "key number", or of a file that is one number.
-double NumberIn(const char* file, const std::string& key)
-{
-  std::ifstream in(file);
-  std::string line;
-  while (std::getline(in, line))
-  {
-    std::string_view words = line;
-    double number = 0.0;
-    if ((key.empty() || ExtractWord(words) == key) && ExtractNumber(words, number))
-    {
-      return number;
-    }
-  }
-  return Unknown;
-}
-
-double ControlGroupMemory()
-{
-  const double most = NumberIn("/sys/fs/cgroup/memory.max", "");
-  const double used = NumberIn("/sys/fs/cgroup/memory.current", "");
-  const double cached = NumberIn("/sys/fs/cgroup/memory.stat", "inactive_file");
-  const double known = most - used; // infinite or NaN if one is missing
-  return known < Unknown ? known + (cached < Unknown ? cached : 0.0) : Unknown;
-}
-
-double ProcessLimitMemory()
-{
-#if defined(__unix__) || defined(__APPLE__)
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-  {
-    const double used = NumberIn("/proc/self/status", "VmSize:") * 1024.0;
-    return static_cast<double>(limit.rlim_cur) - (used < Unknown ? used : 0.0);
-  }
-#endif
-  return Unknown;
-}
-
 }
 
 double AvailableMemory()
 {
-  const double machine = NumberIn("/proc/meminfo", "MemAvailable:") * 1024.0;
-  return std::max(0.0, std::min({ machine, ControlGroupMemory(), ProcessLimitMemory() }));
+  return std::max(0.0, std::min(FreeMemory(), AddressSpaceLeft()));
 }
 
 std::string MemoryText(double bytes)
@@ -95,7 +50,7 @@ MemoryBudget MemoryBudget::ForMachine(double limit)
   MemoryBudget budget(limit);
   if (!budget.HasLimit)
   {
-    budget.Allowed = 0.75 * NumberIn("/proc/meminfo", "MemTotal:") * 1024.0;
+    budget.Allowed = 0.75 * TotalMemory();
   }
   return budget;
 }

@@ -1,21 +1,21 @@
 #include "Core/ParallelFor.h"
 
+#include "Core/SystemMemory.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <mutex>
 #include <string>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <pthread.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #endif
 
 namespace isthmus
@@ -50,31 +50,24 @@ void WithBackend(Work&& work)
 /// `threads`. VTK's pool ends the program when it cannot start one of its threads.
 bool StacksFit(int threads)
 {
-#if defined(__unix__) || defined(__APPLE__)
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+  const double left = AddressSpaceLeft();
+  if (std::isinf(left))
   {
     return true;
   }
   std::size_t stack = std::size_t{ 8 } << 20;
+#if defined(__unix__) || defined(__APPLE__)
   pthread_attr_t attributes;
   if (pthread_attr_init(&attributes) == 0)
   {
     pthread_attr_getstacksize(&attributes, &stack);
     pthread_attr_destroy(&attributes);
   }
-  double pages = 0.0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const double left =
-    static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+#endif
   // Beside its stack, a thread has local storage; what the loop itself allocates comes on top.
   constexpr double more = 1 << 20;
   constexpr double spare = 8 << 20;
   return left > static_cast<double>(threads) * (static_cast<double>(stack) + more) + spare;
-#else
-  static_cast<void>(threads);
-  return true;
-#endif
 }
 
 /// Stores the first exception of any thread, since none may leave a vtkSMPTools functor.

@@ -183,7 +183,8 @@ ChildResult RunWhicheverIsThere(const std::filesystem::path& folder, const Charg
     arguments.insert(arguments.end(),
       { "--titration-state-method=propka", "--with-ph=" + FixedNumber(options.PH, 2) });
   }
-  arguments.insert(arguments.end(), { folder / "protein.pdb", folder / "protein.pqr" });
+  arguments.push_back((folder / "protein.pdb").string());
+  arguments.push_back((folder / "protein.pqr").string());
   ChildResult result;
   for (const char* program : { "pdb2pqr", "pdb2pqr30" })
   {

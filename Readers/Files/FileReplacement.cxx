@@ -1,14 +1,12 @@
 #include "Files/FileReplacement.h"
 
+#include "Files/FileCalls.h"
+
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace isthmus
 {
@@ -34,7 +32,7 @@ std::string NameBeside(const std::string& target, unsigned int attempt)
   static std::atomic<unsigned int> count{ 0 };
   // The target's own name may be as long as names can be.
   return (std::filesystem::path(target).parent_path() /
-    (".isthmus-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + "-" +
+    (".isthmus-" + std::to_string(ProcessNumber()) + "-" + std::to_string(count++) + "-" +
       std::to_string(attempt) + ".part"))
     .string();
 }
@@ -45,49 +43,48 @@ FileReplacement::FileReplacement(const std::string& path)
   : Path(path)
   , Target(ResolveLinks(path))
 {
-  struct stat old = {};
-  const bool isThere = ::stat(this->Target.c_str(), &old) == 0;
-  if (isThere && S_ISDIR(old.st_mode))
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status old = fs::status(this->Target, ignored);
+  if (fs::is_directory(old))
   {
     this->Fail(EISDIR);
   }
-  if (isThere && ::access(this->Target.c_str(), W_OK) != 0)
+  if (fs::exists(old))
   {
-    this->Fail(errno);
-  }
-  if (isThere && !S_ISREG(old.st_mode))
-  {
-    this->New = this->Target;
-    return;
-  }
-  constexpr unsigned int mostAttempts = 100; // files of terminated processes may exist there
-  int descriptor = -1;
-  for (unsigned int attempt = 0; descriptor < 0 && attempt < mostAttempts; ++attempt)
-  {
-    this->New = NameBeside(this->Target, attempt);
-    descriptor = ::open(this->New.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-      S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH); // less those of umask
-    if (descriptor < 0 && errno != EEXIST)
+    if (const int error = CheckWritable(this->Target))
     {
-      break;
+      this->Fail(error);
+    }
+    if (!fs::is_regular_file(old))
+    {
+      this->New = this->Target;
+      return;
     }
   }
-  if (descriptor < 0)
+  constexpr unsigned int mostAttempts = 100; // files of terminated processes may exist there
+  int error = EEXIST;
+  for (unsigned int attempt = 0; error == EEXIST && attempt < mostAttempts; ++attempt)
   {
-    this->Fail(errno);
+    this->New = NameBeside(this->Target, attempt);
+    error = MakeNewFile(this->New);
   }
-  if (isThere)
+  if (error != 0)
   {
-    ::fchmod(descriptor, old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
+    this->Fail(error);
   }
-  ::close(descriptor);
+  if (fs::exists(old))
+  {
+    fs::permissions(this->New, old.permissions() & fs::perms::all, ignored);
+  }
 }
 
 FileReplacement::~FileReplacement()
 {
   if (this->New != this->Target)
   {
-    ::unlink(this->New.c_str());
+    std::error_code ignored;
+    std::filesystem::remove(this->New, ignored);
   }
 }
 
@@ -95,15 +92,8 @@ void FileReplacement::Finish()
 {
   if (this->New != this->Target && !this->IsFinished)
   {
-    const int descriptor = ::open(this->New.c_str(), O_WRONLY | O_CLOEXEC);
     // Some file systems report a full disk only now.
-    const int flushed = descriptor < 0 ? -1 : ::fsync(descriptor);
-    const int error = errno;
-    if (descriptor >= 0)
-    {
-      ::close(descriptor);
-    }
-    if (flushed != 0 && error != EINVAL) // the file system has no fsync
+    if (const int error = FlushToDisk(this->New))
     {
       this->Fail(error);
     }
@@ -116,9 +106,9 @@ void FileReplacement::Replace()
   this->Finish();
   if (this->New != this->Target)
   {
-    if (::rename(this->New.c_str(), this->Target.c_str()) != 0)
+    if (const int error = MoveFileTo(this->New, this->Target))
     {
-      this->Fail(errno);
+      this->Fail(error);
     }
     this->New = this->Target;
   }
@@ -140,7 +130,7 @@ FileRemoval::~FileRemoval()
 {
   if (!this->Hidden.empty())
   {
-    ::rename(this->Hidden.c_str(), this->Path.c_str());
+    MoveFileTo(this->Hidden, this->Path);
   }
 }
 
@@ -148,10 +138,10 @@ void FileRemoval::Hide()
 {
   // The name is new: no file is replaced.
   const std::string hidden = NameBeside(this->Path, 0);
-  if (::rename(this->Path.c_str(), hidden.c_str()) != 0)
+  if (const int error = MoveFileTo(this->Path, hidden))
   {
     throw std::runtime_error("The file '" + this->Path + "' can't be removed (" +
-      std::strerror(errno) + "): check its folder.");
+      std::strerror(error) + "): check its folder.");
   }
   this->Hidden = hidden;
 }
@@ -160,7 +150,8 @@ void FileRemoval::Remove()
 {
   if (!this->Hidden.empty())
   {
-    ::unlink(this->Hidden.c_str());
+    std::error_code ignored;
+    std::filesystem::remove(this->Hidden, ignored);
     this->Hidden.clear();
   }
 }

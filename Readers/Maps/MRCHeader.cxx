@@ -1,5 +1,6 @@
 #include "Maps/MRCHeader.h"
 
+#include "Core/CheckedProduct.h"
 #include "Core/Geometry.h"
 #include "Core/NumberText.h"
 #include "Files/ReaderError.h"
@@ -140,7 +141,7 @@ std::uint64_t MRCDataBytes(const std::array<int, 3>& counts, int mode)
   std::uint64_t bytes = voxel.FileBytes(static_cast<std::uint64_t>(counts[0]));
   for (const int factor : { counts[1], counts[2] })
   {
-    if (__builtin_mul_overflow(bytes, static_cast<std::uint64_t>(factor), &bytes))
+    if (!MultiplyInRange(bytes, static_cast<std::uint64_t>(factor)))
     {
       return std::numeric_limits<std::uint64_t>::max();
     }

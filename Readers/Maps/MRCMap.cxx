@@ -1,5 +1,6 @@
 #include "Maps/MRCMap.h"
 
+#include "Core/CheckedProduct.h"
 #include "Core/RangeChecks.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
@@ -205,7 +206,7 @@ std::uint64_t MRCMap::OutputBytes(const NodeBox& box) const
   {
     const auto nodes =
       static_cast<std::uint64_t>(std::max<std::int64_t>(0, box[2 * a + 1] - box[2 * a] + 1));
-    if (__builtin_mul_overflow(bytes, nodes, &bytes))
+    if (!MultiplyInRange(bytes, nodes))
     {
       return std::numeric_limits<std::uint64_t>::max();
     }

@@ -1,5 +1,6 @@
 #include "Potentials/OpenDXReader.h"
 
+#include "Core/CheckedProduct.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Files/NumberTypes.h"
@@ -277,7 +278,7 @@ void OpenDXReader::CheckArray() const
   std::int64_t nodes = 1;
   for (const std::int64_t count : this->Grid.Dimensions)
   {
-    if (__builtin_mul_overflow(nodes, count, &nodes))
+    if (!MultiplyInRange(nodes, count))
     {
       this->Text.Reject("the grid has more nodes than 64 bits can count.");
     }

@@ -27,6 +27,9 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "cmake"))
+from debian_archive import Archive, Unreachable  # noqa: E402
+
 SYSTEMS = {"trixie": "Debian 13", "testing": "Debian testing"}
 # The first alternative that the archive has; the libraries named in the report come first.
 PACKAGES = ("libcgal-dev", "libgemmi-dev|gemmi-dev", "libvtk9-dev", "libboost-dev", "libeigen3-dev", "libgmp-dev",
@@ -35,10 +38,6 @@ PACKAGES = ("libcgal-dev", "libgemmi-dev|gemmi-dev", "libvtk9-dev", "libboost-de
 REPORTED = 5
 COMPILER = "g++"
 THREADS = 2  # as ctest reserves for each of these tests
-
-
-class Unreachable(Exception):
-    """The archive of packages cannot be reached or lacks a package."""
 
 
 def digest(*parts):
@@ -50,72 +49,22 @@ def cache_folder():
     return pathlib.Path(given).resolve() if given else pathlib.Path.home() / ".cache" / "isthmus"
 
 
-def archive_address():
-    found = subprocess.run(["bash", "-c", 'source "$1" && archive_address', "bash", str(ROOT / "cmake/archive.sh")],
-                           capture_output=True, text=True)
-    if found.returncode:
-        raise Unreachable(found.stderr.strip())
-    return found.stdout.strip()
-
-
-class Archive:
-    """apt with lists, cache and state of its own, for one suite."""
-
-    def __init__(self, suite, folder):
-        self.folder = folder
-        self.address = archive_address()
-        (folder / "lists/partial").mkdir(parents=True, exist_ok=True)
-        (folder / "archives/partial").mkdir(parents=True, exist_ok=True)
-        (folder / "status").touch()
-        keys = pathlib.Path("/usr/share/keyrings/debian-archive-keyring.gpg")
-        signed = f"[signed-by={keys}] " if keys.exists() else ""
-        (folder / "sources.list").write_text(f"deb {signed}{self.address} {suite} main\n")
-        # Of the machine's configuration, proxies and certificates apply, but neither sources nor preferences.
-        (folder / "apt.conf").write_text(f"""
-            APT::Default-Release ""; Dir::Etc::preferences "/dev/null"; Dir::Etc::preferencesparts "/dev/null";
-            Dir::State "{folder}"; Dir::State::lists "{folder}/lists"; Dir::State::status "{folder}/status";
-            Dir::Cache "{folder}"; Dir::Cache::archives "{folder}/archives";
-            Dir::Etc::sourcelist "{folder}/sources.list"; Dir::Etc::sourceparts "/dev/null";
-            Acquire::Check-Valid-Until "false"; Acquire::Languages "none"; Acquire::Retries "3";
-            APT::Sandbox::User "root"; APT::Get::List-Cleanup "true";
-            """)
-
-    def apt(self, program, *arguments, cwd=None):
-        # By -c, since the machine's files take precedence over APT_CONFIG.
-        return subprocess.run([program, "-c", str(self.folder / "apt.conf"), *arguments],
-                              env={**os.environ, "LC_ALL": "C"}, capture_output=True, text=True, cwd=cwd)
-
-    def update(self):
-        done = self.apt("apt-get", "update", "-q", "--error-on=any")
-        if done.returncode:
-            raise Unreachable(f"apt-get update failed for {self.address}:\n{done.stderr.strip()}")
-
-    def candidates(self):
-        """The version of each package of PACKAGES. libboost-dev is a metapackage: the one it depends on is added."""
-        names = " ".join(PACKAGES).replace("|", " ").split()
-        depends = self.apt("apt-cache", "depends", "libboost-dev").stdout
-        names += re.findall(r"Depends: (libboost[\d.]+-dev)", depends)
-        policy = self.apt("apt-cache", "policy", *names).stdout
-        versions = {name: version for name, version in re.findall(r"^(\S+):\n(?:  .*\n)*?  Candidate: (.*)$", policy, re.M)
-                    if version != "(none)"}
-        chosen = {}
-        for entry in PACKAGES:
-            name = next((name for name in entry.split("|") if name in versions), None)
-            if name is None:
-                raise Unreachable(f"{self.address} has no package {entry.replace('|', ' or ')}.")
+def candidates(archive):
+    """The version of each package of PACKAGES. libboost-dev is a metapackage: the one it depends on is added."""
+    names = " ".join(PACKAGES).replace("|", " ").split()
+    depends = archive.apt("apt-cache", "depends", "libboost-dev").stdout
+    names += re.findall(r"Depends: (libboost[\d.]+-dev)", depends)
+    versions = archive.versions(names)
+    chosen = {}
+    for entry in PACKAGES:
+        name = next((name for name in entry.split("|") if name in versions), None)
+        if name is None:
+            raise Unreachable(f"{archive.address} has no package {entry.replace('|', ' or ')}.")
+        chosen[name] = versions[name]
+    for name in versions.keys() - chosen.keys():
+        if name.startswith("libboost"):
             chosen[name] = versions[name]
-        for name in versions.keys() - chosen.keys():
-            if name.startswith("libboost"):
-                chosen[name] = versions[name]
-        return chosen
-
-    def unpack(self, names, folder):
-        with tempfile.TemporaryDirectory(dir=folder.parent) as work:
-            done = self.apt("apt-get", "download", "-q", *names, cwd=work)
-            if done.returncode:
-                raise Unreachable(f"apt-get download failed for {self.address}:\n{done.stderr.strip()}")
-            for package in pathlib.Path(work).glob("*.deb"):
-                subprocess.run(["dpkg-deb", "--extract", str(package), str(folder)], check=True)
+    return chosen
 
 
 class System:
@@ -129,7 +78,7 @@ class System:
         fcntl.flock(self.lock, fcntl.LOCK_EX)
         archive = Archive(suite, self.folder)
         archive.update()
-        self.versions = archive.candidates()
+        self.versions = candidates(archive)
         fingerprint = json.dumps(self.versions, sort_keys=True)
         self.headers = self.folder / "headers"
         known = self.folder / "headers.json"
@@ -140,6 +89,7 @@ class System:
             archive.unpack(list(self.versions), self.headers)
             known.write_text(fingerprint)
         search, compiler = self.search_path()
+        self.compiler = [COMPILER]
         self.flags = ["-fsyntax-only", "-nostdinc"]
         for folder in search:
             self.flags += ["-isystem", str(folder)]
@@ -221,15 +171,16 @@ class Checker:
         with tempfile.TemporaryDirectory() as work:
             dependencies = pathlib.Path(work) / "dependencies"
             # Read from the standard input, messages name the path in the repository.
-            done = subprocess.run([COMPILER, "-iquote", str(source.parent), *flags, *self.system.flags, "-MMD", "-MF", str(dependencies), "-MT", "x", "-x",
-                                   "c++", "-"], input=f'# 1 "{relative}"\n{text}', capture_output=True, text=True, cwd=ROOT,
+            done = subprocess.run([*self.system.compiler, "-iquote", str(source.parent), *flags, *self.system.flags, "-MMD", "-MF",
+                                   str(dependencies), "-MT", "x", "-o", f"{work}/object", "-x", "c++", "-"], input=f'# 1 "{relative}"\n{text}', capture_output=True, text=True, cwd=ROOT,
                                   env={**os.environ, "LC_ALL": "C"})
             names = re.split(r"(?<!\\)\s+", dependencies.read_text().replace("\\\n", " ").strip())[1:] \
                 if dependencies.exists() else []
         if done.returncode:
             return done.stderr or "the compiler was stopped", True
         names = [name.replace("\\ ", " ") for name in names]
-        headers = sorted({self.label(os.path.realpath(ROOT / name)) for name in names if name not in ("-", relative)})
+        headers = sorted({self.label(os.path.realpath(ROOT / name)) for name in names
+                          if name not in ("-", relative) and not name.endswith("-stdin.cpp")})
         known.parent.mkdir(exist_ok=True)
         partial = known.with_suffix(f".{os.getpid()}")
         partial.write_text(json.dumps({"key": key, "headers": {name: self.hash_of(name) for name in headers}}))
@@ -245,15 +196,10 @@ def errors_of(system, source, messages):
                      for line in lines or messages.splitlines())
 
 
-def check_all(suite, build, pattern):
+def check_sources(system, build, pairs):
+    """Compiles the pairs of a source and its flags, prints what fails, and ends the program."""
     start = time.monotonic()
-    system = System(suite)
     checker = Checker(system, build)
-    # Those with most to instantiate first.
-    pairs = sorted(((source, flags) for source, flags in sources_of(build) if re.search(pattern, str(source))),
-                   key=lambda pair: "CGAL" not in pair[0].read_text())
-    if not pairs:
-        sys.exit(f"other_systems.py: no source matches {pattern}.")
     with concurrent.futures.ThreadPoolExecutor(THREADS) as pool:
         results = list(pool.map(lambda pair: checker.check(*pair), pairs))
     for (source, _), (messages, _) in zip(pairs, results):
@@ -264,6 +210,16 @@ def check_all(suite, build, pattern):
     print(f"{system.name} ({system.report()}): sources: {len(results)}, compiled now: {ran} in "
           f"{time.monotonic() - start:.0f} s, failed: {failed}")
     sys.exit(bool(failed))
+
+
+def check_all(suite, build, pattern):
+    system = System(suite)
+    # Those with most to instantiate first.
+    pairs = sorted(((source, flags) for source, flags in sources_of(build) if re.search(pattern, str(source))),
+                   key=lambda pair: "CGAL" not in pair[0].read_text())
+    if not pairs:
+        sys.exit(f"other_systems.py: no source matches {pattern}.")
+    check_sources(system, build, pairs)
 
 
 def main(suite, build, pattern=""):

