@@ -16,7 +16,9 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QStyle>
 #include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -87,20 +89,22 @@ void IsthmusLevelHistogram::Arrange()
     }
     row->addItem(item);
   }
+  // In its place: it sets the middle of the range, and is drawn only while it is highlighted.
   for (auto* button : this->parentWidget()->findChildren<QAbstractButton*>())
   {
     if (button->inherits("pqHighlightablePushButton") ||
       button->inherits("pqHighlightableToolButton"))
     {
-      button->disconnect(SIGNAL(clicked()));
-      button->disconnect(SIGNAL(clicked(bool)));
-      button->setObjectName("UseAutomaticLevel");
-      button->setToolTip(tr("Set the automatic level"));
-      QObject::connect(
-        button, &QAbstractButton::clicked, this, &IsthmusLevelHistogram::UseAutomatic);
-      row->insertWidget(0, button); // at the right end a narrow panel hides it
+      button->hide();
     }
   }
+  this->Automatic = new QToolButton(this->parentWidget());
+  this->Automatic->setObjectName("UseAutomaticLevel");
+  this->Automatic->setIcon(this->Automatic->style()->standardIcon(QStyle::SP_BrowserReload));
+  this->Automatic->setToolTip(tr("Set the automatic level"));
+  QObject::connect(
+    this->Automatic, &QAbstractButton::clicked, this, &IsthmusLevelHistogram::UseAutomatic);
+  row->insertWidget(0, this->Automatic); // at the right end a narrow panel hides it
   box->setDirection(QBoxLayout::TopToBottom);
   this->Histogram = new QWidget(this->parentWidget());
   this->Histogram->setObjectName("LevelHistogram");
@@ -112,6 +116,8 @@ void IsthmusLevelHistogram::Arrange()
   this->Histogram->installEventFilter(this);
   this->Label = new QLabel(this->parentWidget());
   this->Label->setObjectName("LevelText");
+  this->Label->setWordWrap(true); // its lines must not make the panel wider than its dock
+  this->Label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->Label->setToolTip(
     tr("The level in standard deviations of all values from their mean, the volume that it "
        "encloses and its mass at 1.35 g/cm³, and the automatic level with its origin."));
@@ -181,12 +187,14 @@ void IsthmusLevelHistogram::Describe()
     }
   }
   const QJsonValue automatic = this->Values["automatic"];
+  this->Automatic->setEnabled(false);
   if (automatic.isDouble())
   {
     const double value = automatic.toDouble();
     const bool isUsed = std::abs(level - value) <= 1e-5 * (std::abs(value) + std::abs(high - low));
     parts << (isUsed ? tr("automatic") : tr("automatic: %1").arg(value, 0, 'g', 4))
           << this->Values["source"].toString();
+    this->Automatic->setEnabled(!isUsed);
   }
   this->Label->setText(parts.join('\n'));
   this->Histogram->update();

@@ -4,8 +4,8 @@
  *
  * Shows the values of the map, the level as a line that the mouse moves, and the automatic level as
  * a dashed line. The slider covers the same range. Below it: the level in standard deviations, the
- * volume that it encloses, and where it comes from. The button that otherwise sets the middle of
- * the range sets the automatic level. All values are those of isthmus_plugin.levels.
+ * volume that it encloses, and where it comes from. A button sets the automatic level; it replaces
+ * the one that sets the middle of the range. All values are those of isthmus_plugin.levels.
  */
 #ifndef IsthmusLevelHistogram_h
 #define IsthmusLevelHistogram_h
@@ -16,6 +16,7 @@
 #include <QPointer>
 
 class QLabel;
+class QToolButton;
 class QWidget;
 class pqPipelineSource;
 
@@ -41,6 +42,7 @@ private:
   QPointer<pqPipelineSource> Source;
   QPointer<QWidget> Slider;    ///< with its number
   QPointer<QWidget> Histogram; ///< drawn by Paint()
+  QPointer<QToolButton> Automatic;
   QPointer<QLabel> Label;
   QJsonObject Values;
   bool IsStale = false; ///< the values are those of a previous result

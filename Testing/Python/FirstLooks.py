@@ -35,6 +35,10 @@ def check_buttons():
     (curvature,) = named("CurvatureOnSurface")
     assert curvature.Volume.SMProxy == density.SMProxy
     assert visible(view) == ["CurvatureOnSurface"], visible(view)
+    (surface,) = named("MapSurface")  # that on the screen, not a second one
+    assert curvature.Input.SMProxy == surface.SMProxy
+    pipelines.run("map_to_surface")
+    assert visible(view) == ["MapSurface"] and named("MapSurface") == [surface], "the surface under the curvature is that of the map"
     # A molecule's button shows the molecule's surface, and nothing of the map.
     atoms = simple.OpenDataFile(str(shared_data("molecules/1AJJ_pH7_PARSE.pqr")))
     simple.SetActiveSource(atoms)

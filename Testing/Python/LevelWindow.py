@@ -29,8 +29,8 @@ def released():
 
 def by_histogram():
     """Drags the line in the histogram, then returns to the automatic level."""
-    return [PAUSE, (HISTOGRAM, "mousePress", "1,1,0,60,20"), PAUSE, (HISTOGRAM, "mouseMove", "1,1,0,80,20"), PAUSE,
-            (HISTOGRAM, "mouseRelease", "1,0,0,80,20"), PAUSE, PAUSE, (AUTOMATIC, "activate", ""), PAUSE, PAUSE,
+    return [PAUSE, (AUTOMATIC, "check enabled", "false"), (HISTOGRAM, "mousePress", "1,1,0,60,20"), PAUSE, (HISTOGRAM, "mouseMove", "1,1,0,80,20"), PAUSE,
+            (HISTOGRAM, "mouseRelease", "1,0,0,80,20"), PAUSE, PAUSE, (AUTOMATIC, "check enabled", "true"), (AUTOMATIC, "activate", ""), PAUSE, PAUSE,
             NOTHING_TO_APPLY]
 
 

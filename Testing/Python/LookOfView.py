@@ -10,7 +10,8 @@ from shared_data import shared_data
 
 view = simple.GetActiveViewOrCreate("RenderView")
 view.ViewSize = [600, 450]
-pipelines.show(*pipelines.protein_to_surface(simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb")))), view=view)
+molecule = simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb")))
+pipelines.show(*pipelines.protein_to_surface(molecule), view=view)
 
 
 def check_bar():
@@ -45,6 +46,26 @@ assert pipelines.scale_bar(view) is True and len(figures._bars(view)) == 1
 pipelines.run("protein_to_surface")
 assert figures._bars(view)[0][1].Visibility
 check_bar()
+
+# What follows the camera updates no pipeline, which may just be running; the next rendering draws what it has set.
+*_, found = pipelines.protein_to_pockets(molecule)
+pockets.show(found, view, tables=False)
+residues = pockets.residues_of(found)
+names = pockets.names_of(residues)
+count = names.GetDataInformation().GetNumberOfPoints()
+assert count > 1, count
+ran = []
+for (name, _), source in simple.GetSources().items():
+    source.GetClientSideObject().AddObserver("StartEvent", lambda *_, name=name: ran.append(name))
+residues.UpperThreshold = 2  # waits for an update
+view.GetActiveCamera().Zoom(0.1)  # all names overlap
+view.SMProxy.InvokeEvent("ResetCameraEvent")
+view.SMProxy.GetInteractor().InvokeEvent("InteractionEvent")
+assert not ran, f"moving the camera updates {sorted(set(ran))}"
+residues.UpperThreshold = 1
+simple.Render(view)
+assert 0 < names.GetDataInformation().GetNumberOfPoints() < count, "the names do not follow the camera"
+simple.ResetCamera(view)
 
 # Backgrounds, and texts that can be read on them.
 for name, light in (("white", True), ("light", True), ("dark", False), ("standard", False)):

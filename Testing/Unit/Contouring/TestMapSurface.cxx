@@ -68,9 +68,9 @@ double SampleField(vtkDataObject* surface, const char* name)
   return surface->GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
-std::string MakeSource(vtkDataObject* output)
+std::string MakeSource(vtkDataObject* output, const char* name = "LevelSource")
 {
-  return output->GetFieldData()->GetAbstractArray("LevelSource")->GetVariantValue(0).ToString();
+  return output->GetFieldData()->GetAbstractArray(name)->GetVariantValue(0).ToString();
 }
 
 }
@@ -191,6 +191,33 @@ TEST(VTKMapSurface, TakesTheRecommendedLevel)
   filter->Update();
   EXPECT_EQ(SampleField(filter->GetOutput(), "Level"), 44.0);
   EXPECT_EQ(MakeSource(filter->GetOutput()), "given");
+}
+
+TEST(VTKMapSurface, StatesTheAutomaticLevelBesideAGivenOne)
+{
+  const auto image = MakeImage(TwoBalls());
+  vtkNew<vtkMapSurface> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  const double estimated = SampleField(surface, "Level");
+  EXPECT_EQ(SampleField(surface, "AutomaticLevel"), estimated);
+  EXPECT_EQ(MakeSource(surface, "AutomaticLevelSource"), "estimated from the values");
+  filter->SetLevel(70.0);
+  filter->Update();
+  EXPECT_EQ(SampleField(surface, "Level"), 70.0);
+  EXPECT_EQ(SampleField(surface, "AutomaticLevel"), estimated);
+  EXPECT_EQ(MakeSource(surface, "AutomaticLevelSource"), "estimated from the values");
+
+  vtkNew<vtkDoubleArray> level;
+  level->SetName("RecommendedLevel");
+  level->InsertNextValue(33.25);
+  image->GetFieldData()->AddArray(level);
+  image->Modified();
+  filter->Update();
+  EXPECT_EQ(SampleField(surface, "Level"), 70.0);
+  EXPECT_EQ(SampleField(surface, "AutomaticLevel"), 33.25);
+  EXPECT_EQ(MakeSource(surface, "AutomaticLevelSource"), "recommended by the depositors");
 }
 
 /// Each filter that contours a volume has the level of Map Surface (of Isosurface Stuffing:

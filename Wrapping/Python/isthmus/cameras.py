@@ -12,7 +12,10 @@ _followed = {}  # address of the interactor of each followed view: a view recrea
 
 
 def when_moved(act):
-    """Registers act(view, ended), which returns whether the view must be rendered again; ended: False during a rotation."""
+    """Registers act(view, ended), which returns whether the view must be rendered again; ended: False during a rotation.
+
+    The camera also moves while ParaView updates or draws a view, and a pipeline that is updated from within its own update
+    ends the program. So an action sets properties and must not update a pipeline or fetch data; the next rendering does."""
     _actions.append(act)
     return act
 

@@ -5,13 +5,14 @@
 """
 
 try:
-    from paraview import servermanager, simple
+    from paraview import simple
 except ImportError:
-    servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
+    simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import colours, look, messages, pocket_views
 
 COPIED = ("Opacity", "AmbientColor", "DiffuseColor", "LineWidth", "PointSize", "RenderLinesAsTubes", "Pickable")
+OF_LEGENDS = ("Title", "ComponentTitle", "HorizontalTitle", "Orientation", "RangeLabelFormat", "LabelFormat")
 
 
 def compare(source):
@@ -28,11 +29,9 @@ def compare(source):
         return None
     others = [display for display in shapes if display not in chosen]
     other = pocket_views.new_view("RenderView", view, "right", 0.5)
-    for name in ("Background", "UseColorPaletteForBackground", "OrientationAxesLabelColor"):
-        if hasattr(view, name):
-            setattr(other, name, getattr(view, name))
+    _copy_properties(view, other, ("Background", "UseColorPaletteForBackground", "OrientationAxesLabelColor"))
     for display in moved:
-        _copy(display, other)
+        _copy(display, view, other)
     if others:
         for display in moved:
             display.Visibility = 0
@@ -57,18 +56,23 @@ def _shapes(view):
             getattr(display, "Input", None) is not None and display.Representation.GetData() != "Outline"]
 
 
-def _copy(display, view):
-    copy = simple.Show(display.Input, view)
+def _copy(display, view, other):
+    copy = simple.Show(display.Input, other)
     look.is_displayed(copy)
     copy.SetRepresentationType(display.Representation.GetData())
-    for name in COPIED:
-        if hasattr(display, name) and hasattr(copy, name):
-            setattr(copy, name, getattr(display, name))
+    _copy_properties(display, copy, COPIED)
     association, array = display.ColorArrayName[:2]
     if array and colours.colour_by(copy, association, array):
-        copy.SetScalarBarVisibility(view, True)
+        copy.SetScalarBarVisibility(other, True)
+        _copy_properties(simple.GetScalarBar(display.LookupTable, view), simple.GetScalarBar(copy.LookupTable, other), OF_LEGENDS)
     elif not array:
         colours.plain(copy)
+
+
+def _copy_properties(original, copy, names):
+    for name in names:
+        if hasattr(original, name) and hasattr(copy, name):
+            setattr(copy, name, getattr(original, name))
 
 
 def _share_ranges(*views):

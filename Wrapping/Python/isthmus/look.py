@@ -457,6 +457,8 @@ def _look(display):
         _colour(display, view)
         if name in loop_views.LOOPS and getattr(source, "Port", 0) == 0 and loop_views.count(source, view):
             return view
+        if name == "Threshold" and pockets_and_pores.replace_names(source, view):
+            return view
     return view if first else None
 
 

@@ -145,6 +145,11 @@ def map_to_curvature(source, level=None):
     _require_volume(source)
     _require_one(source, "map")
     (surface,) = map_to_surface(source, level)
+    return _with_curvature(surface, source)
+
+
+def _with_curvature(surface, source):
+    """(surface, curvature) of a surface of that map."""
     curvature = _make("map_to_curvature", "curvature", Input=surface, Volume=source,
                       Scalars=["POINTS", _point_array(source)])
     curvature.UpdatePipeline()
@@ -598,13 +603,18 @@ def forget():
 
 
 def _surface_on_screen(source):
-    """The Map Surface of a map that the active view shows at a given level, which buttons keep; None if there is none."""
+    """The Map Surface of a map that the active view shows at a given level, as it is or coloured by its curvature, which
+    buttons keep; None if there is none."""
     view = simple.GetActiveView()
     for display in view.Representations if view is not None else ():
         port = getattr(display, "Input", None)
-        if port is None or not display.Visibility or port.SMProxy.GetXMLName() != "MapSurface":
+        if port is None or not display.Visibility:
             continue
         surface = servermanager._getPyProxy(port.SMProxy)
+        if surface.SMProxy.GetXMLName() == "CurvatureOnSurface":
+            surface = servermanager._getPyProxy(surface.Input.SMProxy)
+        if surface.SMProxy.GetXMLName() != "MapSurface":
+            continue
         if surface.Input.SMProxy == source.SMProxy and surface.InsideIsHigher and not surface.AutomaticLevel:
             return surface
     return None
@@ -623,8 +633,11 @@ def run(function):
     shown = _surface_on_screen(source) if function.startswith("map_") else None
     given = {**BY_BUTTON.get(function, {}), **({"level": shown.Level} if shown is not None else {})}
     try:
-        if function == "map_to_surface" and shown is not None and not shown.LargestComponents:
+        is_whole = shown is not None and not shown.LargestComponents
+        if function == "map_to_surface" and is_whole:
             proxies = (shown,)
+        elif function == "map_to_curvature" and is_whole:
+            proxies = _with_curvature(shown, source)
         else:
             proxies = globals()[function](source, **given)
         if function == "persistence_diagram":

@@ -327,20 +327,39 @@ def _show_residues(residues, view):
     return display
 
 
+_named = {}  # atoms that have a residue's name, those of the largest area first: (name, point, number), by id of the residues
+
+
 def place_names(residues, view):
     """Chooses the residue names that are shown: residues with the largest share of the pocket's surface come first,
     and names that would overlap in this view are left out."""
     data = servermanager.Fetch(residues)
     labels = data.GetPointData().GetAbstractArray("ResidueLabel") if data.GetNumberOfPoints() else None
     if labels is None:
+        _named.pop(residues.SMProxy.GetGlobalID(), None)
         return
     areas = _areas_of(residues)
-    named = [(labels.GetValue(i), i) for i in range(data.GetNumberOfPoints()) if labels.GetValue(i)]
-    named.sort(key=lambda one: (-areas.get(one[0], 0.0), one[1]))
-    shown = without_overlap([(name, _on_screen(view, data.GetPoint(i)), i) for name, i in named])
-    names = names_of(residues)
-    names.Selection = selections.of_ids("POINT", shown)
-    names.UpdatePipeline()
+    named = [(labels.GetValue(i), data.GetPoint(i), i) for i in range(data.GetNumberOfPoints()) if labels.GetValue(i)]
+    named.sort(key=lambda one: (-areas.get(one[0], 0.0), one[2]))
+    _named[residues.SMProxy.GetGlobalID()] = named
+    _choose_names(residues, view)
+    names_of(residues).UpdatePipeline()
+
+
+def _choose_names(residues, view):
+    """Of the names that place_names() has found. The next rendering updates the pipeline."""
+    named = _named.get(residues.SMProxy.GetGlobalID(), ())
+    shown = without_overlap([(name, _on_screen(view, place), i) for name, place, i in named])
+    if named:
+        names_of(residues).Selection = selections.of_ids("POINT", shown)
+
+
+def replace_names(residues, view):
+    """Called for new data of a source that a view shows: places its residue names, if it has any there. Returns whether."""
+    if not _is_shown(names_of(residues, False), view):
+        return False
+    place_names(residues, view)
+    return True
 
 
 def without_overlap(named, letter=8.5, height=17.0):
@@ -384,7 +403,7 @@ def _place_names_again(view, ended):
     shown = [display.Input for display in view.Representations if ended and getattr(display, "Input", None) is not None and
              display.Input.SMProxy.GetXMLName() == "Threshold" and _is_shown(names_of(display.Input, False), view)]
     for residues in shown:
-        place_names(residues, view)
+        _choose_names(residues, view)
     return bool(shown)
 
 
