@@ -315,8 +315,9 @@ finally:
     environment = {**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(isthmus.__file__))}
 
     def seconds(interrupt):
+        # Not in the folder of a build, whose package would be the one imported.
         with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              env=environment) as child:
+                              env=environment, cwd=os.path.dirname(os.path.abspath(__file__))) as child:
             assert child.stdout.readline() == "runs\n"
             if interrupt:
                 child.send_signal(signal.SIGINT)
