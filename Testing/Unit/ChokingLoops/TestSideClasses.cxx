@@ -2,6 +2,7 @@
 // a ring with a wall far thinner than the samples, on noise; and the classes that a tetrahedral
 // mesh of both sides by TetGen fills.
 
+#include "BeadShapes.h"
 #include "ChokingLoops/MeshLoops.h"
 #include "ChokingLoops/SideClasses.h"
 #include "ChokingSurfaces.h"
@@ -127,13 +128,8 @@ TEST(SideClasses, LinkedRings)
     0.4, around, across);
   for (const bool isInverted : { false, true })
   {
-    TriangleMesh both = isInverted ? Inverted(one) : one;
-    const auto shift = static_cast<SimplexId>(both.Points.size());
-    both.Points.insert(both.Points.end(), other.Points.begin(), other.Points.end());
-    for (const Triangle& t : other.Triangles)
-    {
-      both.Triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
-    }
+    const auto shift = static_cast<SimplexId>(one.Points.size());
+    const TriangleMesh both = Together(isInverted ? Inverted(one) : one, other);
     const SurfaceAdjacency surface(both);
     const SurfaceHomology homology(surface);
     const SideClasses sides(surface, homology);
@@ -187,14 +183,9 @@ TEST(SideClasses, WallThinnerThanSamples)
   constexpr int around = 60, across = 20;
   for (const double wall : { 0.1, 1e-9 })
   {
-    TriangleMesh shell = Torus(1.0, 0.3, around, across);
-    const TriangleMesh cavity = Inverted(Torus(1.0, 0.3 - wall, around, across));
-    const auto shift = static_cast<SimplexId>(shell.Points.size());
-    shell.Points.insert(shell.Points.end(), cavity.Points.begin(), cavity.Points.end());
-    for (const Triangle& t : cavity.Triangles)
-    {
-      shell.Triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
-    }
+    const TriangleMesh outside = Torus(1.0, 0.3, around, across);
+    const auto shift = static_cast<SimplexId>(outside.Points.size());
+    const TriangleMesh shell = Together(outside, Inverted(Torus(1.0, 0.3 - wall, around, across)));
     const SurfaceAdjacency surface(shell);
     const SurfaceHomology homology(surface);
     const SideClasses sides(surface, homology);
