@@ -2,7 +2,6 @@
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Surfaces/SurfaceCorrection.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -104,14 +104,16 @@ public:
     {
       this->Box.Add(p);
     }
-    const std::vector<Triangle> outward = OrientOutward(surface.Mesh());
-    for (std::size_t t = 0; t < outward.size(); ++t)
-    {
-      const Triangle& given = surface.Mesh().Triangles[t];
-      const auto at = std::find(outward[t].begin(), outward[t].end(), given[0]);
-      this->FacesOutward.push_back(outward[t][(at - outward[t].begin() + 1) % 3] == given[1]);
-    }
     this->FindDualEdges();
+    for (const DualEdge& dual : this->Dual)
+    {
+      const SurfaceTriangleId t = SurfaceAdjacency::Triangle(surface.GetHalfEdge(dual.Edge));
+      const int component = this->ComponentOf(t);
+      if (this->FacesOutward.count(component) == 0)
+      {
+        this->FacesOutward[component] = this->IsOutward(t);
+      }
+    }
   }
 
   /// The dual loops that pass below an edge, once more than an even number of times.
@@ -119,7 +121,15 @@ public:
 
 private:
   void FindDualEdges();
+  Point3 Centroid(SurfaceTriangleId t) const;
+  bool IsOutward(SurfaceTriangleId t) const;
   bool IsOutsideBelow(HalfEdgeId h) const;
+
+  int ComponentOf(SurfaceTriangleId t) const
+  {
+    return this->Homology.GetComponent(
+      static_cast<SimplexId>(this->Surface.Mesh().Triangles[t.Index()][0]));
+  }
 
   std::array<std::size_t, 2> Bin(const Point3& p) const
   {
@@ -151,20 +161,53 @@ private:
   const SurfaceHomology& Homology;
   std::vector<Point3> Points;
   Bounds3 Box;
-  std::vector<char> FacesOutward; ///< by triangle
-  std::size_t Bins = 1;           ///< of the projection, each way
-  std::vector<DualEdge> Dual;     ///< those that dual loops use
+  std::map<int, bool> FacesOutward; ///< by component; of those with dual loops
+  std::size_t Bins = 1;             ///< of the projection, each way
+  std::vector<DualEdge> Dual;       ///< those that dual loops use
   std::vector<std::vector<std::size_t>> InBin;
 };
 
+Point3 Crossings::Centroid(SurfaceTriangleId t) const
+{
+  const Triangle& c = this->Surface.Mesh().Triangles[t.Index()];
+  // The coordinates are multiples of 6.
+  return (1.0 / 3.0) * (this->Points[At(c[0])] + this->Points[At(c[1])] + this->Points[At(c[2])]);
+}
+
+/// Whether the normal of a triangle, by the order of its corners, points outside: above it is
+/// outside if an even number of triangles lie above.
+bool Crossings::IsOutward(SurfaceTriangleId t) const
+{
+  const Point3 p = this->Centroid(t);
+  bool isOutside = true;
+  bool facesUp = false;
+  for (std::size_t i = 0; i < this->Surface.Mesh().Triangles.size(); ++i)
+  {
+    const Triangle& c = this->Surface.Mesh().Triangles[i];
+    const Point3& a = this->Points[At(c[0])];
+    const Point3& b = this->Points[At(c[1])];
+    const Point3& d = this->Points[At(c[2])];
+    if (p[0] < std::min({ a[0], b[0], d[0] }) || p[0] > std::max({ a[0], b[0], d[0] }) ||
+      p[1] < std::min({ a[1], b[1], d[1] }) || p[1] > std::max({ a[1], b[1], d[1] }))
+    {
+      continue;
+    }
+    const CGAL::Sign turn = Turn(a, b, d);
+    if (i == t.Index())
+    {
+      facesUp = turn == CGAL::POSITIVE;
+    }
+    else if (Turn(a, b, p) == turn && Turn(b, d, p) == turn && Turn(d, a, p) == turn &&
+      Orientation(a, b, d, p) != turn)
+    {
+      isOutside = !isOutside;
+    }
+  }
+  return facesUp == isOutside;
+}
+
 void Crossings::FindDualEdges()
 {
-  const auto centroid = [this](SurfaceTriangleId t)
-  {
-    const Triangle& c = this->Surface.Mesh().Triangles[t.Index()];
-    // The coordinates are multiples of 6.
-    return (1.0 / 3.0) * (this->Points[At(c[0])] + this->Points[At(c[1])] + this->Points[At(c[2])]);
-  };
   for (const SurfaceEdgeId e : this->Surface.Edges())
   {
     HomologyClass loops = this->Homology.GetClass({ e });
@@ -174,9 +217,9 @@ void Crossings::FindDualEdges()
     }
     const HalfEdgeId h = this->Surface.GetHalfEdge(e);
     DualEdge dual{ e,
-      { centroid(SurfaceAdjacency::Triangle(h)),
+      { this->Centroid(SurfaceAdjacency::Triangle(h)),
         0.5 * (this->Points[At(this->Surface.From(h))] + this->Points[At(this->Surface.To(h))]),
-        centroid(SurfaceAdjacency::Triangle(this->Surface.Opposite(h))) },
+        this->Centroid(SurfaceAdjacency::Triangle(this->Surface.Opposite(h))) },
       {} };
     dual.Box = { dual.Points[0], dual.Points[0] };
     dual.Box.Add(dual.Points[1]);
@@ -202,7 +245,7 @@ bool Crossings::IsOutsideBelow(HalfEdgeId h) const
   { return this->Points[At(this->Surface.From(SurfaceAdjacency::Previous(half)))]; };
   const Point3& a = this->Points[At(this->Surface.From(h))];
   const Point3& b = this->Points[At(this->Surface.To(h))];
-  const bool outward = this->FacesOutward[SurfaceAdjacency::Triangle(h).Index()] != 0;
+  const bool outward = this->FacesOutward.at(this->ComponentOf(SurfaceAdjacency::Triangle(h)));
   const auto facesDown = [outward](CGAL::Sign up)
   { return up == (outward ? CGAL::NEGATIVE : CGAL::POSITIVE); };
   const bool one = facesDown(Turn(a, b, third(h)));

@@ -117,7 +117,7 @@ say "Python tests that need no ParaView"
 "$folder/plain_env/bin/python" -m pip install --quiet --disable-pip-version-check scipy
 # Those that import isthmus, and neither they nor their helpers ParaView.
 cd "$source_dir/Testing/Python"
-for test in $(grep -l 'import isthmus' $(grep -LE 'paraview|pvpython|pvbatch|robustness_trials|good_data|wheel_' [A-Z]*.py)); do
+for test in $(grep -l 'import isthmus' $(grep -LE 'paraview|pvpython|pvbatch|robustness_trials|good_data|wheel_|window_' [A-Z]*.py)); do
   status=0
   ISTHMUS_DATA_DIR=$data timeout 600 "$folder/plain_env/bin/python" -B "$test" >"$folder/test.log" 2>&1 || status=$?
   case $status in

@@ -254,7 +254,7 @@ def check_progress():
 
 
 class FakeBar:
-    """What tqdm's bars are asked for."""
+    """The calls that tqdm's bars receive."""
     made = []
 
     def __init__(self, **given):
@@ -315,8 +315,9 @@ finally:
     environment = {**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(isthmus.__file__))}
 
     def seconds(interrupt):
+        # Not in the folder of a build, whose package would be the one imported.
         with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              env=environment) as child:
+                              env=environment, cwd=os.path.dirname(os.path.abspath(__file__))) as child:
             assert child.stdout.readline() == "runs\n"
             if interrupt:
                 child.send_signal(signal.SIGINT)
@@ -401,7 +402,7 @@ def check_html():
         assert picture[:8] == b"\x89PNG\r\n\x1a\n" and len(picture) > 1000
     else:
         assert "no picture can be drawn here" in said, said[:2000]
-    # What stands in arrays is text, not markup.
+    # The contents of arrays are shown as text, not as markup.
     from vtkmodules.vtkCommonCore import vtkStringArray
     from vtkmodules.vtkCommonDataModel import vtkTable
     table, words = vtkTable(), vtkStringArray()

@@ -201,7 +201,7 @@ TEST(ChokingSamples, MemoryIsEstimatedWithinAFactorOfTwo)
   const double before = PeakMemory();
   if (before <= 0.0)
   {
-    GTEST_SKIP() << "The kernel does not tell the peak of a process.";
+    GTEST_SKIP() << "The kernel does not report the peak memory of a process.";
   }
   {
     const ChokingLoops loops(mesh, parameters);
