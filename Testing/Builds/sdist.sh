@@ -18,7 +18,12 @@ cp /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs/"
 export PIP_CERT=/etc/ssl/certs/ca-certificates.crt
 
 # pip ARGUMENT...: that of an environment in the root
-pip() { inside "PIP_CERT=$PIP_CERT SKBUILD_BUILD_DIR=/isthmus/build_wheel CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} /python/bin/pip $*"; }
+pip()
+{
+  # The names of the compilers are those of other builds, for ccache: pip would take those that Debian's Python was built by.
+  inside "PIP_CERT=$PIP_CERT SKBUILD_BUILD_DIR=/isthmus/build_wheel CC=cc CXX=c++ \
+    CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} /python/bin/pip $*"
+}
 
 say "The source archive"
 inside "apt-get update -q && apt-get install -q -y --no-install-recommends python3-venv && rm -rf /python /clone/dist &&

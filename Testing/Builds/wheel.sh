@@ -102,13 +102,13 @@ results()
   rm -rf triangles
   mkdir triangles
   ln -s "$(realpath "$data/maps")" triangles/maps
-  "$1" -B "$script" --triangles "$data" triangles
-  "$1" -B "$script" triangles wheel.json "${@:2}" >results.log
+  "$1" -B "$script" --triangles "$data" "$folder/triangles"
+  "$1" -B "$script" "$folder/triangles" wheel.json "${@:2}" >results.log
   (
     ISTHMUS_BUILD_DIR=$build
     source "$source_dir/cmake/setup.sh"
     use_build_tree
-    with_display pvpython "$script" triangles pvpython.json "${@:2}" >>results.log
+    with_display pvpython "$script" "$folder/triangles" pvpython.json "${@:2}" >>results.log
   )
   "$1" -B "$script" --compare wheel.json pvpython.json
 }
