@@ -21,13 +21,16 @@ export PIP_CERT=/etc/ssl/certs/ca-certificates.crt
 pip()
 {
   # The names of the compilers are those of other builds, for ccache: pip would take those that Debian's Python was built by.
-  inside "PIP_CERT=$PIP_CERT SKBUILD_BUILD_DIR=/isthmus/build_wheel CC=cc CXX=c++ \
+  inside "PIP_CERT=$PIP_CERT SKBUILD_BUILD_DIR=/isthmus/build_wheel CC=gcc CXX=g++ \
     CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} /python/bin/pip $*"
 }
 
 say "The source archive"
 inside "apt-get update -q && apt-get install -q -y --no-install-recommends python3-venv && rm -rf /python /clone/dist &&
   python3 -m venv /python" >"$logs/$name-packages.log"
+if [ ${#launcher[@]} -gt 0 ]; then
+  inside "apt-get install -q -y --no-install-recommends ccache" >>"$logs/$name-packages.log"
+fi
 pip install -q build
 inside "PIP_CERT=$PIP_CERT /python/bin/python -m build --sdist /clone" >"$logs/$name-archive.log" 2>&1
 archive=$(cd "$root" && echo clone/dist/isthmus-*.tar.gz)

@@ -54,6 +54,8 @@ if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
+  # Pythons of other origin would choose compilers of other names, and all would be compiled again.
+  export CC=${CC:-gcc} CXX=${CXX:-g++}
   rm -rf "$folder/raw" "$folder/dist"
   # Sources with CGAL take 3 GB of memory each.
   CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} "$folder/build_env/bin/python" -m build --wheel \
