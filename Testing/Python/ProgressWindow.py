@@ -18,18 +18,12 @@ import window_home
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
-from window_play import STATUS_BAR, coloured_fraction, complaints, widen
-
-from paraview import servermanager
+from window_play import STATUS_BAR, coloured_fraction, complaints, place_of_button, widen
 
 PATIENCE = 150  # seconds for one step, on a machine with other things to do
 SOON = 15.0  # seconds from Cancel to its end, on such a machine
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ProgressWindow"
-VERSION = servermanager.vtkSMProxyManager.GetVersionMajor(), servermanager.vtkSMProxyManager.GetVersionMinor()
-# In a window of 1600 x 1000: the first button of our toolbar and the distance to the next; Cancel.
-BUTTON, NEXT = (
-    ((893, 116), 33) if VERSION > (6,) else ((827, 116), 33) if VERSION > (5, 12) else ((818, 122), 34))
-CANCEL = (30, 983)
+CANCEL = (30, 983)  # in a window of 1600 x 1000
 SITES, TRAJECTORY = 4, 10  # places in the toolbar
 
 
@@ -89,7 +83,7 @@ class Session:
 
     def press(self, place):
         def act():
-            xdotool("mousemove", BUTTON[0] + place * NEXT, BUTTON[1], "sleep", "0.7", "click", "1")
+            xdotool("mousemove", *place_of_button(place), "sleep", "0.7", "click", "1")
 
         act()
         self.until("begins", again=act)
