@@ -1,6 +1,7 @@
 /**
  * @file WindowGuards.h
- * @brief Keeps faults of ParaView's own window, which buttons of the toolbar make more frequent, from ending the program.
+ * @brief Keeps faults of ParaView's own window, which buttons of the toolbar make more frequent,
+ * from ending the program.
  */
 #ifndef WindowGuards_h
 #define WindowGuards_h
@@ -10,8 +11,9 @@ class QWidget;
 namespace isthmus
 {
 
-/// ParaView's shortcut Escape, which ends the selection in a view, keeps a bare pointer to the button that began it, also
-/// after the view with the button was deleted (by Reset Session, for instance). Disables the shortcut then.
+/// ParaView's shortcut Escape, which ends the selection in a view, keeps a bare pointer to the
+/// button that began it, also after the view with the button was deleted (by Reset Session, for
+/// instance). Disables the shortcut then.
 void GuardEscape(QWidget* window);
 
 }

@@ -2,8 +2,9 @@
 
 While a button works, the status bar has its name, its step and a button Cancel. The loops of a trajectory are cancelled
 by mouse between two frames; potential and sites by the Escape key within Poisson Boltzmann; nothing that was made is
-left, and the note says so. Then the loops of a short trajectory are made to the end, with their chart. Pictures are kept
-beside the test's other output, for people to look at.
+left, and the note says so. Escape while a result is being shown comes too late, and does no harm. Then the loops of a
+short trajectory are made to the end, with their chart. Pictures are kept beside the test's other output, for people to
+look at.
 """
 
 import os
@@ -24,7 +25,7 @@ PATIENCE = 150  # seconds for one step, on a machine with other things to do
 SOON = 15.0  # seconds from Cancel to its end, on such a machine
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ProgressWindow"
 CANCEL = (30, 983)  # in a window of 1600 x 1000
-SITES, TRAJECTORY = 4, 10  # places in the toolbar
+SITES, POCKETS, TRAJECTORY = 4, 7, 10  # places in the toolbar
 
 
 def xdotool(*arguments):
@@ -136,7 +137,7 @@ def escape():
 FOLDER.mkdir(parents=True, exist_ok=True)
 ring_models.write(FOLDER / "long.pdb", 60)
 ring_models.write(FOLDER / "ring.pdb", 4)
-chosen = sys.argv[1:] or ["frames", "filter", "chart"]
+chosen = sys.argv[1:] or ["frames", "filter", "late", "chart"]
 if "frames" in chosen:
     with Session("frames", FOLDER / "long.pdb") as session:
         session.press(TRAJECTORY)
@@ -146,6 +147,18 @@ if "filter" in chosen:
         xdotool("mousemove", *STATUS_BAR, "click", "1")
         session.press(SITES)
         session.cancel("1hew potential", escape)
+if "late" in chosen:
+    os.environ["ISTHMUS_SESSION_ESCAPE"] = "1"
+    with Session("late", shared_data("molecules/1hew.pdb")) as session:
+        xdotool("mousemove", *STATUS_BAR, "click", "1")
+        session.press(POCKETS)
+        session.until("ends")
+        assert "1hew residue names" in session.lines("ends")[0][2], session.lines("ends")
+        time.sleep(2)
+        assert session.paraview.poll() is None and not session.lines("note"), session.lines("note")
+        print(f"late: {session.picture('shown')}")
+        session.has_no_complaints()
+    del os.environ["ISTHMUS_SESSION_ESCAPE"]
 if "chart" in chosen:
     with Session("chart", FOLDER / "ring.pdb") as session:
         session.press(TRAJECTORY)
