@@ -2,6 +2,7 @@
 
 #include "IsthmusProgress.h"
 #include "RunPython.h"
+#include "WindowGuards.h"
 
 #include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
@@ -74,6 +75,10 @@ void IsthmusFirstLook::Start()
       {
         QObject::connect(stack, &pqUndoStack::undone, this, keep);
         QObject::connect(stack, &pqUndoStack::redone, this, keep);
+      }
+      if (QWidget* window = pqCoreUtilities::mainWidget())
+      {
+        isthmus::GuardEscape(window);
       }
     });
 }

@@ -654,6 +654,7 @@ def run(function):
             raise
         messages.show_error(str(error))
         return
+    messages.begin_showing()
     view = simple.GetActiveViewOrCreate("RenderView")
     bars = figures.visible_bars(view)
     simple.HideAll(view)
