@@ -40,6 +40,22 @@ def plain(display):
         simple.ColorBy(display, None)
 
 
+def legend(table, view, title):
+    """The legend of a colour map in a view, with a horizontal title, readable on the background of a view of its own colour."""
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle, bar.HorizontalTitle = title, "", 1
+    if int(table.InterpretValuesAsCategories):
+        bar.ScalarBarLength = min(0.33, 0.05 * len(table.Annotations) / 2)
+    if not int(view.UseColorPaletteForBackground):
+        bar.TitleColor = bar.LabelColor = ink(view.Background)
+    return bar
+
+
+def ink(background):
+    """Black or white, for text on that background."""
+    return [0.0] * 3 if sum(background) > 1.5 else [1.0] * 3
+
+
 def set_categories(table, rows):
     """Rows: (value, name, colour). Names are set first, since ParaView opens a dialog for a table without names."""
     table.Annotations = [word for value, name, _ in rows for word in (value, name)]

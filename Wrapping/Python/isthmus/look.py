@@ -102,8 +102,7 @@ def number_format(bar, form):
 
 
 def _bar(table, view, array):
-    bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
+    bar = colours.legend(table, view, TITLES.get(array, array))
     bar.RangeLabelFormat = number_format(bar, "-#.2g")  # 0.17, not 1.7e-01
 
 
@@ -451,6 +450,8 @@ def _look(display):
     if not hasattr(display, "ColorArrayName"):
         if first:
             _look_at_table(display, view, name)
+        elif name == "ThresholdTable":
+            pockets_and_pores.follow_profile(source, view)
     else:
         if first:
             _look_at_shape(display, view, source, name)
@@ -633,6 +634,7 @@ def show(*proxies, view=None, tables=False):
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
         display = pockets_and_pores.show(proxies[-1], view, tables)
+        _seen.update(each.GetGlobalID() for each in view.Representations)  # they are already displayed
         _look(display)
         return display
     if proxies[-1].SMProxy.GetXMLName() == "PointDatasetInterpolator":  # pipelines.map_with_model
