@@ -13,6 +13,7 @@
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 
+#include <QSortFilterProxyModel>
 #include <QTimer>
 
 #include <cstring>
@@ -66,19 +67,18 @@ IsthmusBrowser& IsthmusBrowser::Instance()
 
 void IsthmusBrowser::Attach(QWidget* window)
 {
-  auto* browser = window->findChild<pqPipelineBrowserWidget*>();
-  if (this->Model || !browser)
+  this->Browser = window->findChild<pqPipelineBrowserWidget*>();
+  if (this->Model || !this->Browser)
   {
     return;
   }
-  this->Model = browser->findChild<pqPipelineModel*>();
+  this->Model = this->Browser->findChild<pqPipelineModel*>();
   if (!this->Model)
   {
     return;
   }
   pqServerManagerModel* sources = Sources();
-  using Connection =
-    void (pqServerManagerModel::*)(pqPipelineSource*, pqPipelineSource*, int);
+  using Connection = void (pqServerManagerModel::*)(pqPipelineSource*, pqPipelineSource*, int);
   const Connection added = &pqServerManagerModel::connectionAdded;
   const Connection removed = &pqServerManagerModel::connectionRemoved;
   QObject::disconnect(sources, &pqServerManagerModel::sourceAdded, this->Model, nullptr);
@@ -127,17 +127,56 @@ bool IsthmusBrowser::IsHidden(pqPipelineSource* source) const
   return !this->ShowsAll && entry && std::strcmp(entry, "hidden") == 0;
 }
 
-/// The output of a source, or, of a hidden one, that from which it is made; none if that is unknown.
-IsthmusBrowser::Port IsthmusBrowser::Listed(pqPipelineSource* source, int port) const
+bool IsthmusBrowser::IsCollapsed(pqPipelineSource* source) const
 {
-  while (source && this->IsHidden(source))
+  return !this->ShowsAll && source->getNumberOfOutputPorts() > 1 && IsOurs(source) &&
+    this->Above(source).first;
+}
+
+QModelIndex IsthmusBrowser::IndexOf(pqPipelineSource* source) const
+{
+  const auto* shown = qobject_cast<QSortFilterProxyModel*>(this->Browser->getModel());
+  return shown ? shown->mapFromSource(this->Model->getIndexFor(source)) : QModelIndex();
+}
+
+// ParaView expands an entry that becomes the selected one, also some time later.
+void IsthmusBrowser::Collapse(pqPipelineSource* source)
+{
+  constexpr int delay = 300; // ms
+  const QPointer<pqPipelineSource> collapsed(source);
+  QTimer::singleShot(delay, this,
+    [this, collapsed]
+    {
+      if (this->Browser && this->Model && collapsed && this->IsCollapsed(collapsed))
+      {
+        this->Browser->collapse(this->IndexOf(collapsed));
+      }
+    });
+}
+
+/// The output of which a source is made; none if that is unknown.
+IsthmusBrowser::Port IsthmusBrowser::Above(pqPipelineSource* source) const
+{
+  vtkSMInputProperty* main = MainInput(source);
+  if (!main || main->GetNumberOfProxies() == 0)
   {
-    vtkSMInputProperty* main = MainInput(source);
-    const bool hasInput = main && main->GetNumberOfProxies() > 0;
-    port = hasInput ? static_cast<int>(main->GetOutputPortForConnection(0)) : 0;
-    source = hasInput ? Sources()->findItem<pqPipelineSource*>(main->GetProxy(0)) : nullptr;
+    return { nullptr, 0 };
   }
-  return { source, port };
+  return { Sources()->findItem<pqPipelineSource*>(main->GetProxy(0)),
+    static_cast<int>(main->GetOutputPortForConnection(0)) };
+}
+
+/// The output of a source, or, of one without an entry for it, that from which it is made.
+IsthmusBrowser::Port IsthmusBrowser::Listed(
+  pqPipelineSource* source, int port, bool isForChild) const
+{
+  Port listed{ source, port };
+  while (listed.first &&
+    (this->IsHidden(listed.first) || (isForChild && this->IsCollapsed(listed.first))))
+  {
+    listed = this->Above(listed.first);
+  }
+  return listed;
 }
 
 void IsthmusBrowser::AddSource(pqPipelineSource* source)
@@ -155,11 +194,12 @@ void IsthmusBrowser::AddConnection(pqPipelineSource* source, pqPipelineSource* s
   {
     return;
   }
-  const Port listed = this->Listed(source, port);
+  const Port listed = this->Listed(source, port, true);
   if (listed.first)
   {
     this->Connections[{ source, sink, port }] = listed;
     this->Model->addConnection(listed.first, sink, listed.second);
+    this->Collapse(sink);
   }
 }
 
@@ -194,10 +234,17 @@ void IsthmusBrowser::LeaveHidden(pqPipelineSource* source)
         return;
       }
       hidden->setModifiedState(pqProxy::UNMODIFIED);
-      const Port listed = this->Listed(hidden, 0);
-      if (listed.first && pqActiveObjects::instance().activeSource() == hidden)
+      const Port listed = this->Listed(hidden, 0, false);
+      if (!listed.first || pqActiveObjects::instance().activeSource() != hidden)
       {
-        pqActiveObjects::instance().setActivePort(listed.first->getOutputPort(listed.second));
+        return;
+      }
+      const bool isOpen =
+        this->Browser && this->Browser->isIndexExpanded(this->IndexOf(listed.first));
+      pqActiveObjects::instance().setActivePort(listed.first->getOutputPort(listed.second));
+      if (!isOpen)
+      {
+        this->Collapse(listed.first);
       }
     });
 }

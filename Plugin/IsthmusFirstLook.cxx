@@ -21,8 +21,12 @@
 #include <vtkPVDataInformation.h>
 #include <vtkPVDataSetAttributesInformation.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMPropertyIterator.h>
 #include <vtkSMProxyLocator.h>
 #include <vtkSMSourceProxy.h>
+#include <vtkSMUncheckedPropertyHelper.h>
+#include <vtkSMVectorProperty.h>
+#include <vtkSmartPointer.h>
 
 #include <QLabel>
 #include <QMainWindow>
@@ -36,6 +40,61 @@ namespace
 int PendingDelay()
 {
   return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
+}
+
+bool IsOurs(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  vtkPVXMLElement* entry = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
+  return entry && QString(entry->GetAttribute("category")).contains("Isthmus");
+}
+
+/// Whether a panel has values that wait for Apply.
+bool HasEdits(vtkSMProxy* proxy)
+{
+  const auto properties =
+    vtkSmartPointer<vtkSMPropertyIterator>::Take(proxy->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    vtkSMProperty* property = properties->GetProperty();
+    if (!vtkSMVectorProperty::SafeDownCast(property))
+    {
+      continue;
+    }
+    const vtkSMPropertyHelper values(property, true);
+    const vtkSMUncheckedPropertyHelper edited(property, true);
+    const unsigned int count = values.GetNumberOfElements();
+    if (edited.GetNumberOfElements() != count)
+    {
+      return true;
+    }
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      if (values.GetAsVariant(i) != edited.GetAsVariant(i))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The lists of arrays of a panel mark it as modified when ParaView builds it.
+void Unmark(pqServerManagerModelItem* item)
+{
+  const QPointer<pqPipelineSource> source(qobject_cast<pqPipelineSource*>(item));
+  if (!source || source->modifiedState() != pqProxy::MODIFIED || !IsOurs(source->getProxy()))
+  {
+    return;
+  }
+  QTimer::singleShot(0, source.data(),
+    [source]
+    {
+      if (source->modifiedState() == pqProxy::MODIFIED && !HasEdits(source->getProxy()))
+      {
+        source->setModifiedState(pqProxy::UNMODIFIED);
+      }
+    });
 }
 
 }
@@ -59,6 +118,7 @@ void IsthmusFirstLook::Start()
     model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ScheduleForget);
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
+  QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, Unmark);
   // A plugin that is loaded automatically starts while the application is still being created.
   QTimer::singleShot(0, this,
     [this, keep]
@@ -149,8 +209,8 @@ void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
 
 void IsthmusFirstLook::ScheduleNotes(const QStringList& notes)
 {
-  constexpr int delay = 200; // ms, for those of one pipeline together
-  constexpr int width = 500; // pixels; the tool tip shows long messages in full
+  constexpr int delay = 200;    // ms, for those of one pipeline together
+  constexpr double width = 0.6; // of the window; the tool tip shows long messages in full
   const bool waits = this->NotesWait;
   this->Notes << notes;
   this->Notes.removeAll("");
@@ -174,9 +234,9 @@ void IsthmusFirstLook::ScheduleNotes(const QStringList& notes)
         {
           label = new QLabel(window->statusBar()); // the next tool tip would erase a message
           label->setObjectName("IsthmusNote");
-          label->setMaximumWidth(width);
           window->statusBar()->insertWidget(0, label);
         }
+        label->setMaximumWidth(static_cast<int>(width * window->width()));
         label->setText(text);
         label->setToolTip(text);
       }

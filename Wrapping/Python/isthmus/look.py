@@ -255,7 +255,10 @@ def _look_at_opened(display, view, name):
         return
     before = set(simple.GetSources().values())
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
-        _show_surface(display, view, "surface")
+        surface = _show_surface(display, view, "surface")
+        if surface is not None and not any(each.Visibility for each in view.Representations if getattr(
+                each, "Input", None) is not None and not comes_from(each.Input.SMProxy, display.Input.SMProxy)):
+            view.SMProxy.ResetCamera(*surface.GetDataInformation().GetBounds())  # not to the box, which may be much larger
     elif name in MOLECULES and getattr(display.Input, "Port", 0) == 0 and display.Input.PointData["ResidueId"] is not None:
         selected = simple.GetActiveSource()
         cartoon = simple.MoleculeCartoon(

@@ -24,7 +24,7 @@ except ImportError:
     # With the vtk package alone, the module can be imported; its functions report what they need (end of this file).
     servermanager = simple = None
 
-from . import comparisons, diagram_views, entries, figures, levels, look, loop_views, messages, steps, track_views
+from . import cameras, comparisons, diagram_views, entries, figures, levels, look, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
 
 from . import pocket_views as pockets_and_pores
@@ -621,7 +621,7 @@ def _surface_on_screen(source):
 @messages.reports_faults("The button")
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on the source from which it was made; shown
-    in the active view, with everything else hidden."""
+    in the active view, with everything else hidden; but the surface of a molecule does not hide its pockets and pores."""
     selected = simple.GetActiveSource()
     if selected is None or not loop_views.registered_name(selected):  # after Reset Session, it is still that of before
         messages.show_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
@@ -653,12 +653,18 @@ def run(function):
         messages.show_error(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")
-    bars = figures.visible_bars(view)
-    simple.HideAll(view)
-    for bar in bars:
-        bar.Visibility = 1
-    simple.HideUnusedScalarBars(view)
-    show(*proxies, view=view, tables=True)
+    if function == "protein_to_surface" and pockets_and_pores.are_shown(source, view):
+        camera = cameras.position_of(view)
+        display = show(*proxies, view=view)
+        display.Opacity, display.Pickable = 0.3, 0
+        cameras.set_position(view, camera)
+    else:
+        bars = figures.visible_bars(view)
+        simple.HideAll(view)
+        for bar in bars:
+            bar.Visibility = 1
+        simple.HideUnusedScalarBars(view)
+        show(*proxies, view=view, tables=True)
     figures.refresh(view)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)

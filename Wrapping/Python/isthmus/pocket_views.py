@@ -35,12 +35,13 @@ BEST_SURFACES, CHOSEN_SURFACE = "best pockets", "chosen pocket"
 HIDDEN_COLUMNS = {
     "MolecularPockets": [
         "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "CopyOf", "LiningAtoms", "MeanPolarized",
-        "MeanPotential", "MouthArea", "MouthRadius", "Radius", "Row ID"],
+        "MeanPotential", "MouthArea", "MouthRadius", "Parent", "PolarShare", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
 # Units of columns of tables, which their headers show.
 UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "MouthRadius": "Å", "Length": "Å", "Span": "Å",
          "CenterX": "Å", "CenterY": "Å", "CenterZ": "Å", "BottleneckX": "Å", "BottleneckY": "Å", "BottleneckZ": "Å",
          "MeanDepth": "Å", "MeanPotential": "kT/e", "MeanPolarized": "kT/(e Å)"}
+FIRST_COLUMNS = {"Rank": "# Rank", "PoreId": "# Pore"}  # names that ParaView, which sorts columns by name, places first
 RADII = {"Of the atoms": "radii of the atoms", "HOLE": "radii of HOLE"}
 BOTTLENECKS = 3  # port of Pore Profile
 BALL = (0.941, 0.894, 0.259)
@@ -187,6 +188,18 @@ def chart_of(pores):
     return found
 
 
+def lining_of(pockets):
+    """The filter that passes the table of residues that line one pocket."""
+    port = FEATURES["MolecularPockets"]["residues"]
+    found = _fed_by(pockets, port, "ThresholdTable")
+    if found is None:
+        found = entries.make(
+            "ThresholdTable", simple.OutputPort(pockets, port), name_of(pockets, "lining residues"), hidden=False,
+            Column=["ROWS", "PocketId"], MinValue=1, MaxValue=1, Mode="Between")
+        found.UpdatePipeline()
+    return found
+
+
 def names_of(residues, make=True):
     """The filter that extracts the atoms labelled with residue names, so that the names can be hidden; make=False:
     None if there is none yet."""
@@ -222,6 +235,9 @@ def choose(features, number):
         chosen.LowerThreshold = chosen.UpperThreshold = number
         chosen.UpdatePipeline()
         changed.append(chosen)
+        lining = lining_of(features)
+        lining.MinValue = lining.MaxValue = number
+        lining.UpdatePipeline()
     if "chart" in kind:
         chart = chart_of(features)
         chart.MinValue = chart.MaxValue = number
@@ -271,6 +287,16 @@ def _shows(features, view):
                display.Visibility for display in view.Representations)
 
 
+def are_shown(molecule, view):
+    """Whether a view shows pockets or pores of a molecule."""
+    for display in view.Representations:
+        source = getattr(display, "Input", None)
+        features = _features_of(source) if source is not None and display.Visibility else None
+        if features is not None and features.Input.SMProxy == molecule.SMProxy:
+            return True
+    return False
+
+
 def _selected(features, source):
     """The number of the feature that is selected in `source`, determined on the server; None if nothing is
     selected."""
@@ -281,7 +307,8 @@ def _selected(features, source):
         part = source.SMProxy.GetSelectionOutput(port)
         part.UpdatePipeline()
         data = part.GetDataInformation(0)
-        for attribute, name in ((ROW, kind["row"]), (ROW, kind["id"]), (CELL, kind["id"]), (POINT, kind["id"])):
+        for attribute, name in ((ROW, FIRST_COLUMNS[kind["row"]]), (ROW, kind["row"]), (ROW, kind["id"]), (CELL, kind["id"]),
+                                (POINT, kind["id"])):
             arrays = data.GetAttributeInformation(attribute)
             array = arrays.GetArrayInformation(name) if arrays else None
             if array and array.GetNumberOfTuples() > 0:
@@ -570,18 +597,19 @@ def close_empty_views():
 
 
 def show_table(source, port, hidden, beside, kind, share):
-    """Opens a table with units in the headers of its columns, and without the columns `hidden`; returns its view."""
+    """Opens a table with units in the headers of its columns, the rank first, and without the columns `hidden`; returns its
+    view."""
     table = entries.make("RenameArrays", simple.OutputPort(source, port), name_of(source, "table"))
-    table.RowArrays = [name for column in _columns(source, port) if column in UNITS
-                       for name in (column, _with_unit(column))]
+    table.RowArrays = [name for column in _columns(source, port) if _header_of(column) != column
+                       for name in (column, _header_of(column))]
     sheet = new_view("SpreadSheetView", beside, kind, share)
-    sheet.HiddenColumnLabels = [_with_unit(column) for column in hidden]
+    sheet.HiddenColumnLabels = [_header_of(column) for column in hidden]
     simple.Show(table, sheet, "SpreadSheetRepresentation")
     return sheet
 
 
-def _with_unit(column):
-    return f"{column} ({UNITS[column]})" if column in UNITS else column
+def _header_of(column):
+    return FIRST_COLUMNS.get(column) or (f"{column} ({UNITS[column]})" if column in UNITS else column)
 
 
 def _columns(source, port):
@@ -670,6 +698,7 @@ def show(features, view=None, tables=True):
         colour_shapes(display, view)
     else:
         display = _show_surfaces(features, view)
+        lining_of(features)
     _show_residues(residues_of(features), view)
     if "chart" in kind:
         narrowest = _narrowest_of(features, 1)
