@@ -30,6 +30,7 @@ def watch(*_):
 
 pipelines.selection_changed = change_and_write
 source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
+pipelines.first_values(source.GetGlobalID())  # as if opened by hand: the cartoon is the file's
 simple.Show(source, simple.GetActiveViewOrCreate("RenderView"))
 simple.SetActiveSource(source)
 model = source.SMProxy.GetSessionProxyManager().GetSelectionModel("ActiveSources")

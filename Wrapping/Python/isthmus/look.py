@@ -368,7 +368,7 @@ def _hide_molecule(atoms, view):
 HIDDEN_OF_RESIDUES = ("ChainIndex", "InsertionCode", "Point ID", "Points")
 # Columns that a spreadsheet of sites hides initially: ParaView sorts columns by name, and these would come
 # before rank, class, residues, score and volume.
-HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "SiteClass")
+HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "Row ID", "SiteClass")
 
 
 def _view_of(display):
