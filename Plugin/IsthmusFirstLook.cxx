@@ -20,9 +20,12 @@
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVDataSetAttributesInformation.h>
+#include <vtkPVProxyDefinitionIterator.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMProxyDefinitionManager.h>
 #include <vtkSMPropertyIterator.h>
 #include <vtkSMProxyLocator.h>
+#include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMUncheckedPropertyHelper.h>
 #include <vtkSMVectorProperty.h>
@@ -79,6 +82,34 @@ bool HasEdits(vtkSMProxy* proxy)
   return false;
 }
 
+/// Files with capital endings, such as .PDB and .STL, which readers take, but ParaView's dialog does not.
+void AcceptCapitals(pqServer* server)
+{
+  const QStringList own{ "ccp4", "cif", "dx", "ent", "gro", "map", "mrc", "obj", "off", "pdb", "ply",
+    "pqr", "stl" };
+  const auto sources = vtkSmartPointer<vtkPVProxyDefinitionIterator>::Take(
+    server->proxyManager()->GetProxyDefinitionManager()->NewSingleGroupIterator("sources"));
+  for (sources->InitTraversal(); !sources->IsDoneWithTraversal(); sources->GoToNextItem())
+  {
+    vtkPVXMLElement* hints = sources->GetProxyHints();
+    vtkPVXMLElement* reader = hints ? hints->FindNestedElementByName("ReaderFactory") : nullptr;
+    const QString endings = reader ? reader->GetAttributeOrEmpty("extensions") : "";
+    const QStringList all = endings.split(' ');
+    QStringList capitals;
+    for (const QString& ending : all)
+    {
+      if (own.contains(ending) && !all.contains(ending.toUpper()))
+      {
+        capitals << ending.toUpper();
+      }
+    }
+    if (!capitals.isEmpty())
+    {
+      reader->SetAttribute("extensions", (endings + ' ' + capitals.join(' ')).toUtf8().constData());
+    }
+  }
+}
+
 /// The lists of arrays of a panel mark it as modified when ParaView builds it.
 void Unmark(pqServerManagerModelItem* item)
 {
@@ -119,6 +150,11 @@ void IsthmusFirstLook::Start()
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
   QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, Unmark);
+  QObject::connect(model, &pqServerManagerModel::serverAdded, this, AcceptCapitals);
+  for (pqServer* server : model->findItems<pqServer*>())
+  {
+    AcceptCapitals(server);
+  }
   // A plugin that is loaded automatically starts while the application is still being created.
   QTimer::singleShot(0, this,
     [this, keep]

@@ -145,6 +145,12 @@ def check_looks(density, atoms):
     colours = list(simple.GetColorTransferFunction("Potential").RGBPoints)
     assert (colours[0], colours[-4]) == (-5.0, 5.0), colours
     assert colours[1] > 2 * colours[3] and colours[-1] > 2 * colours[-3], colours
+    again = simple.Show(simple.OutputPort(solved.Input, 1), simple.CreateView("RenderView"), "GeometryRepresentation")
+    look.colours.colour_by(again, "POINTS", "Potential")
+    colours = list(simple.GetColorTransferFunction("Potential").RGBPoints)
+    assert (colours[0], colours[-4]) == (-5.0, 5.0), "a second view rescales the legend"
+    simple.Delete(simple.GetActiveView())
+    simple.SetActiveView(view)
 
     handles = simple.MapHandles(Input=density, Scalars=["POINTS", "Density"])
     chart = simple.CreateView("XYChartView")

@@ -21,13 +21,14 @@ def session(name, events):
     log, picture = play(name, shared_data("molecules/channels/1grm_hole_example.pdb"), [button(8), PAUSE, *events], (),
                         FOLDER / name, script=SCRIPT)
     assert "Success =  true" in log, f"{name}: the session could not be played: {log[-2000:]}"
-    assert not complaints(log), f"{name}: {complaints(log)}"
-    said = (FOLDER / name / "chart.txt").read_text(encoding="utf-8").splitlines()[-1]
+    said = [line for line in complaints(log) if "as in old PDB files" not in line]  # of this file
+    assert not said, f"{name}: {said}"
+    chart = (FOLDER / name / "chart.txt").read_text(encoding="utf-8").splitlines()[-1]
     red, green, blue = numpy.moveaxis(pixels_of_view(picture), 2, 0)
     ball = int(((red > blue + 40) & (abs(red - green) < 40)).sum())
-    print(f"{name}: {said}; {ball} pixels of a yellow ball, {picture}", flush=True)
+    print(f"{name}: {chart}; {ball} pixels of a yellow ball, {picture}", flush=True)
     assert ball > 200, "the narrowest place has no ball"
-    return said
+    return chart
 
 
 atoms = session("atoms", [])

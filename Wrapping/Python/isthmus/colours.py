@@ -28,7 +28,11 @@ def colour_by(display, association, array):
     """Colours a display by an array, or with a solid colour and no legend if the array has no values. Returns whether it
     has any."""
     if has_values(display.Input, association, array):
+        table = simple.GetColorTransferFunction(array)
+        points = list(table.RGBPoints) if table.AutomaticRescaleRangeMode == "Never" else None
         simple.ColorBy(display, (association, array))
+        if points and list(table.RGBPoints) != points:  # a legend that rescales unasked cannot be compared
+            table.RescaleTransferFunction(points[0], points[-4])
         return True
     plain(display)
     return False

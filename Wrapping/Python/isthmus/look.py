@@ -141,17 +141,28 @@ def _follow_values(display, view):
         display.SetScalarBarVisibility(view, True)
 
 
-def _name_kinds(table, display):
-    """A legend of the kinds that are shown."""
-    data = servermanager.Fetch(display.Input)
-    array = data.GetCellData().GetArray("Kind") if data.IsA("vtkDataSet") else None
-    there = {str(int(array.GetTuple1(i))) for i in range(array.GetNumberOfTuples())} if array else set()
-    rows = [row for row in CATEGORIES["Kind"] if row[0] in there]
+def _name_categories(table, display, association, array):
+    """A legend of the categories that are shown."""
+    if array == "Kind":
+        data = servermanager.Fetch(display.Input)
+        kinds = data.GetCellData().GetArray("Kind") if data.IsA("vtkDataSet") else None
+        there = {int(kinds.GetTuple1(i)) for i in range(kinds.GetNumberOfTuples())} if kinds else set()
+    else:
+        values = (display.Input.PointData if association == "POINTS" else display.Input.CellData)[array]
+        low, high = values.GetRange(0) if values else (0.0, -1.0)
+        there = range(int(low), int(high) + 1)
+    rows = [row for row in CATEGORIES[array] if int(row[0]) in there]
     if rows and list(table.Annotations)[::2] != [value for value, *_ in rows]:
         colours.set_categories(table, rows)
 
 
-def _colour(display, view):
+def _is_used(table, display):
+    """Whether another visible display uses a colour map."""
+    return any(getattr(other, "LookupTable", None) == table and other.Visibility and other != display and other.ColorArrayName[1]
+               for view in simple.GetViews() for other in view.Representations if hasattr(other, "ColorArrayName"))
+
+
+def _colour(display, view, first=False):
     _follow_values(display, view)
     association, array = display.ColorArrayName[0], display.ColorArrayName[1]
     if not array or (array not in CATEGORIES and array not in SIGNED and
@@ -164,11 +175,11 @@ def _colour(display, view):
             _ranges.add(key)
             _named.add(key)
             _set_categories(table, array)
-        if array == "Kind" and key in _named:
-            _name_kinds(table, display)
+        if key in _named:
+            _name_categories(table, display, association, array)
         _title(table, view, array)
         return
-    if key in _ranges:  # a legend that rescales unasked cannot be compared
+    if key in _ranges and (not first or _is_used(table, display)):  # see colour_by()
         _title(table, view, array)
         return
     limits = colour_range(display.Input, association, array)
@@ -458,7 +469,7 @@ def _look(display):
     else:
         if first:
             _look_at_shape(display, view, source, name)
-        _colour(display, view)
+        _colour(display, view, first)
         if name in loop_views.LOOPS and getattr(source, "Port", 0) == 0 and loop_views.count(source, view):
             return view
         if name == "Threshold" and pockets_and_pores.replace_names(source, view):
