@@ -22,8 +22,8 @@
 #include <vtkPVDataSetAttributesInformation.h>
 #include <vtkPVProxyDefinitionIterator.h>
 #include <vtkPVXMLElement.h>
-#include <vtkSMProxyDefinitionManager.h>
 #include <vtkSMPropertyIterator.h>
+#include <vtkSMProxyDefinitionManager.h>
 #include <vtkSMProxyLocator.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
@@ -82,11 +82,12 @@ bool HasEdits(vtkSMProxy* proxy)
   return false;
 }
 
-/// Files with capital endings, such as .PDB and .STL, which readers take, but ParaView's dialog does not.
+/// Files with capital endings, such as .PDB and .STL, which readers take, but ParaView's dialog
+/// does not.
 void AcceptCapitals(pqServer* server)
 {
-  const QStringList own{ "ccp4", "cif", "dx", "ent", "gro", "map", "mrc", "obj", "off", "pdb", "ply",
-    "pqr", "stl" };
+  const QStringList own{ "ccp4", "cif", "dx", "ent", "gro", "map", "mrc", "obj", "off", "pdb",
+    "ply", "pqr", "stl" };
   const auto sources = vtkSmartPointer<vtkPVProxyDefinitionIterator>::Take(
     server->proxyManager()->GetProxyDefinitionManager()->NewSingleGroupIterator("sources"));
   for (sources->InitTraversal(); !sources->IsDoneWithTraversal(); sources->GoToNextItem())

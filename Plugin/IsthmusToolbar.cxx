@@ -219,7 +219,7 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
         submenu->addAction(button);
       }
     }
-    submenu->addSeparator();
+    submenu->addSection("Filters");
     AddFilters(submenu, task.Filters);
   }
   menu->addSeparator();

@@ -116,12 +116,14 @@ def check_first_values():
     assert other.Level == before  # no density map
     # A map that a menu denoises is seen as a surface with a level, not as a box.
     view = simple.GetActiveViewOrCreate("RenderView")
+    before = simple.Show(by_hand, view)
     denoised = simple.DenoiseMap(Input=density)
     look.first_values(denoised.GetGlobalID())
     look.first_look(simple.Show(denoised, view).GetGlobalID())
     assert visible(view) == ["MapSurface"], visible(view)
     (surface,) = [surface for surface in named("MapSurface") if surface.Input.SMProxy == denoised.SMProxy]
     assert not surface.AutomaticLevel and simple.GetActiveSource() == denoised
+    assert not before.Visibility, "the denoised surface is drawn over that of the map"
     for proxy in list(simple.GetSources().values()):
         simple.Delete(proxy)
 

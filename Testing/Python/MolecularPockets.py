@@ -125,6 +125,12 @@ assert chosen.LowerThreshold == 4.0, chosen.LowerThreshold
 lining = servermanager.Fetch(pocket_views.lining_of(pockets))  # what Save Data writes
 assert {lining.GetValueByName(row, "PocketId").ToInt() for row in range(lining.GetNumberOfRows())} == {4}
 
+# What belongs to deleted pockets is deleted, too: ParaView gives it their input.
+names = pocket_views.names_of(chosen)
+chosen.Input = pockets.Input
+pipelines.forget()
+assert not {chosen, names} & set(simple.GetSources().values()) and headed in simple.GetSources().values()
+
 # Numbers of one kind come from one place: what cells, balls and table say is the same.
 finder = tools.pockets(tools.read(tools.lines_of(shared_data("molecules/1hew.pdb"))))
 values = tools.columns(finder.GetPocketTable())

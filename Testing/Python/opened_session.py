@@ -14,7 +14,7 @@ first_look = pipelines.first_look
 def look_and_write(*ids):
     first_look(*ids)
     view = simple.GetActiveView()
-    found = [f"{display.Input.SMProxy.GetXMLName()} {display.Representation}" for display in view.Representations
+    found = [f"{display.Input.SMProxy.GetXMLName()} {str(display.Representation).strip(chr(39))}" for display in view.Representations
              if getattr(display, "Input", None) and getattr(display, "Representation", None) and display.Visibility]
     with path.open("a") as file:
         print(", ".join(sorted(found)), file=file)

@@ -39,14 +39,18 @@ def forget():
     """Deletes what belongs to deleted sources: ParaView gives it the input of that source instead."""
     has_changed = True
     while has_changed:
-        gone = [source for source in simple.GetSources().values() if _is_left_over(source.SMProxy)]
+        sources = list(simple.GetSources().values())
+        known = {source.SMProxy.GetGlobalID() for source in sources}
+        gone = [source for source in sources if _is_left_over(source.SMProxy, known)]
         for source in gone:
             simple.Delete(source)
         has_changed = bool(gone)
 
 
-def _is_left_over(proxy):
+def _is_left_over(proxy, known):
     if proxy.HasAnnotation(FOLLOWS):
-        return not proxy.GetNumberOfProducers() or proxy.GetProducerProxy(0).GetXMLName() != proxy.GetAnnotation(FOLLOWS)
+        made_from = proxy.GetProducerProxy(0) if proxy.GetNumberOfProducers() else None
+        return made_from is None or made_from.GetGlobalID() not in known or (
+            made_from.GetXMLName() != proxy.GetAnnotation(FOLLOWS))
     return proxy.GetAnnotation(ENTRY) == "hidden" and not any(
         proxy.GetConsumerProxy(i).IsA("vtkSMSourceProxy") for i in range(proxy.GetNumberOfConsumers()))

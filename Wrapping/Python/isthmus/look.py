@@ -41,6 +41,7 @@ VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
     (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))
 FURTHER, BLACK = (0.70, 0.64, 0.74), (0.0, 0.0, 0.0)
+UNDEFINED = (0.40, 0.40, 0.40)  # of values that are not numbers, as at the border of a map; unlike the colour of 0
 BETTI = (("Beta0", "components", VERMILION), ("Beta1", "tunnels", BLUE), ("Beta2", "cavities", GREEN))
 CATEGORIES = {
     "Kind": (("0", "handle", VERMILION), ("1", "tunnel", BLUE), ("2", "bottleneck", ORANGE)),
@@ -189,7 +190,7 @@ def _colour(display, view, first=False):
     if array == "Potential":
         table.InvertTransferFunction()  # red is negative, as everywhere in structural biology
     table.AutomaticRescaleRangeMode = "Never"
-    table.NanColor = GREY
+    table.NanColor = UNDEFINED
     _title(table, view, array)
     table.RescaleTransferFunction(*limits)
     opacity = display.OpacityTransferFunction
@@ -298,6 +299,16 @@ def _hide_first_sight(source, view):
         if shown is None or shown.SMProxy.GetGlobalID() not in _first_sights or not display.Visibility:
             continue
         if shown.SMProxy.GetProducerProxy(0) == given:
+            display.Visibility = 0
+    simple.HideUnusedScalarBars(view)
+
+
+def _hide_made_from(origin, part, view):
+    """Hides the surfaces made from a map, except those made from a part of its pipeline, which lie in the same place."""
+    for display in view.Representations:
+        shown = getattr(display, "Input", None)
+        if shown is not None and hasattr(display, "ColorArrayName") and shown.SMProxy != origin and comes_from(
+                shown.SMProxy, origin) and not comes_from(shown.SMProxy, part):
             display.Visibility = 0
     simple.HideUnusedScalarBars(view)
 
@@ -435,6 +446,7 @@ def _look_at_shape(display, view, source, name):
     elif name in DENOISERS and port == 0 and source.SMProxy.GetGlobalID() in _by_hand:
         if _show_surface(display, view, "denoised surface"):
             display.Visibility = 0
+            _hide_made_from(source.Input.SMProxy, source.SMProxy, view)
     elif name in MAPS + MOLECULES:
         _look_at_opened(display, view, name)
     elif name == "AtomSelection":
