@@ -97,7 +97,7 @@ pocket_views.show(pockets, view)
 (headed,) = [source for source in simple.GetSources().values() if source.SMProxy.GetXMLName() == "RenameArrays"]
 shown = servermanager.Fetch(headed)
 headers = {shown.GetColumnName(i) for i in range(shown.GetNumberOfColumns())}
-assert {"Rank", "Volume (\u00c5\u00b3)", "Area (\u00c5\u00b2)", "MeanPotential (kT/e)", "Residues"} <= headers, headers
+assert {"# Rank", "Volume (\u00c5\u00b3)", "Area (\u00c5\u00b2)", "MeanPotential (kT/e)", "Residues"} <= headers, headers
 (sheet,) = [other for other in simple.GetViews() if other.SMProxy.GetXMLName() == "SpreadSheetView"]
 assert "MouthArea (\u00c5\u00b2)" in sheet.HiddenColumnLabels and "Residues" not in sheet.HiddenColumnLabels
 
@@ -122,6 +122,14 @@ headed.SMProxy.SetSelectionInput(0, simple.IDSelectionSource(FieldType="ROW", ID
 pipelines.selection_changed(headed.GetGlobalID())  # as the window does
 chosen = pocket_views.residues_of(pockets)
 assert chosen.LowerThreshold == 4.0, chosen.LowerThreshold
+lining = servermanager.Fetch(pocket_views.lining_of(pockets))  # what Save Data writes
+assert {lining.GetValueByName(row, "PocketId").ToInt() for row in range(lining.GetNumberOfRows())} == {4}
+
+# What belongs to deleted pockets is deleted, too: ParaView gives it their input.
+names = pocket_views.names_of(chosen)
+chosen.Input = pockets.Input
+pipelines.forget()
+assert not {chosen, names} & set(simple.GetSources().values()) and headed in simple.GetSources().values()
 
 # Numbers of one kind come from one place: what cells, balls and table say is the same.
 finder = tools.pockets(tools.read(tools.lines_of(shared_data("molecules/1hew.pdb"))))

@@ -18,7 +18,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import loop_views, messages, selections
+from . import entries, loop_views, messages, selections
 from . import pocket_views as pockets_and_pores
 
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
@@ -398,11 +398,9 @@ def _show_balls(source, ids):
     if balls is None:
         if not places:
             return
-        selected = simple.GetActiveSource()
-        balls = simple.ExtractSelection(
-            simple.OutputPort(source, loop_views.CHOKE_POINTS), Selection=selections.of_ids("POINT", []),
-            registrationName=pockets_and_pores.name_of(source, "selected balls"))
-        simple.SetActiveSource(selected)
+        balls = entries.make(
+            "ExtractSelection", simple.OutputPort(source, loop_views.CHOKE_POINTS),
+            pockets_and_pores.name_of(source, "selected balls"), Selection=selections.of_ids("POINT", []))
     balls.Selection = selections.of_ids("POINT", places)
     balls.UpdatePipeline()
     for view in loop_views.views_of(source):

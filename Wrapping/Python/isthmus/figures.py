@@ -32,10 +32,10 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import cameras, loop_views, messages
+from . import cameras, colours, loop_views, messages
 
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
-WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
+WHITE = [1.0, 1.0, 1.0]
 BAR_SHARE = 0.25  # largest length of the scale bar, as a fraction of the width
 NANOMETRES = 100.0  # angstrom, the shortest bar that is given in nanometres
 # Ambient occlusion: the distance at which surfaces shade each other, in diagonals of what is shown, and how much farther
@@ -188,6 +188,8 @@ def background(name):
     for view in _render_views():
         for ruler, display in _bars(view):
             _place_bar(view, ruler, display)
+        for names in _names(view):
+            names.PointLabelColor = view.OrientationAxesLabelColor
         simple.Render(view)
 
 
@@ -293,10 +295,6 @@ def _place_bars(view, _):
 
 # ---------------------------------------------------------------------------- figures
 
-def _ink(background):
-    return BLACK if sum(background) > 1.5 else WHITE
-
-
 def _legends(view):
     return [display for display in view.Representations
             if display.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation" and display.Visibility]
@@ -317,7 +315,7 @@ def _prepare(view, change, background, scale_bar):
     if background is None:
         ink = list(view.OrientationAxesLabelColor)  # of texts, which follows the palette
     else:
-        ink = _ink(background)
+        ink = colours.ink(background)
         change.set(view, UseColorPaletteForBackground=0, BackgroundColorMode="Single Color", Background=background)
     for text in _texts(view):
         if loop_views.registered_name(text.Input).endswith(loop_views.COUNT):
