@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <set>
 #include <utility>
 
 namespace isthmus
@@ -88,6 +88,50 @@ struct Surroundings
   }
 };
 
+/// The numbers of values from 0 in ascending order.
+template <typename Key>
+std::map<Key, int> RankKeys(const std::set<Key>& keys)
+{
+  std::map<Key, int> ranks;
+  for (const Key& key : keys)
+  {
+    ranks.emplace(key, static_cast<int>(ranks.size()));
+  }
+  return ranks;
+}
+
+/// Sorts a group of copies by their chains.
+void OrderCopies(const std::vector<Surroundings>& around, std::vector<std::size_t>& group)
+{
+  std::set<int> chains;
+  std::set<std::int64_t> words;
+  for (const std::size_t i : group)
+  {
+    for (const auto& one : around[i].ByChain)
+    {
+      chains.insert(one.first.first);
+      words.insert(one.first.second);
+    }
+  }
+  const std::map<int, int> chainRanks = RankKeys(chains);
+  const std::map<std::int64_t, int> wordRanks = RankKeys(words);
+  std::map<std::size_t, double> shares;
+  for (const std::size_t i : group)
+  {
+    double sum = 0.0, all = 0.0;
+    for (const auto& [key, weight] : around[i].ByChain)
+    {
+      const double part =
+        weight * (2.0 - wordRanks.at(key.second) / static_cast<double>(words.size()));
+      sum += part * std::pow(0.25, chainRanks.at(key.first));
+      all += part;
+    }
+    shares[i] = all > 0.0 ? sum / all : 0.0;
+  }
+  std::stable_sort(group.begin(), group.end(),
+    [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
+}
+
 /// Numbers of the groups, each with its densest site first.
 std::vector<std::vector<std::size_t>> FindGroups(const std::vector<Surroundings>& around)
 {
@@ -140,10 +184,12 @@ std::vector<CopiedSite> GroupCopies(
   {
     around.emplace_back(atoms, bins, site.Center);
   }
-  std::vector<CopiedSite> copied(sites.size());
+  std::vector<CopiedSite> copied;
+  copied.reserve(sites.size());
   std::int64_t number = 0;
-  for (const auto& group : FindGroups(around))
+  for (std::vector<std::size_t>& group : FindGroups(around))
   {
+    OrderCopies(around, group);
     double sum = 0.0;
     for (const std::size_t i : group)
     {
@@ -152,15 +198,14 @@ std::vector<CopiedSite> GroupCopies(
     for (const std::size_t i : group)
     {
       sites[i].Density = sum / static_cast<double>(group.size());
-      copied[i] = { std::move(sites[i]), number, around[i].Chain };
+      copied.push_back({ std::move(sites[i]), number, around[i].Chain });
     }
     ++number;
   }
   std::stable_sort(copied.begin(), copied.end(),
     [](const CopiedSite& a, const CopiedSite& b)
     {
-      return std::tuple(-a.Site.Density, a.Group, a.Chain) <
-        std::tuple(-b.Site.Density, b.Group, b.Chain);
+      return std::pair(-a.Site.Density, a.Group) < std::pair(-b.Site.Density, b.Group);
     });
   std::map<std::int64_t, std::int64_t> renumbered;
   for (CopiedSite& site : copied)

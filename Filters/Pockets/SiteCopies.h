@@ -4,7 +4,10 @@
  *
  * Copies of a chain differ by a little noise, and so do the densities of their sites, so their
  * order would be random. Therefore copies of a site are given the mean of their densities, and
- * those of the chain with the first name come first.
+ * those of the chain with the first name come first: the order is that of the mean of 1/4^c over
+ * the residues around, with the number c of their chain. A residue has its weight (below) times 2
+ * for the first to 1 for the last in the order of their numbers, which decides between sites
+ * between two chains that have the same residues with the chains exchanged.
  *
  * Each residue around a site has the weight 1 - d/10, with the distance d in angstrom from the
  * site's center to the residue's nearest heavy atom. The **similarity** of two sites is the sum
@@ -33,7 +36,7 @@ struct CopiedSite
   int Chain = -1;         ///< the chain with the most weight around it; -1: no atom is nearby
 };
 
-/// By descending density; copies of a site are consecutive, ordered by chain. `sites`: the
+/// By descending density; copies of a site are consecutive, in their order. `sites`: the
 /// densest first. O(sites x residues around x sites with the same residues around).
 std::vector<CopiedSite> GroupCopies(
   const std::vector<SiteAtom>& atoms, std::vector<PocketSite> sites);

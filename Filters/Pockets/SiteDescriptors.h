@@ -61,7 +61,7 @@ struct SiteAtom
   int Residue =
     -1; ///< 0 to 19: backbone of the amino acids in the order of their names; 20 to 39: side chain
   int Chain = 0;          ///< numbered from 0 by name
-  std::int64_t Word = -1; ///< the same for residues with the same number and name, of any chain
+  std::int64_t Word = -1; ///< residue, ascending by number; the same for copies in all chains
   bool BindsMetals = false;
 };
 

@@ -47,17 +47,26 @@ std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms
   {
     return found;
   }
+  const auto wordOf = [](const isthmus::NamedAtom& named)
+  { return std::tuple(named.ResidueId, named.InsertionCode, named.Residue); };
   std::map<std::string, int> chains;
+  std::map<std::tuple<int, std::string, std::string>, std::int64_t> words;
   for (const std::int64_t point : atoms.Points)
   {
-    chains[atoms.Named[static_cast<std::size_t>(point)].Chain] = 0;
+    const isthmus::NamedAtom& named = atoms.Named[static_cast<std::size_t>(point)];
+    chains[named.Chain] = 0;
+    words[wordOf(named)] = 0;
   }
   int number = 0;
   for (auto& chain : chains)
   {
     chain.second = number++;
   }
-  std::map<std::tuple<int, std::string, std::string>, std::int64_t> words;
+  std::int64_t word = 0;
+  for (auto& one : words)
+  {
+    one.second = word++;
+  }
   for (std::size_t i = 0; i < atoms.Balls.size(); ++i)
   {
     const isthmus::NamedAtom& named = atoms.Named[static_cast<std::size_t>(atoms.Points[i])];
@@ -66,11 +75,7 @@ std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms
       found.push_back(
         isthmus::MakeSiteAtom(atoms.Balls[i].Center, named.Element, named.Residue, named.Name));
       found.back().Chain = chains[named.Chain];
-      found.back().Word =
-        words
-          .emplace(std::tuple(named.ResidueId, named.InsertionCode, named.Residue),
-            static_cast<std::int64_t>(words.size()))
-          .first->second;
+      found.back().Word = words[wordOf(named)];
     }
   }
   return found;

@@ -138,6 +138,7 @@ TEST(PocketSites, TiedOnesAreOrderedByTheirResidues)
     sites[i].Density = densities[i];
     sites[i].Score = static_cast<double>(i);
     sites[i].Parent = static_cast<std::int64_t>(i) + 1;
+    sites[i].Group = static_cast<std::int64_t>(i);
   }
   OrderTiedSites({ { { "D", 1, "", "ALA" } }, { { "B", 10, "", "ALA" } },
                    { { "A", 10, "", "ALA" } }, { { "A", 1, "", "ALA" } } },
