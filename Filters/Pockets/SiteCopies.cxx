@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -15,12 +16,12 @@ namespace
 
 constexpr double AroundReach = 10.0; // angstrom
 constexpr double LeastLikeness = 0.5;
-constexpr double MostOfSameChain = 0.5; // of the similarity
+constexpr double MostOfSame = 0.5; // of the similarity
 
 /// Weights of residues.
 template <typename Key>
 using Weights = std::map<Key, double>;
-using ChainResidue = std::pair<int, std::int64_t>;
+using NumberedWord = std::pair<std::int64_t, std::int64_t>; ///< word, number of the residue
 
 template <typename Key>
 double ComputeSum(const Weights<Key>& weights)
@@ -48,12 +49,13 @@ double Similarity(const Weights<Key>& a, const Weights<Key>& b)
 
 struct Surroundings
 {
-  Weights<ChainResidue> ByChain;
+  Weights<NumberedWord> OfEach;
   Weights<std::int64_t> OfAll;
   int Chain = -1;
 
   Surroundings(const std::vector<SiteAtom>& atoms, const PointBins& bins, const Point3& center)
   {
+    std::map<std::int64_t, int> chainOf; // of each residue
     bins.Near(center, AroundReach,
       [&](std::int64_t id, double squared)
       {
@@ -61,16 +63,17 @@ struct Surroundings
         const double weight = 1.0 - std::sqrt(squared) / AroundReach;
         if (atom.Word >= 0)
         {
-          double& ofChain = this->ByChain[{ atom.Chain, atom.Word }];
-          ofChain = std::max(ofChain, weight);
+          double& ofEach = this->OfEach[{ atom.Word, atom.Number }];
+          ofEach = std::max(ofEach, weight);
           double& ofAll = this->OfAll[atom.Word];
           ofAll = std::max(ofAll, weight);
+          chainOf[atom.Number] = atom.Chain;
         }
       });
     Weights<int> chains;
-    for (const auto& [key, weight] : this->ByChain)
+    for (const auto& [key, weight] : this->OfEach)
     {
-      chains[key.first] += weight;
+      chains[chainOf[key.second]] += weight;
     }
     double most = 0.0;
     for (const auto& [chain, weight] : chains)
@@ -84,46 +87,33 @@ struct Surroundings
   {
     const double likeness = Similarity(this->OfAll, other.OfAll);
     return likeness >= LeastLikeness &&
-      Similarity(this->ByChain, other.ByChain) < MostOfSameChain * likeness;
+      Similarity(this->OfEach, other.OfEach) < MostOfSame * likeness;
   }
 };
 
-/// The numbers of values from 0 in ascending order.
-template <typename Key>
-std::map<Key, int> RankKeys(const std::set<Key>& keys)
-{
-  std::map<Key, int> ranks;
-  for (const Key& key : keys)
-  {
-    ranks.emplace(key, static_cast<int>(ranks.size()));
-  }
-  return ranks;
-}
-
-/// Sorts a group of copies by their chains.
+/// Sorts a group of copies (SiteCopies.h).
 void OrderCopies(const std::vector<Surroundings>& around, std::vector<std::size_t>& group)
 {
-  std::set<int> chains;
-  std::set<std::int64_t> words;
+  std::map<std::int64_t, std::set<std::int64_t>> numbersOf; // of each word
   for (const std::size_t i : group)
   {
-    for (const auto& one : around[i].ByChain)
+    for (const auto& one : around[i].OfEach)
     {
-      chains.insert(one.first.first);
-      words.insert(one.first.second);
+      numbersOf[one.first.first].insert(one.first.second);
     }
   }
-  const std::map<int, int> chainRanks = RankKeys(chains);
-  const std::map<std::int64_t, int> wordRanks = RankKeys(words);
   std::map<std::size_t, double> shares;
   for (const std::size_t i : group)
   {
     double sum = 0.0, all = 0.0;
-    for (const auto& [key, weight] : around[i].ByChain)
+    for (const auto& [key, weight] : around[i].OfEach)
     {
+      const auto word = numbersOf.find(key.first);
+      const auto before = std::distance(numbersOf.begin(), word);
       const double part =
-        weight * (2.0 - wordRanks.at(key.second) / static_cast<double>(words.size()));
-      sum += part * std::pow(0.25, chainRanks.at(key.first));
+        weight * (2.0 - static_cast<double>(before) / static_cast<double>(numbersOf.size()));
+      const auto rank = std::distance(word->second.begin(), word->second.find(key.second));
+      sum += part * std::pow(0.25, static_cast<double>(rank));
       all += part;
     }
     shares[i] = all > 0.0 ? sum / all : 0.0;

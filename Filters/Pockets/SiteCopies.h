@@ -3,18 +3,20 @@
  * @brief Sites at equivalent places of copies of a chain.
  *
  * Copies of a chain differ by a little noise, and so do the densities of their sites, so their
- * order would be random. Therefore copies of a site are given the mean of their densities, and
- * those of the chain with the first name come first: the order is that of the mean of 1/4^c over
- * the residues around, with the number c of their chain. A residue has its weight (below) times 2
- * for the first to 1 for the last in the order of their numbers, which decides between sites
- * between two chains that have the same residues with the chains exchanged.
+ * order would be random. Therefore copies of a site are given the mean of their densities, and an
+ * order that noise does not change.
  *
  * Each residue around a site has the weight 1 - d/10, with the distance d in angstrom from the
  * site's center to the residue's nearest heavy atom. The **similarity** of two sites is the sum
  * over residues of the smaller weight divided by the sum of the larger weight. Two sites are copies
- * if their similarity is at least a half when residues are identified by number and name only, and
- * less than half of that when their chain is considered too. A site is compared with the densest
- * one of each group.
+ * if their similarity is at least a half when residues with the same Word (SiteAtom) are the same,
+ * in whatever chain, and less than half of that when they are not. A site is compared with the
+ * densest one of each group.
+ *
+ * **Order**: by the mean of 1/4^c over the residues around, with the number c of residues of the
+ * same Word around the copies that precede it by chain and number. A residue has its weight times 2
+ * for the first to 1 for the last Word, which decides between sites between two chains that differ
+ * only in which chain has which residues.
  */
 #ifndef isthmus_SiteCopies_h
 #define isthmus_SiteCopies_h

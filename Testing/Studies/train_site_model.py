@@ -63,14 +63,14 @@ def collect(source, chosen, folder):
 # ---------------------------------------------------------------------------- descriptors, by Isthmus
 
 def atoms_of(lines):
-    """Positions of the heavy atoms of a polymer, numbers of their residues (the same for copies of a chain)
-    and of their chains (by name)."""
+    """Positions of the heavy atoms of a polymer, and the words and numbers of their residues (SiteAtom)."""
     atoms = [line for line in lines if line.startswith("ATOM") and line[76:78].strip() not in ("H", "D")
              and line[12:16].strip("0123456789 ")[:1] not in ("H", "D")]
-    numbers = lambda words: numpy.unique(words, return_inverse=True)[1]
     places = numpy.array([[float(line[start:start + 8]) for start in (30, 38, 46)] for line in atoms])
-    return places.reshape(-1, 3), numbers([line[22:27] + line[17:20] for line in atoms]), \
-        numbers([line[21] for line in atoms])
+    residues, number = numpy.unique([line[21:27] + line[17:20] for line in atoms], return_inverse=True)
+    words = [" ".join(other[6:] if other[0] == residues[i][0] else "" for other in residues[max(0, i - 3):i + 4])
+             for i in range(len(residues))]
+    return places.reshape(-1, 3), numpy.unique(words, return_inverse=True)[1][number], number
 
 
 def describe(folder, out):
@@ -105,9 +105,9 @@ def describe(folder, out):
         columns["places"].append(places)
         columns["distances"].append(distances)
         columns["ligand"].append(ligand)
-        atoms, residue, chain = atoms_of(lines)
+        atoms, word, number = atoms_of(lines)
         columns["atoms"].append(atoms)
-        columns["words"].append(numpy.stack([residue, chain], axis=1))
+        columns["words"].append(numpy.stack([word, number], axis=1))
     names = [array.GetComponentName(k) for k in range(array.GetNumberOfComponents())]
     numpy.savez_compressed(
         out, names=names, name=columns["name"], family=columns["family"],
@@ -242,14 +242,14 @@ def sites_of(places, probabilities, reach, most=None):
 
 
 def weights_around(one, center):
-    """Weights of the surrounding residues, by number and name and also by chain."""
+    """Weights of the surrounding residues, by word and by word and number."""
     weights = 1.0 - numpy.linalg.norm(one.atoms - center, axis=1) / AROUND
-    of_all, by_chain = defaultdict(float), defaultdict(float)
+    of_all, of_each = defaultdict(float), defaultdict(float)
     for i in numpy.flatnonzero(weights >= 0.0):
-        residue, chain = one.words[i]
-        of_all[residue] = max(of_all[residue], weights[i])
-        by_chain[chain, residue] = max(by_chain[chain, residue], weights[i])
-    return of_all, by_chain
+        word, number = one.words[i]
+        of_all[word] = max(of_all[word], weights[i])
+        of_each[word, number] = max(of_each[word, number], weights[i])
+    return of_all, of_each
 
 
 def likeness(a, b):
@@ -258,17 +258,17 @@ def likeness(a, b):
 
 
 def with_copies(one, density, centers):
-    """Copies of a site are consecutive, in the order of their chains, with the mean of their densities
+    """Copies of a site are consecutive, in their order, with the mean of their densities
     (SiteCopies.h)."""
     around = [weights_around(one, center) for center in centers]
     groups = []
-    for i, (of_all, by_chain) in enumerate(around):
+    for i, (of_all, of_each) in enumerate(around):
         for group in groups:
             first = around[group[0]]
             if first[0].keys().isdisjoint(of_all):
                 continue
             alike = likeness(of_all, first[0])
-            if alike >= 0.5 and likeness(by_chain, first[1]) < 0.5 * alike:
+            if alike >= 0.5 and likeness(of_each, first[1]) < 0.5 * alike:
                 group.append(i)
                 break
         else:
@@ -278,16 +278,17 @@ def with_copies(one, density, centers):
         density[group] = density[group].mean()
     groups.sort(key=lambda group: -density[group[0]])
 
-    def share(i, chains, residues):
-        parts = {(chain, residue): weight * (2.0 - residues.index(residue) / len(residues))
-                 for (chain, residue), weight in around[i][1].items()}
-        return sum(part * 0.25 ** chains.index(chain) for (chain, _), part in parts.items()) / max(
+    def share(i, numbers_of):
+        parts = {(word, number): weight * (2.0 - list(numbers_of).index(word) / len(numbers_of))
+                 for (word, number), weight in around[i][1].items()}
+        return sum(part * 0.25 ** numbers_of[word].index(number) for (word, number), part in parts.items()) / max(
             sum(parts.values()), 1e-9)
 
     order = []
     for group in groups:
-        chains, residues = (sorted({key[k] for i in group for key in around[i][1]}) for k in (0, 1))
-        order += sorted(group, key=lambda i: -share(i, chains, residues))
+        keys = sorted({key for i in group for key in around[i][1]})
+        numbers_of = {word: [number for same, number in keys if same == word] for word, _ in keys}
+        order += sorted(group, key=lambda i: -share(i, numbers_of))
     return density[order], centers[order]
 
 
@@ -441,7 +442,7 @@ const double Propensity[] = {{
 
 }}
 
-const SiteModelTable& FrozenSiteModel()
+const SiteModelTable& GetSiteModel()
 {{
   static const SiteModelTable table{{ Nodes, FirstNodes, FirstLeaves, Leaves, {len(first_nodes)}, 0.0, Propensity,
     {{ {", ".join(number(value) for value in calibration)} }} }};
