@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 ROOT = Path(__file__).resolve().parents[2]
 text = (ROOT / "Filters/Pockets/SiteModelTable.cxx").read_text()
 header = (ROOT / "Filters/Pockets/PocketSites.h").read_text()
-REACH = float(re.search(r"DensityReach = ([0-9.]+)", header)[1])
+REACH, CROWDING = (float(re.search(name + r"Reach = ([0-9.]+)", header)[1]) for name in ("Density", "Crowding"))
 
 
 def numbers(name):
@@ -43,9 +43,13 @@ def place_probabilities(values):
     return 1.0 / (1.0 + numpy.exp(-odds))
 
 
-def density_at(place, places, probabilities):
-    d2 = ((places - place) ** 2).sum(axis=1) / REACH**2
-    weights = probabilities * numpy.where(d2 < 1.0, (1.0 - d2) ** 2, 0.0)
+def kernel(place, places, reach):
+    d2 = ((places - place) ** 2).sum(axis=1) / reach**2
+    return numpy.where(d2 < 1.0, (1.0 - d2) ** 2, 0.0)
+
+
+def density_at(place, places, weights):
+    weights = weights * kernel(place, places, REACH)
     return weights.sum(), weights @ places / weights.sum()
 
 
@@ -73,8 +77,9 @@ for name, lines, mask in list(tools.complexes())[:3]:
     table = tools.columns(finder.GetPocketTable())
     centers = tools.centers(finder)
     densities = []
+    weights = probabilities / numpy.sqrt([kernel(place, places, CROWDING).sum() for place in places])
     for center in centers:
-        density, after = density_at(center, places, probabilities)
+        density, after = density_at(center, places, weights)
         densities.append(density)
         assert numpy.linalg.norm(after - center) < 1e-3, (name, after, center)
     densities = numpy.array(densities)
