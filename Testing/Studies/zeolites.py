@@ -183,7 +183,7 @@ def main():
         if options.each and (not right.all() or (options.pyzeo and zeo is None)):
             listed = [" ".join(f"{value:.2f}" for value in values) for values in (known, found, zeo or [])]
             print(f"{code}{'' if ordered else ' (not ordered)'}: database {listed[0]}, Isthmus {listed[1]}, Zeo++ "
-                  f"{listed[2] or '-'}")
+                  f"{listed[2] or '-'}", flush=True)
     print("| within 0.03 angstrom | number | % [95 %] |")
     print("|---|---|---|")
     for name, chosen in (("shared, ordered", [r for r in rows if r[0] and r[1]]),
