@@ -104,6 +104,7 @@ void IsthmusLevelHistogram::Arrange()
   this->Automatic->setToolTip(tr("Set the automatic level"));
   QObject::connect(
     this->Automatic, &QAbstractButton::clicked, this, &IsthmusLevelHistogram::UseAutomatic);
+  row->insertWidget(0, this->Automatic); // at the right end a narrow panel hides it
   box->setDirection(QBoxLayout::TopToBottom);
   this->Histogram = new QWidget(this->parentWidget());
   this->Histogram->setObjectName("LevelHistogram");
@@ -120,11 +121,7 @@ void IsthmusLevelHistogram::Arrange()
   this->Label->setToolTip(
     tr("The level in standard deviations of all values from their mean, the volume that it "
        "encloses and its mass at 1.35 g/cm³, and the automatic level with its origin."));
-  auto* top =
-    new QHBoxLayout; // beside the slider the button would make the panel wider than its dock
-  top->addWidget(this->Automatic);
-  top->addWidget(this->Histogram, 1);
-  box->addLayout(top);
+  box->addWidget(this->Histogram);
   box->addLayout(row);
   box->addWidget(this->Label);
   this->Histogram->hide();

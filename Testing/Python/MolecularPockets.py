@@ -94,6 +94,7 @@ for row in range(count):
 view = simple.CreateView("RenderView")
 simple.AssignViewToLayout(view)
 pocket_views.show(pockets, view)
+assert all(True for _ in "of Python"), "a script has put numpy's functions in place of Python's"
 (headed,) = [source for source in simple.GetSources().values() if source.SMProxy.GetXMLName() == "RenameArrays"]
 shown = servermanager.Fetch(headed)
 headers = {shown.GetColumnName(i) for i in range(shown.GetNumberOfColumns())}

@@ -62,7 +62,7 @@ for label, threshold in LINES:
     if threshold is None:  # the least persistent of those that are listed
         threshold = (death - birth)[numpy.argmin(abs(death - birth))] if len(birth) else 0.0
     result.RowData.append(birth + threshold, label)
-"""
+""" + entries.TIDY
 
 
 class _ScriptColours:

@@ -12,6 +12,13 @@ except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 ENTRY, FOLLOWS = "IsthmusEntry", "IsthmusFollows"
+# Ends scripts of Programmable Filters: ParaView puts numpy's all(), sum() and so on in place of Python's, also for the user.
+TIDY = """
+import builtins
+for shadow in [name for name in dir(builtins) if str(getattr(globals().get(name), "__module__", "")).startswith(
+        ("numpy", "vtkmodules", "paraview"))]:
+    del globals()[shadow]
+"""
 
 
 def make(kind, source, name, hidden=True, follows=True, **properties):

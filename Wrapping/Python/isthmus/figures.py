@@ -225,7 +225,11 @@ def scale_bar(view=None, on=None):
 def change_look(what):
     """An entry of the menu Isthmus > Look of the view."""
     try:
-        background(what) if what in (*PALETTES, "standard") else globals()[what]()
+        if what not in (*PALETTES, "standard"):
+            globals()[what]()
+            return
+        background(what)
+        messages.show_note("ParaView keeps the background for later sessions; Standard background returns to its own.")
     except ValueError as error:
         messages.show_error(str(error))
 

@@ -84,7 +84,7 @@ if len(ids):
     for axis in range(3):
         rows.append(middle[:, axis].copy(), "XYZ"[axis] + " (\\u00c5)")
     rows.append(features, "FeatureId")
-"""
+""" + entries.TIDY
 HIDDEN_COLUMNS = ["FeatureId", "Row ID"]
 
 

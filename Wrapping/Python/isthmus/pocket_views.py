@@ -97,7 +97,7 @@ if pockets.GetNumberOfCells():
     normals.ConsistencyOff()
     normals.Update()
     self.GetOutputDataObject(0).ShallowCopy(normals.GetOutput())
-"""
+""" + entries.TIDY
 ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
             ("8", "O", (0.835, 0.2, 0.1)), ("16", "S", (0.902, 0.75, 0.1)),
             ("1", "H", (0.9, 0.9, 0.9)), ("15", "P", (0.902, 0.5, 0.0)))
