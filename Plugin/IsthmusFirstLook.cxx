@@ -360,7 +360,8 @@ void IsthmusFirstLook::ScheduleForget()
 
 void IsthmusFirstLook::Look()
 {
-  if (IsthmusProgress::Instance().IsRunning())
+  // A filter that executes while a state is loaded processes events.
+  if (IsthmusProgress::Instance().IsRunning() || pqApplicationCore::instance()->isLoadingState())
   {
     QTimer::singleShot(PendingDelay(), this, [this] { this->Look(); });
     return;

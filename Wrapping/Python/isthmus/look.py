@@ -142,16 +142,26 @@ def _follow_values(display, view):
         display.SetScalarBarVisibility(view, True)
 
 
-def _name_categories(table, display, association, array):
-    """A legend of the categories that are shown."""
+def _categories_of(display):
+    """The categories in the data of a display."""
+    association, array = display.ColorArrayName[:2]
     if array == "Kind":
         data = servermanager.Fetch(display.Input)
         kinds = data.GetCellData().GetArray("Kind") if data.IsA("vtkDataSet") else None
-        there = {int(kinds.GetTuple1(i)) for i in range(kinds.GetNumberOfTuples())} if kinds else set()
-    else:
-        values = (display.Input.PointData if association == "POINTS" else display.Input.CellData)[array]
-        low, high = values.GetRange(0) if values else (0.0, -1.0)
-        there = range(int(low), int(high) + 1)
+        return {int(kinds.GetTuple1(i)) for i in range(kinds.GetNumberOfTuples())} if kinds else set()
+    values = (display.Input.PointData if association == "POINTS" else display.Input.CellData)[array]
+    low, high = values.GetRange(0) if values else (0.0, -1.0)
+    return set(range(int(low), int(high) + 1))
+
+
+def _name_categories(table, array):
+    """A legend of the categories of all displays that use the colour map, also of those hidden at present: all loops while
+    only the selected ones are shown."""
+    there = set()
+    for view in simple.GetViews():
+        for display in view.Representations:
+            if hasattr(display, "ColorArrayName") and display.ColorArrayName[1] == array and display.LookupTable == table:
+                there |= _categories_of(display)
     rows = [row for row in CATEGORIES[array] if int(row[0]) in there]
     if rows and list(table.Annotations)[::2] != [value for value, *_ in rows]:
         colours.set_categories(table, rows)
@@ -177,7 +187,7 @@ def _colour(display, view, first=False):
             _named.add(key)
             _set_categories(table, array)
         if key in _named:
-            _name_categories(table, display, association, array)
+            _name_categories(table, array)
         _title(table, view, array)
         return
     if key in _ranges and (not first or _is_used(table, display)):  # see colour_by()

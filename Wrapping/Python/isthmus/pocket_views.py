@@ -646,9 +646,13 @@ def _title_chart(profile, chart):
     pores = servermanager._getPyProxy(profile.Input.SMProxy)
     chart.LeftAxisTitle = f"Radius (Å), {RADII[pores.RadiusTable.GetData()]}"
     rows = servermanager.Fetch(profile)
-    places = [(rows.GetValueByName(row, "Radius").ToDouble(), rows.GetValueByName(row, "ArcLength").ToDouble())
-              for row in range(rows.GetNumberOfRows())]
-    narrowest = "Narrowest: %.2f Å, at %.1f Å. " % min(places) if places else ""
+    columns = ("Radius", "ArcLength", "RadiusError")
+    places = [[rows.GetValueByName(row, name).ToDouble() for name in columns] for row in range(rows.GetNumberOfRows())]
+    narrowest = ""
+    if places:
+        radius, along, _ = min(places)
+        error = radius - min(each - below for each, _, below in places)  # of the narrowest place, wherever it is
+        narrowest = f"Narrowest: {radius:.2f} ± {error:.2f} Å, at {along:.1f} Å. "
     chart.ChartTitle = narrowest + "One water passes from 1.15 Å, two from 2.30 Å"
 
 
