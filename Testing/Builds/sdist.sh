@@ -28,8 +28,9 @@ pip()
 say "The source archive"
 inside "apt-get update -q && apt-get install -q -y --no-install-recommends python3-venv && rm -rf /python /clone/dist &&
   python3 -m venv /python" >"$logs/$name-packages.log"
+# With the cache, the CMake that other builds have: groups of sources of another version are other files.
 if [ ${#launcher[@]} -gt 0 ]; then
-  inside "apt-get install -q -y --no-install-recommends ccache" >>"$logs/$name-packages.log"
+  inside "apt-get install -q -y --no-install-recommends ccache cmake ninja-build" >>"$logs/$name-packages.log"
 fi
 pip install -q build
 inside "PIP_CERT=$PIP_CERT /python/bin/python -m build --sdist /clone" >"$logs/$name-archive.log" 2>&1
@@ -50,7 +51,7 @@ missing=$(sed -n 's/^ *apt install //p' "$logs/$name-message.log")
 
 say "The same with these packages"
 inside "apt-get install -q -y --no-install-recommends $missing" >>"$logs/$name-packages.log"
-# Unpacked as pip does, but in a folder with the same name each time, for ccache.
+# Unpacked as pip does but in a folder with the same name each time, for ccache.
 inside "tar -x -z --strip-components 1 -f /$archive"
 pip install /isthmus >"$logs/$name-build.log" 2>&1 || {
   tail -n 40 "$logs/$name-build.log" >&2
