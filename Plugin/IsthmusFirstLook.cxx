@@ -145,6 +145,7 @@ void IsthmusFirstLook::Start()
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(
     model, &pqServerManagerModel::representationAdded, this, &IsthmusFirstLook::Follow);
+  QObject::connect(model, &pqServerManagerModel::viewAdded, this, &isthmus::GuardTable);
   QObject::connect(
     model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
   QObject::connect(

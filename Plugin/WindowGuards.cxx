@@ -1,5 +1,7 @@
 #include "WindowGuards.h"
 
+#include <pqView.h>
+
 #include <QEvent>
 #include <QKeySequence>
 #include <QShortcut>
@@ -53,6 +55,15 @@ void GuardEscape(QWidget* window)
     {
       shortcut->installEventFilter(guard);
     }
+  }
+}
+
+void GuardTable(pqView* view)
+{
+  if (view->getViewType() == "SpreadSheetView" && view->widget())
+  {
+    QObject::connect(view->widget(), &QObject::destroyed, view,
+      [view] { QObject::disconnect(view, SIGNAL(endRender()), view, SLOT(onEndRender())); });
   }
 }
 

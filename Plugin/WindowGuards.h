@@ -7,6 +7,7 @@
 #define WindowGuards_h
 
 class QWidget;
+class pqView;
 
 namespace isthmus
 {
@@ -15,6 +16,10 @@ namespace isthmus
 /// button that began it, also after the view with the button was deleted (by Reset Session, for
 /// instance). Disables the shortcut then.
 void GuardEscape(QWidget* window);
+
+/// The view of a table repaints its widget after each rendering, also when the layout has already
+/// deleted that. Such a view no longer repaints.
+void GuardTable(pqView* view);
 
 }
 
