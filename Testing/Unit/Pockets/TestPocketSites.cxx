@@ -241,8 +241,8 @@ TEST(PocketSites, CopiesBetweenTwoChainsKeepTheirOrder)
   }
   for (const double shift : { -0.3, 0.3 })
   {
-    const std::vector<CopiedSite> sites = GroupCopies(
-      atoms, { { { -shift, 2.0, 50.0 }, 9.0, {} }, { { shift, 2.0, 0.0 }, 8.0, {} } });
+    const std::vector<CopiedSite> sites =
+      GroupCopies(atoms, { { { -shift, 2.0, 50.0 }, 9.0, {} }, { { shift, 2.0, 0.0 }, 8.0, {} } });
     ASSERT_EQ(sites.size(), 2u);
     EXPECT_EQ(sites[1].Group, 0);
     EXPECT_LT(sites[0].Site.Center[2], 1.0) << shift;
