@@ -81,8 +81,7 @@ void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sit
       const std::size_t copy = firstOf.at(sites[i].Group);
       return std::tie(sites[copy].Chain, names[copy], sites[i].Group);
     };
-    std::stable_sort(
-      first, last, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    std::stable_sort(first, last, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     first = std::max(last, first + 1); // a density may be NaN
   }
   std::vector<Pocket> sorted;

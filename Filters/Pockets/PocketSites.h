@@ -34,8 +34,8 @@ constexpr double SiteInnerRadius =
   1.5; ///< angstrom: inner radius of the tetrahedra for which the model is used; smaller
 constexpr double SiteOuterRadius =
   4.5; ///< outer radius; larger than a pocket's, so that shallow places are included
-constexpr double DensityReach = 10.0;  ///< angstrom, of the density's kernel
-constexpr double CrowdingReach = 2.5;  ///< angstrom, of the crowding's
+constexpr double DensityReach = 10.0; ///< angstrom, of the density's kernel
+constexpr double CrowdingReach = 2.5; ///< angstrom, of the crowding's
 constexpr double SiteSpacing =
   8.0; ///< angstrom around a site within which no other site is started
 constexpr double LeastDensity = 0.01; ///< fraction of the largest density

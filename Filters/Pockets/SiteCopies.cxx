@@ -194,9 +194,7 @@ std::vector<CopiedSite> GroupCopies(
   }
   std::stable_sort(copied.begin(), copied.end(),
     [](const CopiedSite& a, const CopiedSite& b)
-    {
-      return std::pair(-a.Site.Density, a.Group) < std::pair(-b.Site.Density, b.Group);
-    });
+    { return std::pair(-a.Site.Density, a.Group) < std::pair(-b.Site.Density, b.Group); });
   std::map<std::int64_t, std::int64_t> renumbered;
   for (CopiedSite& site : copied)
   {

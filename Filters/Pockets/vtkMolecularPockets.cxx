@@ -69,8 +69,7 @@ std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms
     return found;
   }
   const auto residueOf = [](const isthmus::NamedAtom& named) {
-    return isthmus::ResidueWord(
-      named.Chain, named.ResidueId, named.InsertionCode, named.Residue);
+    return isthmus::ResidueWord(named.Chain, named.ResidueId, named.InsertionCode, named.Residue);
   };
   std::map<std::string, int> chains;
   std::map<isthmus::ResidueWord, std::int64_t> residues;

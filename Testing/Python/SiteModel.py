@@ -110,9 +110,19 @@ copies = evaluation.Copies(lines)
 ligand = numpy.array([[1.0, 2.0, 0.5], [2.0, 2.0, 0.5]])
 there = numpy.array([49.0, -2.0, 3.5])
 nowhere = numpy.array([20.0, 30.0, 0.0])
-miss, hit, groups = evaluation.three_counts(numpy.array([nowhere, there, ligand[0]]), ligand, copies)
-assert miss == [False, False, True] and hit == [False, True, True], (miss, hit)
-assert groups == [False, True], groups  # the two copies are one
+centers = numpy.array([nowhere, there, ligand[0]])
+counts = evaluation.counts_of(centers, [ligand, ligand + [0.0, 9.0, 0.0]], copies)
+assert counts["copy a miss"].tolist() == [[False, False, True], [False] * 3], counts
+assert counts["copy a hit"].tolist() == [[False, True, True], [False] * 3], counts
+assert counts["copies one rank"].tolist() == [[False, True], [False, False]], counts  # the two copies are one
+assert counts["12 angstrom"].tolist() == [[False, False, True]] * 2, counts
+# Two ligands: the first two ranks, and the first four.
+assert evaluation.found_by([counts["copy a miss"]], 0) == [False, False]
+assert evaluation.found_by([counts["copy a miss"]], 2) == [True, False]
+assert evaluation.count_redundant(numpy.array([nowhere, ligand[0], ligand[1], nowhere + [0.0, 0.0, 4.9]])) == 2
+moved = list(evaluation.moved(1000 * lines[:1], random))
+shift = numpy.array([evaluation.place_of(line) for line in moved]) - evaluation.place_of(lines[0])
+assert abs((shift**2).sum(axis=1).mean() ** 0.5 - evaluation.NOISE) < 0.01
 
 # 400 pockets of which as many are right as the probability says, and 100 that say too much.
 probability = numpy.concatenate([numpy.repeat([0.1, 0.3, 0.5, 0.9], 100), numpy.repeat(0.7, 100)])

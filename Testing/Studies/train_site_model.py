@@ -13,7 +13,8 @@ weight, and at most 4 complexes per family are used from each file.
 
 Printed: cross-validation over families (with --nested, the kernel's reach and the number of trees are chosen within
 each outer fold), intervals by resampling families, with --curve the learning curve, and calibration on left-out
-families. --table writes the C++ source of the model trained on all data.
+families. --table writes the C++ source of the model trained on all data, --centers the sites of the cross-validation
+into a folder, in the form in which evaluate_pockets.py reads those of P2Rank.
 """
 
 import argparse
@@ -292,8 +293,12 @@ def with_copies(one, density, centers):
     return density[order], centers[order]
 
 
-def hits_of(one, probabilities, reach, most=None):
+def hits_of(one, probabilities, reach, most=None, folder=None):
     density, centers = with_copies(one, *sites_of(one.places, probabilities, reach, most))
+    if folder:
+        rows = [f"{rank},{x:.3f},{y:.3f},{z:.3f}\n" for rank, (x, y, z) in enumerate(centers, 1)]
+        path = folder / (one.name.split(".")[0] + "_predictions.csv")
+        path.write_text("rank,center_x,center_y,center_z\n" + "".join(rows))
     distances = numpy.array([numpy.linalg.norm(one.ligand - c, axis=1).min() for c in centers])
     return density, distances <= SUCCESS
 
@@ -477,7 +482,8 @@ def train(options):
         print(f"fold {k}: reach {reach:g}, {trees} trees", flush=True)
         for one in complexes:
             if fold[one.family] == k:
-                densities[one.name], hits[one.name] = hits_of(one, predict(model, one, column), reach)
+                densities[one.name], hits[one.name] = hits_of(
+                    one, predict(model, one, column), reach, folder=options.centers)
     say("nested cross-validation", [hits[one.name] for one in judged], judged)
     others = [one for one in complexes if one not in judged]
     if others:
@@ -530,6 +536,7 @@ def main():
     training.add_argument("files", nargs="+", help="the first is the one that is judged by")
     training.add_argument("--test")
     training.add_argument("--table")
+    training.add_argument("--centers", type=Path)
     training.add_argument("--curve", action="store_true")
     training.add_argument("--nested", action="store_true")
     options = parser.parse_args()
