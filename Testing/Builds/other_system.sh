@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# The main job and a share of the window tests on Debian 13 and on Debian testing, in turn (release.sh SUITE window):
-# linking, wrapping, Qt 6, the other compiler and the other ParaView's window, which the check of the headers
-# (other_systems.py) does not cover. Exit status 77: skipped.
+# The main job on Debian 13 and on Debian testing, in turn (release.sh SUITE example): linking, wrapping, Qt 6 and the
+# other compiler, which the check of the headers (other_systems.py) does not cover. Exit status 77: skipped.
 # Usage: Testing/Builds/other_system.sh
 folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -19,7 +18,5 @@ if [ ! -e "$folder/../../.git" ]; then
 fi
 # This test has every fifth turn (turns.tsv).
 suites=(trixie testing)
-turn=$((${ISTHMUS_TURN:-0} / 5))
-share=6 # every 6th window test
 # nice: other tests run beside it, some of which wait for windows.
-exec nice "$folder/release.sh" "${suites[turn % ${#suites[@]}]}" window -I "$((turn / ${#suites[@]} % share + 1)),,$share"
+exec nice "$folder/release.sh" "${suites[${ISTHMUS_TURN:-0} / 5 % ${#suites[@]}]}" example
