@@ -101,6 +101,8 @@ def show(source):
     rows = table.GetDataInformation().GetAttributeInformation(ROW)
     if not rows.GetArrayInformation("Birth"):
         raise ValueError("The persistence diagram is empty: the filter's messages say why.")
+    if not table.GetDataInformation().DataInformation.GetNumberOfRows():
+        raise ValueError("There is no persistence diagram: nothing becomes narrower or connects here, as on a sphere.")
     selected = simple.GetActiveSource()
     plot = _plot_of(source, table)
     simple.SetActiveSource(selected)
@@ -202,7 +204,8 @@ def _draw(source, plot, chart):
     points = simple.Show(plot, chart, "XYChartRepresentation")
     points.AttributeType = "Row Data"
     points.UseIndexForXAxis, points.XArrayName = 0, "Birth"
-    drawn = ["Birth", *lines, *(label for label, *_ in series)]
+    has_lines = plot.GetDataInformation().DataInformation.GetNumberOfRows() > 1  # a chart draws none through one point
+    drawn = [*(("Birth", *lines) if has_lines else ()), *(label for label, *_ in series)]
     points.SeriesVisibility = drawn
     styles = {"Birth": ("1", "0", "4", GREY, "1"), **{
                   label: ("1", "0", "4", (0.45, 0.45, 0.45) if "outside" in label else (0.0, 0.0, 0.0), "2") for label in lines},

@@ -63,8 +63,12 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
      ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
     silhouettes: black lines where the depth jumps. Opaque surfaces only; none where a server renders.
     The view itself is not changed."""
-    view = view or simple.GetActiveView()
-    if view is None or not hasattr(view, "ViewSize") or view.SMProxy.GetXMLName() == "SpreadSheetView":
+    def can_be_drawn(one):
+        return one is not None and hasattr(one, "ViewSize") and one.SMProxy.GetXMLName() != "SpreadSheetView"
+
+    if view is None:  # beside an active table, the view that it belongs to
+        view = next(filter(can_be_drawn, [simple.GetActiveView(), *simple.GetViews()]), None)
+    if not can_be_drawn(view):
         raise ValueError("A figure is made of a render view or a chart: give one.")
     if not (width_mm > 0 and dpi > 0 and font_points > 0):
         raise ValueError("The width (mm), the resolution (dpi) and the size of text (points) must be above 0.")
