@@ -1,5 +1,7 @@
 #include "IsthmusBrowser.h"
 
+#include "IsthmusProgress.h"
+
 #include <pqActiveObjects.h>
 #include <pqApplicationCore.h>
 #include <pqOutputPort.h>
@@ -139,7 +141,8 @@ QModelIndex IsthmusBrowser::IndexOf(pqPipelineSource* source) const
   return shown ? shown->mapFromSource(this->Model->getIndexFor(source)) : QModelIndex();
 }
 
-// ParaView expands an entry that becomes the selected one, also some time later.
+// ParaView expands an entry that becomes the selected one, also some time later, so that a button
+// must have ended.
 void IsthmusBrowser::Collapse(pqPipelineSource* source)
 {
   constexpr int delay = 300; // ms
@@ -147,7 +150,11 @@ void IsthmusBrowser::Collapse(pqPipelineSource* source)
   QTimer::singleShot(delay, this,
     [this, collapsed]
     {
-      if (this->Browser && this->Model && collapsed && this->IsCollapsed(collapsed))
+      if (collapsed && IsthmusProgress::Instance().IsRunning())
+      {
+        this->Collapse(collapsed);
+      }
+      else if (this->Browser && this->Model && collapsed && this->IsCollapsed(collapsed))
       {
         this->Browser->collapse(this->IndexOf(collapsed));
       }
