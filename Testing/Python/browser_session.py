@@ -30,7 +30,8 @@ def watch(*_):
 
 pipelines.selection_changed = change_and_write
 source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
-pipelines.first_values(source.GetGlobalID())  # as if opened by hand: the cartoon is the file's
+if not os.environ["ISTHMUS_SESSION_DATA"].endswith((".pdb", ".pqr")):  # outputs of an opened file's cartoon would fill the list
+    pipelines.first_values(source.GetGlobalID())  # as if opened by hand
 simple.Show(source, simple.GetActiveViewOrCreate("RenderView"))
 simple.SetActiveSource(source)
 model = source.SMProxy.GetSessionProxyManager().GetSelectionModel("ActiveSources")
