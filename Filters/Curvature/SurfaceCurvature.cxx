@@ -190,6 +190,8 @@ private:
   void EstimateByDefect(vtkIdType first, vtkIdType last);
   void EstimateByTensor(vtkIdType first, vtkIdType last);
   void EstimateByFit(vtkIdType first, vtkIdType last);
+  template <typename Estimate>
+  void ForEachClassified(vtkIdType first, vtkIdType last, Estimate&& estimate);
   void StoreFrame(std::size_t point, const PrincipalFrame& frame, const Vector3d& normal);
   TensorSums IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const;
   PointStatus ClassifyPoint(std::size_t point, const StarSums& sums) const;
@@ -311,29 +313,6 @@ PointStatus Estimator::ClassifyPoint(std::size_t point, const StarSums& sums) co
     : PointStatus::AreaNotPositive;
 }
 
-void Estimator::EstimateByDefect(vtkIdType first, vtkIdType last)
-{
-  for (vtkIdType point = first; point < last; ++point)
-  {
-    const auto p = static_cast<std::size_t>(point);
-    const StarSums sums = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
-    this->Result.Area[p] = sums.Area;
-    this->Verdicts[p] = this->ClassifyPoint(p, sums);
-    if (this->Verdicts[p] == PointStatus::Valid)
-    {
-      const double gaussian = (TwoPi - sums.Angle) / sums.Area;
-      const double magnitude = sums.Cotangent.norm() / (4.0 * sums.Area);
-      // Positive where the surface bends away from its outward normal.
-      const double mean = this->Side * std::copysign(magnitude, sums.Cotangent.dot(sums.Normal));
-      this->Result.Gaussian[p] = gaussian;
-      this->Result.Mean[p] = mean;
-      this->Result.HalfDifference[p] = HalfDifference(gaussian, mean);
-      this->StoreNormals(
-        p, this->Side * sums.Normal.normalized(), sums.Cotangent / (4.0 * sums.Area));
-    }
-  }
-}
-
 TensorSums Estimator::IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const
 {
   switch (this->Options.Neighbourhood)
@@ -361,54 +340,77 @@ TensorSums Estimator::IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrat
   return sums;
 }
 
-void Estimator::EstimateByTensor(vtkIdType first, vtkIdType last)
+/// estimate(point, sums over its star) for each point that has an estimate.
+template <typename Estimate>
+void Estimator::ForEachClassified(vtkIdType first, vtkIdType last, Estimate&& estimate)
 {
-  EdgeTensorIntegrator patch(this->Mesh, this->Stars, *this->Dihedrals, this->Radius);
   for (vtkIdType point = first; point < last; ++point)
   {
     const auto p = static_cast<std::size_t>(point);
     const StarSums star = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
     this->Result.Area[p] = star.Area;
     this->Verdicts[p] = this->ClassifyPoint(p, star);
-    if (this->Verdicts[p] != PointStatus::Valid)
+    if (this->Verdicts[p] == PointStatus::Valid)
     {
-      continue;
+      estimate(point, star);
     }
-    const TensorSums sums = this->IntegrateNeighbourhood(point, patch);
-    const PrincipalFrame frame =
-      ComputePrincipalFrame(this->Side / sums.Area * sums.Tensor, star.Normal);
-    this->StoreFrame(p, frame, this->Side * star.Normal.normalized());
   }
+}
+
+void Estimator::EstimateByDefect(vtkIdType first, vtkIdType last)
+{
+  this->ForEachClassified(first, last,
+    [&](vtkIdType point, const StarSums& sums)
+    {
+      const auto p = static_cast<std::size_t>(point);
+      const double gaussian = (TwoPi - sums.Angle) / sums.Area;
+      const double magnitude = sums.Cotangent.norm() / (4.0 * sums.Area);
+      // Positive where the surface bends away from its outward normal.
+      const double mean = this->Side * std::copysign(magnitude, sums.Cotangent.dot(sums.Normal));
+      this->Result.Gaussian[p] = gaussian;
+      this->Result.Mean[p] = mean;
+      this->Result.HalfDifference[p] = HalfDifference(gaussian, mean);
+      this->StoreNormals(
+        p, this->Side * sums.Normal.normalized(), sums.Cotangent / (4.0 * sums.Area));
+    });
+}
+
+void Estimator::EstimateByTensor(vtkIdType first, vtkIdType last)
+{
+  EdgeTensorIntegrator patch(this->Mesh, this->Stars, *this->Dihedrals, this->Radius);
+  this->ForEachClassified(first, last,
+    [&](vtkIdType point, const StarSums& star)
+    {
+      const TensorSums sums = this->IntegrateNeighbourhood(point, patch);
+      const PrincipalFrame frame =
+        ComputePrincipalFrame(this->Side / sums.Area * sums.Tensor, star.Normal);
+      this->StoreFrame(
+        static_cast<std::size_t>(point), frame, this->Side * star.Normal.normalized());
+    });
 }
 
 void Estimator::EstimateByFit(vtkIdType first, vtkIdType last)
 {
   NormalFit fit(this->Mesh, this->Stars, *this->Normals, this->Radius);
-  for (vtkIdType point = first; point < last; ++point)
-  {
-    const auto p = static_cast<std::size_t>(point);
-    const StarSums star = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
-    this->Result.Area[p] = star.Area;
-    this->Verdicts[p] = this->ClassifyPoint(p, star);
-    if (this->Verdicts[p] != PointStatus::Valid)
+  this->ForEachClassified(first, last,
+    [&](vtkIdType point, const StarSums&)
     {
-      continue;
-    }
-    std::optional<PrincipalFrame> frame = fit.Fit(point);
-    if (!frame)
-    {
-      this->Verdicts[p] = PointStatus::Degenerate;
-      continue;
-    }
-    if (this->Side < 0.0)
-    {
-      std::swap(frame->Maximum, frame->Minimum);
-      std::swap(frame->Direction1, frame->Direction2);
-      frame->Maximum = -frame->Maximum;
-      frame->Minimum = -frame->Minimum;
-    }
-    this->StoreFrame(p, *frame, this->Side * this->Normals->Normals[p]);
-  }
+      const auto p = static_cast<std::size_t>(point);
+      std::optional<PrincipalFrame> frame = fit.Fit(point);
+      if (!frame)
+      {
+        this->Verdicts[p] = PointStatus::Degenerate;
+        return;
+      }
+      if (this->Side < 0.0)
+      {
+        std::swap(frame->Maximum, frame->Minimum);
+        std::swap(frame->Direction1, frame->Direction2);
+        frame->Maximum = -frame->Maximum;
+        frame->Minimum = -frame->Minimum;
+      }
+      this->StoreFrame(p, *frame, this->Side * this->Normals->Normals[p]);
+    });
 }
 
 void Estimator::StoreFrame(std::size_t p, const PrincipalFrame& frame, const Vector3d& normal)
