@@ -176,28 +176,26 @@ def residues_of(features):
     return found
 
 
-def chart_of(pores):
-    """The filter that passes the profile of one pore."""
-    port = FEATURES["PoreProfile"]["chart"]
-    found = _fed_by(pores, port, "ThresholdTable")
+def _rows_of_one(features, part, column, words):
+    """The filter that passes those rows of a table that belong to one pocket or pore."""
+    port = FEATURES[features.SMProxy.GetXMLName()][part]
+    found = _fed_by(features, port, "ThresholdTable")
     if found is None:
         found = entries.make(
-            "ThresholdTable", simple.OutputPort(pores, port), name_of(pores, "profile"), hidden=False,
-            Column=["ROWS", "PoreId"], MinValue=1, MaxValue=1, Mode="Between")
+            "ThresholdTable", simple.OutputPort(features, port), name_of(features, words), hidden=False,
+            Column=["ROWS", column], MinValue=1, MaxValue=1, Mode="Between")
         found.UpdatePipeline()
     return found
+
+
+def chart_of(pores):
+    """The filter that passes the profile of one pore."""
+    return _rows_of_one(pores, "chart", "PoreId", "profile")
 
 
 def lining_of(pockets):
     """The filter that passes the table of residues that line one pocket."""
-    port = FEATURES["MolecularPockets"]["residues"]
-    found = _fed_by(pockets, port, "ThresholdTable")
-    if found is None:
-        found = entries.make(
-            "ThresholdTable", simple.OutputPort(pockets, port), name_of(pockets, "lining residues"), hidden=False,
-            Column=["ROWS", "PocketId"], MinValue=1, MaxValue=1, Mode="Between")
-        found.UpdatePipeline()
-    return found
+    return _rows_of_one(pockets, "residues", "PocketId", "lining residues")
 
 
 def names_of(residues, make=True):
