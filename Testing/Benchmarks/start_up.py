@@ -1,8 +1,8 @@
 """How long ParaView's Python and window take to start with and without the plugin, and isthmus to import.
 
 Usage: start_up.py RESULT.json, with PV_PLUGIN_PATH and PYTHONPATH set as for any script. The median
-of seven starts each, in turn, after one that is not counted. Of the window, on a display of xvfb-run, the CPU time until
-it is idle for the first time, when it is closed.
+of seven starts each, in turn, after one that is not counted. For the window, which runs under xvfb-run, it is the CPU time
+until it is idle for the first time; it is then closed.
 """
 
 import json

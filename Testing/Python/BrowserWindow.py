@@ -5,16 +5,13 @@ Pictures of the window are kept beside the test's other output.
 """
 
 import os
-import subprocess
 import sys
 import time
 from pathlib import Path
 
 import numpy
 from shared_data import shared_data
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
-from window_play import APPLY, button, click, complaints, play
+from window_play import APPLY, button, click, complaints, pixels_of_window, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "BrowserWindow"
 SCRIPT = Path(__file__).parent / "browser_session.py"
@@ -27,13 +24,7 @@ ROW_BESIDE, ROW_BELOW = (1200, 288), (400, 823)  # rows of the table to the righ
 
 
 def window(name):
-    path = FOLDER / f"{name}.png"
-    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
-    return pixels.reshape(1000, 1600, 3)[::-1].astype(int)
+    return pixels_of_window(FOLDER / f"{name}.png")
 
 
 def entries(pixels):

@@ -5,15 +5,12 @@ Pictures of the window are kept beside the test's other output.
 """
 
 import os
-import subprocess
 import time
 from pathlib import Path
 
 import numpy
 from shared_data import shared_data
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
-from window_play import button, complaints, drag, play
+from window_play import button, complaints, drag, pixels_of_window, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "CompareWindow"
 BAR = "pqClientMainWindow/menubar"
@@ -24,13 +21,7 @@ pictures = {}
 
 
 def window(name):
-    path = FOLDER / f"{name}.png"
-    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
-    pictures[name] = pixels.reshape(1000, 1600, 3)[::-1].astype(int)
+    pictures[name] = pixels_of_window(FOLDER / f"{name}.png")
 
 
 def turn():

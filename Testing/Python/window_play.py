@@ -174,15 +174,26 @@ def play(name, data, events, clicks, folder, keys=(), script=None, act=None):
     return log.read_text(errors="replace"), picture
 
 
-def pixels_of_view(path):
-    """height x width x 3, without bar, panels, toolbars and the blue frame of the active view, of any ParaView:
-    panels are 260 pixels wide in 5.11 and 350 in 6.1."""
+def pixels_of(path):
+    """A picture as numbers: height x width x 3, from the top."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-    return pixels.reshape(height, width, 3)[60:790, 360:1440]
+    return pixels.reshape(height, width, 3)[::-1]
+
+
+def pixels_of_window(path):
+    """Keeps a picture of the whole window as it is, and returns its pixels."""
+    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
+    return pixels_of(path)
+
+
+def pixels_of_view(path):
+    """height x width x 3 from the bottom, without bar, panels, toolbars and the blue frame of the active view, of any
+    ParaView: panels are 260 pixels wide in 5.11 and 350 in 6.1."""
+    return pixels_of(path)[::-1][60:790, 360:1440]
 
 
 def coloured_fraction(path):
