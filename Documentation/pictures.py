@@ -73,7 +73,7 @@ def slice_of(source):
 
 def surface_curvature(view):
     surface = data("surfaces/Kitten.off")
-    curvature = simple.SurfaceCurvature(Input=surface, Method="Edge tensor", Neighbourhood="Ball", Radius=0.05)
+    curvature = simple.SurfaceCurvature(Input=surface, Method="Normal fit", Radius=0.05)
     display = pipelines.show(curvature, view=view)
     bar = simple.GetScalarBar(display.LookupTable, view)
     bar.TitleColor = bar.LabelColor = INK

@@ -28,6 +28,15 @@ SCENES = (
     ("protein_to_pockets", "molecules/1hew.pdb", (0.0, 0.0, 1.0)),
     ("protein_to_pores", "molecules/channels/1grm_hole_example.pdb", (1.0, 0.0, 0.0)),
 )
+# What the window shows first: of an opened file, or of a button.
+FIRST = (
+    ("first_map", "maps/emd_5043.map", None),
+    ("first_protein", "molecules/1hew.pdb", None),
+    ("first_loops", "maps/emd_1832.map", "map_to_loops"),
+    ("first_pockets", "molecules/1hew.pdb", "protein_to_pockets"),
+    ("first_pores", "molecules/channels/1grm_hole_example.pdb", "protein_to_pores"),
+    ("first_potential", "molecules/1hew/1hew.pqr", "protein_to_sites"),
+)
 
 
 def data_folder():
@@ -93,8 +102,44 @@ def flow_surfaces(path, picture):
     subprocess.run(["convert", str(picture), "-colors", "128", str(picture)], check=False)
 
 
+def first_sight(function, path, picture):
+    """What the window shows on white and on black, side by side."""
+    halves = []
+    for palette in ("WhiteBackground", "BlackBackground"):
+        simple.LoadPalette(palette)
+        view = simple.CreateView("RenderView")
+        simple.AssignViewToLayout(view, simple.CreateLayout())
+        view.ViewSize = [560, 420]
+        simple.SetActiveView(view)
+        source = simple.OpenDataFile(str(path))
+        simple.SetActiveSource(source)
+        if function:
+            pipelines.run(function)
+        else:
+            pipelines.first_values(source.GetGlobalID())
+            display = simple.Show(source, view)
+            simple.ResetCamera(view)
+            pipelines.first_look(display.GetGlobalID())
+        if function == "protein_to_sites":  # the potential is in the second view
+            view = next(each for each in simple.GetViews() if each != view and each.SMProxy.GetXMLName() == "RenderView")
+            view.ViewSize = [560, 420]
+        halves.append(f"{picture}.{palette}.png")
+        simple.SaveScreenshot(halves[-1], view, ImageResolution=[560, 420])
+        for proxy in list(simple.GetSources().values()):
+            simple.Delete(proxy)
+        for each in list(simple.GetViews()):
+            simple.Delete(each)
+    subprocess.run(["convert", *halves, "+append", "-colors", "128", str(picture)], check=True)
+    for half in halves:
+        os.remove(half)
+    simple.LoadPalette("WhiteBackground")
+
+
 def main(folder):
     data = data_folder()
+    for name, path, function in FIRST:
+        first_sight(function, data / path, folder / f"{name}.png")
+        print(folder / f"{name}.png")
     for function, path, direction in SCENES:
         scene(function, data / path, direction, folder / f"{function}.png")
         print(folder / f"{function}.png")

@@ -2,6 +2,7 @@
 
 #include "IsthmusProgress.h"
 #include "RunPython.h"
+#include "WindowGuards.h"
 
 #include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
@@ -20,9 +21,16 @@
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVDataSetAttributesInformation.h>
+#include <vtkPVProxyDefinitionIterator.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMPropertyIterator.h>
+#include <vtkSMProxyDefinitionManager.h>
 #include <vtkSMProxyLocator.h>
+#include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
+#include <vtkSMUncheckedPropertyHelper.h>
+#include <vtkSMVectorProperty.h>
+#include <vtkSmartPointer.h>
 
 #include <QLabel>
 #include <QMainWindow>
@@ -36,6 +44,90 @@ namespace
 int PendingDelay()
 {
   return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
+}
+
+bool IsOurs(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  vtkPVXMLElement* entry = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
+  return entry && QString(entry->GetAttribute("category")).contains("Isthmus");
+}
+
+/// Whether a panel has values that wait for Apply.
+bool HasEdits(vtkSMProxy* proxy)
+{
+  const auto properties =
+    vtkSmartPointer<vtkSMPropertyIterator>::Take(proxy->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    vtkSMProperty* property = properties->GetProperty();
+    if (!vtkSMVectorProperty::SafeDownCast(property))
+    {
+      continue;
+    }
+    const vtkSMPropertyHelper values(property, true);
+    const vtkSMUncheckedPropertyHelper edited(property, true);
+    const unsigned int count = values.GetNumberOfElements();
+    if (edited.GetNumberOfElements() != count)
+    {
+      return true;
+    }
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      if (values.GetAsVariant(i) != edited.GetAsVariant(i))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Files with capital endings, such as .PDB and .STL, which readers take, but ParaView's dialog
+/// does not.
+void AcceptCapitals(pqServer* server)
+{
+  const QStringList own{ "ccp4", "cif", "dx", "ent", "gro", "map", "mrc", "obj", "off", "pdb",
+    "ply", "pqr", "stl" };
+  const auto sources = vtkSmartPointer<vtkPVProxyDefinitionIterator>::Take(
+    server->proxyManager()->GetProxyDefinitionManager()->NewSingleGroupIterator("sources"));
+  for (sources->InitTraversal(); !sources->IsDoneWithTraversal(); sources->GoToNextItem())
+  {
+    vtkPVXMLElement* hints = sources->GetProxyHints();
+    vtkPVXMLElement* reader = hints ? hints->FindNestedElementByName("ReaderFactory") : nullptr;
+    const QString endings = reader ? reader->GetAttributeOrEmpty("extensions") : "";
+    const QStringList all = endings.split(' ');
+    QStringList capitals;
+    for (const QString& ending : all)
+    {
+      if (own.contains(ending) && !all.contains(ending.toUpper()))
+      {
+        capitals << ending.toUpper();
+      }
+    }
+    if (!capitals.isEmpty())
+    {
+      reader->SetAttribute("extensions", (endings + ' ' + capitals.join(' ')).toUtf8().constData());
+    }
+  }
+}
+
+/// The lists of arrays of a panel mark it as modified when ParaView builds it.
+void Unmark(pqServerManagerModelItem* item)
+{
+  const QPointer<pqPipelineSource> source(qobject_cast<pqPipelineSource*>(item));
+  if (!source || source->modifiedState() != pqProxy::MODIFIED || !IsOurs(source->getProxy()))
+  {
+    return;
+  }
+  QTimer::singleShot(0, source.data(),
+    [source]
+    {
+      if (source->modifiedState() == pqProxy::MODIFIED && !HasEdits(source->getProxy()))
+      {
+        source->setModifiedState(pqProxy::UNMODIFIED);
+      }
+    });
 }
 
 }
@@ -53,12 +145,19 @@ void IsthmusFirstLook::Start()
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(
     model, &pqServerManagerModel::representationAdded, this, &IsthmusFirstLook::Follow);
+  QObject::connect(model, &pqServerManagerModel::viewAdded, this, &isthmus::GuardTable);
   QObject::connect(
     model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
   QObject::connect(
     model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ScheduleForget);
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &IsthmusFirstLook::CollectNotes);
+  QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this, Unmark);
+  QObject::connect(model, &pqServerManagerModel::serverAdded, this, AcceptCapitals);
+  for (pqServer* server : model->findItems<pqServer*>())
+  {
+    AcceptCapitals(server);
+  }
   // A plugin that is loaded automatically starts while the application is still being created.
   QTimer::singleShot(0, this,
     [this, keep]
@@ -74,6 +173,10 @@ void IsthmusFirstLook::Start()
       {
         QObject::connect(stack, &pqUndoStack::undone, this, keep);
         QObject::connect(stack, &pqUndoStack::redone, this, keep);
+      }
+      if (QWidget* window = pqCoreUtilities::mainWidget())
+      {
+        isthmus::GuardEscape(window);
       }
     });
 }
@@ -149,8 +252,8 @@ void IsthmusFirstLook::CollectNote(vtkObject*, unsigned long, void* text)
 
 void IsthmusFirstLook::ScheduleNotes(const QStringList& notes)
 {
-  constexpr int delay = 200; // ms, for those of one pipeline together
-  constexpr int width = 500; // pixels; the tool tip shows long messages in full
+  constexpr int delay = 200;    // ms, for those of one pipeline together
+  constexpr double width = 0.6; // of the window; the tool tip shows long messages in full
   const bool waits = this->NotesWait;
   this->Notes << notes;
   this->Notes.removeAll("");
@@ -174,9 +277,9 @@ void IsthmusFirstLook::ScheduleNotes(const QStringList& notes)
         {
           label = new QLabel(window->statusBar()); // the next tool tip would erase a message
           label->setObjectName("IsthmusNote");
-          label->setMaximumWidth(width);
           window->statusBar()->insertWidget(0, label);
         }
+        label->setMaximumWidth(static_cast<int>(width * window->width()));
         label->setText(text);
         label->setToolTip(text);
       }
@@ -258,7 +361,8 @@ void IsthmusFirstLook::ScheduleForget()
 
 void IsthmusFirstLook::Look()
 {
-  if (IsthmusProgress::Instance().IsRunning())
+  // A filter that executes while a state is loaded processes events.
+  if (IsthmusProgress::Instance().IsRunning() || pqApplicationCore::instance()->isLoadingState())
   {
     QTimer::singleShot(PendingDelay(), this, [this] { this->Look(); });
     return;

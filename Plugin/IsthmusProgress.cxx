@@ -25,6 +25,8 @@ namespace
 
 /// The event of messages.step(), sent to VTK's output window. Its data is a text.
 constexpr unsigned long StepEvent = vtkCommand::UserEvent + 100;
+/// The event of messages.begin_showing(), in the same way.
+constexpr unsigned long ShowsEvent = StepEvent + 1;
 
 constexpr int Interval = 50; // ms, at least, from one reading of events to the next
 
@@ -64,10 +66,13 @@ void IsthmusProgress::Begin(const QString& title)
 {
   this->Title = title;
   this->Runs = true;
+  this->CanCancel = true;
   this->IsCancelled = false;
   this->ShowBar();
   vtkOutputWindow* window = vtkOutputWindow::GetInstance();
   this->Watched.emplace_back(window, window->AddObserver(StepEvent, this, &IsthmusProgress::Step));
+  this->Watched.emplace_back(
+    window, window->AddObserver(ShowsEvent, this, &IsthmusProgress::Shows));
   QObject::connect(pqApplicationCore::instance()->getServerManagerModel(),
     &pqServerManagerModel::sourceAdded, this, &IsthmusProgress::Watch);
   // ParaView blocks the mouse while a filter reports progress, and from version 6 on reads events
@@ -115,7 +120,8 @@ void IsthmusProgress::ShowBar()
     cancel->setObjectName("IsthmusCancel");
     cancel->setText(tr("Cancel"));
     cancel->setToolTip(tr("Cancels the operation and removes what it has created (Escape)"));
-    QObject::connect(cancel, &QToolButton::clicked, this, [this] { this->IsCancelled = true; });
+    QObject::connect(
+      cancel, &QToolButton::clicked, this, [this] { this->IsCancelled = this->CanCancel; });
     this->Text = new QLabel(bar);
     row->addWidget(cancel); // first, so that it stays in its place
     row->addWidget(this->Text);
@@ -130,6 +136,7 @@ void IsthmusProgress::ShowBar()
   }
   window->statusBar()->clearMessage(); // the tip of the button that was pressed
   this->Text->setText(this->Title);
+  this->Cancel->setEnabled(true);
   this->Bar->show();
 }
 
@@ -156,6 +163,18 @@ bool IsthmusProgress::Step(vtkObject*, unsigned long, void* text)
   }
   this->ReadEvents();
   return this->IsCancelled;
+}
+
+// Filters that show the result must not be aborted: vtkExtractSelection ends ParaView if its input
+// was.
+void IsthmusProgress::Shows(vtkObject*, unsigned long, void*)
+{
+  this->CanCancel = false;
+  this->IsCancelled = false;
+  if (this->Cancel)
+  {
+    this->Cancel->setEnabled(false);
+  }
 }
 
 void IsthmusProgress::Progress(vtkObject* object, unsigned long, void*)
@@ -197,7 +216,7 @@ bool IsthmusProgress::eventFilter(QObject* object, QEvent* event)
   const bool isKey = event->type() == QEvent::KeyPress;
   if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
   {
-    this->IsCancelled = true;
+    this->IsCancelled = this->CanCancel;
     return true;
   }
   // The window passes the mouse on to the widget below it.

@@ -6,7 +6,8 @@
  * an event, and the filters report their progress. On each of these the window redraws and
  * processes mouse and keyboard events: only Cancel and Escape take effect, except while a modal
  * dialog is open. Between steps, cancelling works with any server; within a filter only with the
- * built-in one, whose filters are asked to abort.
+ * built-in one, whose filters are asked to abort. Once the result is being shown, a button cannot
+ * be cancelled.
  */
 #ifndef IsthmusProgress_h
 #define IsthmusProgress_h
@@ -48,6 +49,7 @@ private:
   void ShowBar();
   void Watch(pqPipelineSource* source);
   bool Step(vtkObject* window, unsigned long event, void* text);
+  void Shows(vtkObject* window, unsigned long event, void* unused);
   void Progress(vtkObject* algorithm, unsigned long event, void* fraction);
   void ReadEvents();
 
@@ -58,6 +60,7 @@ private:
   QElapsedTimer SinceEvents;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Watched; ///< with its observer
   bool Runs = false;
+  bool CanCancel = false;
   bool IsCancelled = false;
   bool ReadsEvents = false;
   bool WasUnblocked = false; ///< ParaView's events, before Begin()

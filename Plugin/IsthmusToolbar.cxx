@@ -1,5 +1,6 @@
 #include "IsthmusToolbar.h"
 
+#include "IsthmusBrowser.h"
 #include "IsthmusFigureDialog.h"
 #include "IsthmusProgress.h"
 #include "RunPython.h"
@@ -218,7 +219,7 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
         submenu->addAction(button);
       }
     }
-    submenu->addSeparator();
+    submenu->addSection("Filters");
     AddFilters(submenu, task.Filters);
   }
   menu->addSeparator();
@@ -240,6 +241,12 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
       IsthmusFigureDialog dialog(window);
       dialog.exec();
     });
+  QAction* helpers = menu->addAction("Show helpers in the pipeline browser");
+  helpers->setObjectName("Show_helpers");
+  helpers->setCheckable(true);
+  helpers->setStatusTip("Lists all filters that buttons have made, and links to further inputs");
+  QObject::connect(helpers, &QAction::toggled, window,
+    [](bool shows) { IsthmusBrowser::Instance().ShowAll(shows); });
   auto* help = bar->findChild<QMenu*>("menu_Help");
   bar->insertMenu(help ? help->menuAction() : nullptr, menu);
 }
@@ -250,6 +257,7 @@ void UpdateToolbar(const QList<QAction*>& actions)
   {
     MoveToLastRow(window);
     AddMenu(window, actions);
+    IsthmusBrowser::Instance().Attach(window);
   }
 }
 

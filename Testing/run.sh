@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # All tests: installs what is missing, builds everything with warnings as errors, runs ctest.
-# Usage: Testing/run.sh [--no-install] [--quick] [--module NAME]... [--changed [REVISION]] [ctest arguments]
+# Usage: Testing/run.sh [--no-install] [--quick | --window] [--module NAME]... [--changed [REVISION]] [ctest arguments]
 #
 #   --module NAME         build and test one module (Imaging), its long tests as well
 #   --changed [REVISION]  the modules with changes since REVISION (default: origin/main), and those that
 #                         depend on them
 #   --quick               only unit tests that take less than a second, and some of two: under three minutes
+#   --window              all tests of ParaView's window, and of the build only what they need
 #   --all                 every test, whatever its turn; of long cases within a test still a share
 #   --no-install          leave Debian's packages alone
 #
@@ -16,11 +17,13 @@ install=yes
 choice=()
 quick=
 all=
+window=
 while [ $# -gt 0 ]; do
   case $1 in
     --no-install) install=no ;;
     --quick) quick=--quick ;;
     --all) all=--all ;;
+    --window) window=--window ;;
     --module)
       choice+=(--module "${2:?--module needs the name of a module}")
       shift
@@ -44,12 +47,23 @@ while [ $# -gt 0 ]; do
 done
 select_tests() { python3 -B "$source_dir/Testing/select_tests.py" "$@"; }
 
+packages=("${build_packages[@]}" "${paraview_packages[@]}")
+options=(-DISTHMUS_TESTING=ON)
+if [ -n "$window" ]; then
+  packages+=("${window_packages[@]}")
+  set -- -L window "$@"
+else
+  packages+=("${test_packages[@]}" "${guide_packages[@]}")
+  options+=(-DISTHMUS_WERROR=ON) # compiles anew what ./Examples/run.sh has built
+fi
 if [ $install = yes ]; then
-  install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}" "${guide_packages[@]}"
+  install_packages "${packages[@]}"
 fi
 # The targets that the chosen modules' tests need; without a choice everything is built.
 targets=()
-if [ ${#choice[@]} -gt 0 ] || [ -n "$quick" ]; then
+if [ -n "$window" ]; then
+  targets=(python_tests)
+elif [ ${#choice[@]} -gt 0 ] || [ -n "$quick" ]; then
   modules=$(select_tests --modules $quick "${choice[@]}")
   if [ -z "$modules" ]; then
     say "No module has changes."
@@ -61,7 +75,7 @@ if [ ${#choice[@]} -gt 0 ] || [ -n "$quick" ]; then
     [ -n "$quick" ] || [ "$module" = Integration ] || targets+=("python_tests_$module")
   done
 fi
-configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_WERROR=ON -- "${targets[@]}"
+configure_and_build "${options[@]}" -- "${targets[@]}"
 
 # Long cases within a test take turns as well (Unit/Core/LongTests.h).
 export ISTHMUS_TURN=${ISTHMUS_TURN:-$(git -C "$source_dir" rev-list --count --first-parent HEAD 2>/dev/null || echo 0)}

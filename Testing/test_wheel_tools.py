@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What the Python wheel is built with: the message about missing packages, the check of an SDK of VTK, and the recipes for
 conda-forge and ParaView's superbuild, which name what the build needs."""
+import hashlib
 import os
 import pathlib
 import re
@@ -9,12 +10,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "cmake/wheel"))
 import check_sdk  # noqa: E402
+import metadata  # noqa: E402
 
 NEEDS = (ROOT / "cmake/IsthmusWheelNeeds.cmake").read_text()
 PACKAGES = ["g++", *re.findall(r"=([\w+-]+-dev)\b", NEEDS)]
@@ -91,6 +94,14 @@ class SDK(unittest.TestCase):
         self.assertEqual(self.differences(), {"namespace of the ABI": ("none", "v96")})
 
 
+class Metadata(unittest.TestCase):
+    def test_of_a_second_minor_version(self):
+        with unittest.mock.patch("importlib.metadata.version", lambda _: "9.7.2"), \
+                unittest.mock.patch.dict(os.environ, ISTHMUS_VERSION_SUFFIX=".post1"):
+            self.assertRegex(metadata.dynamic_metadata("version"), r"^\d+\.\d+\.\d+\.post1$")
+            self.assertEqual(metadata.dynamic_metadata("dependencies")[0], "vtk>=9.7,<9.8")
+
+
 class Recipes(unittest.TestCase):
     def setUp(self):
         self.project = (ROOT / "CMakeLists.txt").read_text()
@@ -128,6 +139,19 @@ class Recipes(unittest.TestCase):
         for path in words[words.index("LICENSE_FILES") + 1:words.index("SPDX_LICENSE_IDENTIFIER")]:
             self.assertTrue((ROOT / path).exists(), path)
         self.assertIn("paraview", words[words.index("DEPENDS") + 1:words.index("LICENSE_FILES")])
+
+    def test_filled(self):
+        version = self.recipe["context"]["version"]
+        with tempfile.TemporaryDirectory() as work:
+            tarball, out = pathlib.Path(work) / f"isthmus-{version}.tar.gz", pathlib.Path(work) / "out"
+            tarball.write_bytes(b"sources")
+            subprocess.run([sys.executable, "-B", str(ROOT / "cmake/recipes/fill.py"), str(tarball), "someone", str(out)], check=True)
+            text, lines = (out / "recipe.yaml").read_text(), (out / "versions.cmake").read_text()
+        recipe = yaml.safe_load(text)
+        self.assertEqual(recipe["source"]["sha256"], hashlib.sha256(b"sources").hexdigest())
+        self.assertNotIn("ISTHMUS_OWNER", text)
+        self.assertIn(f'URL_MD5 {hashlib.md5(b"sources").hexdigest()})', lines)
+        self.assertEqual(re.search(r'URL +"(.*)"', lines)[1], recipe["source"]["url"].replace("${{ version }}", version))
 
 
 if __name__ == "__main__":

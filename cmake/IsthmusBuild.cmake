@@ -109,8 +109,8 @@ function (isthmus_python_stubs wrapped folder destination)
 endfunction ()
 
 # Modules of the Python package that serve ParaView; the plugin has a copy of them (Plugin/CMakeLists.txt).
-set(ISTHMUS_PARAVIEW_PYTHON cameras colours comparisons diagram_views figures levels look loop_views messages molecule_views
-  pipelines pocket_views selections steps track_views trajectories)
+set(ISTHMUS_PARAVIEW_PYTHON cameras colours comparisons diagram_views entries figures levels look loop_views messages
+  molecule_views pipelines pocket_views selections steps track_views trajectories)
 
 # isthmus_panels(OUT): the panels of Plugin/*.xml in the build tree, with the formats of molecules.
 function (isthmus_panels out)

@@ -44,10 +44,13 @@ plain_packages=(
   nlohmann-json3-dev
   tetgen locales libgtest-dev optional:libgudhi-dev)
 
+# What the tests of the window need.
+window_packages=(libgtest-dev xdotool imagemagick)
+
 # What the tests compare with and look through.
 test_packages=(
-  libgtest-dev libbenchmark-dev python3-scipy python3-gemmi python3-mrcfile pdb2pqr openmpi-bin
-  optional:libgudhi-dev optional:python3-gudhi optional:python3-mdanalysis imagemagick xdotool
+  "${window_packages[@]}" libbenchmark-dev python3-scipy python3-gemmi python3-mrcfile pdb2pqr openmpi-bin
+  optional:libgudhi-dev optional:python3-gudhi optional:python3-mdanalysis
   debootstrap clang clang-format clang-tidy codespell libclang-rt-CLANG-dev file dpkg-dev locales curl
   optional:chromium optional:libjs-three)
 

@@ -22,6 +22,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationStringVectorKey.h>
 #include <vtkMatrix3x3.h>
+#include <vtkMolecule.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPointSet.h>
@@ -142,8 +143,9 @@ void RequirePerpendicularAxes(vtkDataObject* data, int port)
 void WarnOfRounding(vtkAlgorithm* self, vtkDataObject* data, int port)
 {
   auto* const set = vtkPointSet::SafeDownCast(data);
-  vtkPoints* const points = set ? set->GetPoints() : nullptr;
-  constexpr vtkIdType fewest = 4;
+  auto* const molecule = vtkMolecule::SafeDownCast(data);
+  vtkPoints* const points = set ? set->GetPoints() : molecule ? molecule->GetPoints() : nullptr;
+  constexpr vtkIdType fewest = 2;
   if (!points || points->GetDataType() != VTK_FLOAT || points->GetNumberOfPoints() < fewest)
   {
     return;

@@ -5,12 +5,14 @@
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/EdgeTensor.h"
+#include "Curvature/NormalFit.h"
 #include "Surfaces/SurfaceCorrection.h"
 #include "Surfaces/TriangleStars.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -187,8 +189,13 @@ private:
   void Allocate();
   void EstimateByDefect(vtkIdType first, vtkIdType last);
   void EstimateByTensor(vtkIdType first, vtkIdType last);
+  void EstimateByFit(vtkIdType first, vtkIdType last);
+  template <typename Estimate>
+  void ForEachClassified(vtkIdType first, vtkIdType last, Estimate&& estimate);
+  void StoreFrame(std::size_t point, const PrincipalFrame& frame, const Vector3d& normal);
   TensorSums IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const;
   PointStatus ClassifyPoint(std::size_t point, const StarSums& sums) const;
+  bool IsWide() const;
   void Count();
   void AverageTinyStars();
 
@@ -210,7 +217,8 @@ private:
   const TriangleStars Stars;
   const std::vector<StarKind> Kinds;
   const double Side;
-  std::unique_ptr<DihedralAngles> Dihedrals;
+  std::unique_ptr<DihedralAngles> Dihedrals; ///< for EdgeTensor
+  std::unique_ptr<PointNormals> Normals;     ///< for NormalFit
   double Radius = 0.0;
   std::vector<PointStatus> Verdicts;
   SurfaceCurvatureResult Result;
@@ -230,7 +238,7 @@ void Estimator::Allocate()
     this->Result.Normal.resize(3 * points, 0.0);
     this->Result.MeanNormal.resize(3 * points, 0.0);
   }
-  if (this->Options.Method == CurvatureEstimate::EdgeTensor)
+  if (this->Options.Method != CurvatureEstimate::AngleDefect)
   {
     this->Result.Direction1.resize(3 * points, 0.0);
     this->Result.Direction2.resize(3 * points, 0.0);
@@ -240,34 +248,47 @@ void Estimator::Allocate()
 SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
 {
   this->Allocate();
-  const bool tensor = this->Options.Method == CurvatureEstimate::EdgeTensor;
+  void (Estimator::*estimate)(vtkIdType, vtkIdType) = &Estimator::EstimateByDefect;
   std::int64_t grain = 4096;
-  if (tensor)
+  if (this->Options.Method != CurvatureEstimate::AngleDefect)
   {
-    this->Dihedrals = std::make_unique<DihedralAngles>(this->Mesh, this->Stars);
-    // Over about three edges the tensor averages out the irregularity of a mesh.
+    // Over about three edges the irregularity of a mesh averages out.
     this->Radius =
       this->Options.Radius > 0.0 ? this->Options.Radius : 3.0 * MeanEdgeLength(this->Mesh);
-    // Each piece of the loop clears stamps for all triangles, so there are few pieces.
+    // Each piece of the loop clears stamps for the whole mesh, so there are few pieces.
     grain = std::max<std::int64_t>(512, this->Mesh.NumberOfPoints() / 256);
+  }
+  if (this->Options.Method == CurvatureEstimate::EdgeTensor)
+  {
+    this->Dihedrals = std::make_unique<DihedralAngles>(this->Mesh, this->Stars);
+    estimate = &Estimator::EstimateByTensor;
+  }
+  else if (this->Options.Method == CurvatureEstimate::NormalFit)
+  {
+    this->Normals = std::make_unique<PointNormals>(this->Mesh, this->Stars, this->Kinds);
+    estimate = &Estimator::EstimateByFit;
   }
   ParallelFor(
     0, this->Mesh.NumberOfPoints(), grain,
-    [&](std::int64_t first, std::int64_t last)
-    { tensor ? this->EstimateByTensor(first, last) : this->EstimateByDefect(first, last); },
-    progress);
+    [&](std::int64_t first, std::int64_t last) { (this->*estimate)(first, last); }, progress);
   this->Count();
-  if (!tensor || this->Options.Neighbourhood == CurvatureNeighbourhood::OneRing)
+  if (!this->IsWide())
   {
     this->AverageTinyStars();
   }
   return std::move(this->Result);
 }
 
+/// Whether the estimate uses more than the triangles around a point.
+bool Estimator::IsWide() const
+{
+  return this->Options.Method == CurvatureEstimate::NormalFit ||
+    (this->Options.Method == CurvatureEstimate::EdgeTensor &&
+      this->Options.Neighbourhood != CurvatureNeighbourhood::OneRing);
+}
+
 PointStatus Estimator::ClassifyPoint(std::size_t point, const StarSums& sums) const
 {
-  const bool tensor = this->Options.Method == CurvatureEstimate::EdgeTensor;
-  const bool wide = tensor && this->Options.Neighbourhood != CurvatureNeighbourhood::OneRing;
   switch (this->Kinds[point])
   {
     case StarKind::Isolated:
@@ -275,7 +296,7 @@ PointStatus Estimator::ClassifyPoint(std::size_t point, const StarSums& sums) co
     case StarKind::Irregular:
       return PointStatus::Irregular;
     case StarKind::Boundary:
-      if (!wide)
+      if (!this->IsWide())
       {
         return PointStatus::Boundary;
       }
@@ -283,34 +304,13 @@ PointStatus Estimator::ClassifyPoint(std::size_t point, const StarSums& sums) co
     case StarKind::Interior:
       break;
   }
-  if (sums.Degenerate)
+  if (sums.Degenerate && this->Options.Method != CurvatureEstimate::NormalFit)
   {
     return PointStatus::Degenerate;
   }
-  return tensor || sums.Area > 0.0 ? PointStatus::Valid : PointStatus::AreaNotPositive;
-}
-
-void Estimator::EstimateByDefect(vtkIdType first, vtkIdType last)
-{
-  for (vtkIdType point = first; point < last; ++point)
-  {
-    const auto p = static_cast<std::size_t>(point);
-    const StarSums sums = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
-    this->Result.Area[p] = sums.Area;
-    this->Verdicts[p] = this->ClassifyPoint(p, sums);
-    if (this->Verdicts[p] == PointStatus::Valid)
-    {
-      const double gaussian = (TwoPi - sums.Angle) / sums.Area;
-      const double magnitude = sums.Cotangent.norm() / (4.0 * sums.Area);
-      // Positive where the surface bends away from its outward normal.
-      const double mean = this->Side * std::copysign(magnitude, sums.Cotangent.dot(sums.Normal));
-      this->Result.Gaussian[p] = gaussian;
-      this->Result.Mean[p] = mean;
-      this->Result.HalfDifference[p] = HalfDifference(gaussian, mean);
-      this->StoreNormals(
-        p, this->Side * sums.Normal.normalized(), sums.Cotangent / (4.0 * sums.Area));
-    }
-  }
+  return this->Options.Method != CurvatureEstimate::AngleDefect || sums.Area > 0.0
+    ? PointStatus::Valid
+    : PointStatus::AreaNotPositive;
 }
 
 TensorSums Estimator::IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrator& patch) const
@@ -340,30 +340,87 @@ TensorSums Estimator::IntegrateNeighbourhood(vtkIdType point, EdgeTensorIntegrat
   return sums;
 }
 
-void Estimator::EstimateByTensor(vtkIdType first, vtkIdType last)
+/// estimate(point, sums over its star) for each point that has an estimate.
+template <typename Estimate>
+void Estimator::ForEachClassified(vtkIdType first, vtkIdType last, Estimate&& estimate)
 {
-  EdgeTensorIntegrator patch(this->Mesh, this->Stars, *this->Dihedrals, this->Radius);
   for (vtkIdType point = first; point < last; ++point)
   {
     const auto p = static_cast<std::size_t>(point);
     const StarSums star = SumStar(this->Mesh, this->Stars, point, this->Options.DualArea);
     this->Result.Area[p] = star.Area;
     this->Verdicts[p] = this->ClassifyPoint(p, star);
-    if (this->Verdicts[p] != PointStatus::Valid)
+    if (this->Verdicts[p] == PointStatus::Valid)
     {
-      continue;
+      estimate(point, star);
     }
-    const TensorSums sums = this->IntegrateNeighbourhood(point, patch);
-    const PrincipalFrame frame =
-      ComputePrincipalFrame(this->Side / sums.Area * sums.Tensor, star.Normal);
-    this->Result.Gaussian[p] = frame.Maximum * frame.Minimum;
-    this->Result.Mean[p] = 0.5 * (frame.Maximum + frame.Minimum);
-    this->Result.HalfDifference[p] = 0.5 * (frame.Maximum - frame.Minimum);
-    VectorAt(this->Result.Direction1, p) = frame.Direction1;
-    VectorAt(this->Result.Direction2, p) = frame.Direction2;
-    const Vector3d normal = this->Side * star.Normal.normalized();
-    this->StoreNormals(p, normal, this->Result.Mean[p] * normal);
   }
+}
+
+void Estimator::EstimateByDefect(vtkIdType first, vtkIdType last)
+{
+  this->ForEachClassified(first, last,
+    [&](vtkIdType point, const StarSums& sums)
+    {
+      const auto p = static_cast<std::size_t>(point);
+      const double gaussian = (TwoPi - sums.Angle) / sums.Area;
+      const double magnitude = sums.Cotangent.norm() / (4.0 * sums.Area);
+      // Positive where the surface bends away from its outward normal.
+      const double mean = this->Side * std::copysign(magnitude, sums.Cotangent.dot(sums.Normal));
+      this->Result.Gaussian[p] = gaussian;
+      this->Result.Mean[p] = mean;
+      this->Result.HalfDifference[p] = HalfDifference(gaussian, mean);
+      this->StoreNormals(
+        p, this->Side * sums.Normal.normalized(), sums.Cotangent / (4.0 * sums.Area));
+    });
+}
+
+void Estimator::EstimateByTensor(vtkIdType first, vtkIdType last)
+{
+  EdgeTensorIntegrator patch(this->Mesh, this->Stars, *this->Dihedrals, this->Radius);
+  this->ForEachClassified(first, last,
+    [&](vtkIdType point, const StarSums& star)
+    {
+      const TensorSums sums = this->IntegrateNeighbourhood(point, patch);
+      const PrincipalFrame frame =
+        ComputePrincipalFrame(this->Side / sums.Area * sums.Tensor, star.Normal);
+      this->StoreFrame(
+        static_cast<std::size_t>(point), frame, this->Side * star.Normal.normalized());
+    });
+}
+
+void Estimator::EstimateByFit(vtkIdType first, vtkIdType last)
+{
+  NormalFit fit(this->Mesh, this->Stars, *this->Normals, this->Radius);
+  this->ForEachClassified(first, last,
+    [&](vtkIdType point, const StarSums&)
+    {
+      const auto p = static_cast<std::size_t>(point);
+      std::optional<PrincipalFrame> frame = fit.Fit(point);
+      if (!frame)
+      {
+        this->Verdicts[p] = PointStatus::Degenerate;
+        return;
+      }
+      if (this->Side < 0.0)
+      {
+        std::swap(frame->Maximum, frame->Minimum);
+        std::swap(frame->Direction1, frame->Direction2);
+        frame->Maximum = -frame->Maximum;
+        frame->Minimum = -frame->Minimum;
+      }
+      this->StoreFrame(p, *frame, this->Side * this->Normals->Normals[p]);
+    });
+}
+
+void Estimator::StoreFrame(std::size_t p, const PrincipalFrame& frame, const Vector3d& normal)
+{
+  this->Result.Gaussian[p] = frame.Maximum * frame.Minimum;
+  this->Result.Mean[p] = 0.5 * (frame.Maximum + frame.Minimum);
+  this->Result.HalfDifference[p] = 0.5 * (frame.Maximum - frame.Minimum);
+  VectorAt(this->Result.Direction1, p) = frame.Direction1;
+  VectorAt(this->Result.Direction2, p) = frame.Direction2;
+  this->StoreNormals(p, normal, this->Result.Mean[p] * normal);
 }
 
 /// Where a node of a volume lies almost at the level, its isosurface has a pyramid much smaller
@@ -464,7 +521,7 @@ void Estimator::Count()
 
 void Check(const SurfaceCurvatureOptions& options)
 {
-  RequireChoice("Method", options.Method, CurvatureEstimate::EdgeTensor);
+  RequireChoice("Method", options.Method, CurvatureEstimate::NormalFit);
   RequireChoice("DualArea", options.DualArea, DualArea::Mixed);
   RequireChoice("Neighbourhood", options.Neighbourhood, CurvatureNeighbourhood::GeodesicDisc);
   RequireChoice("Orientation", options.Orientation, SurfaceOrientation::Reversed);

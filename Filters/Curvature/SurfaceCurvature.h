@@ -2,7 +2,7 @@
  * @file SurfaceCurvature.h
  * @brief Curvature at the points of a triangle surface, from the triangles around them.
  *
- * Two estimates. **Angle defect and cotangents**, over the triangles around a point v:
+ * Three estimates. **Angle defect and cotangents**, over the triangles around a point v:
  *
  *     K = (2 pi - sum of angles at v) / A
  *     H n = 1 / (4 A) sum over edges (v, w) of (cot alpha + cot beta) (v - w)
@@ -16,22 +16,38 @@
  *    of its area
  *
  * With each rule, the areas of all points sum to the area of the surface. On meshes that are
- * regular in some parametrisation of a smooth surface, both estimates converge with second order.
- * Where the area of a point is less than 1/32 of a neighbour's, both get the mean over the points
- * around it, weighted by area: the tiny pyramids of isosurfaces at nodes that lie almost at the
- * level have no curvature of their own.
- * On irregular meshes the angle defect does not converge (its error reaches a plateau), and the
- * **edge tensor** over a ball of at least a fixed number of edge lengths is more accurate:
+ * regular in some parametrisation of a smooth surface, this and the edge tensor around a point
+ * converge with second order. Where the area of a point is less than 1/32 of a neighbour's, both
+ * get the mean over the points around it, weighted by area: the tiny pyramids of isosurfaces at
+ * nodes that lie almost at the level have no curvature of their own. On irregular meshes the angle
+ * defect does not converge (its error reaches a plateau).
+ *
+ * **Edge tensor**, over a neighbourhood N of v:
  *
  *     C = 1 / A' sum over edges of beta(e) |e in N| e e^T,   A' = area of N
  *
- * with N a neighbourhood of v, beta the signed angle between the normals of an edge's triangles
+ * with beta the signed angle between the normals of an edge's triangles
  * (positive where convex) and e its unit vector. The eigenvector closest to the point's normal is
  * dropped; the other two eigenvalues are the principal curvatures, and the direction of each is the
  * eigenvector of the *other* one: a cylinder bends across its axis, but its bent edges lie along
- * the axis.
+ * the axis. The tensor becomes smaller as N turns away from the tangent plane of v.
+ *
+ * **Normal fit**, the most accurate on irregular and noisy meshes: with n_i the normals of the
+ * points within Radius (means over triangles, weighted by area) and A_i a third of the triangles'
+ * areas,
+ *
+ *     minimise over t and S the sum over i of A_i |turn(n_i) - t - S place(p_i)|^2
+ *
+ * where turn(n_i) is the vector of the tangent plane along which the normal of v turns to n_i, as
+ * long as the angle, and place(p_i) has the direction of p_i - v in that plane and the length of
+ * the arc that has this chord and turns by that angle. The eigenvectors of the symmetric part of S
+ * are the principal directions, with their curvatures; a sphere with exact normals has no error
+ * at any Radius.
  *
  * Sources: X. Feng's thesis, 2.27 to 2.31 (2.31 there without the exchange of directions);
+ * S. Rusinkiewicz, "Estimating curvatures and their derivatives on triangle meshes", 2004,
+ * doi:10.1109/TDPVT.2004.1335277, and J. Goldfeather and V. Interrante, 2004,
+ * doi:10.1145/966131.966134 (fits of normals);
  * M. Meyer et al., "Discrete differential-geometry operators for triangulated 2-manifolds", 2003,
  * doi:10.1007/978-3-662-05105-4_2; D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay
  * triangulations and normal cycle", 2003, doi:10.1145/777792.777839.
@@ -56,7 +72,8 @@ namespace isthmus
 enum class CurvatureEstimate
 {
   AngleDefect = 0, ///< angle defect and cotangent formula
-  EdgeTensor = 1
+  EdgeTensor = 1,
+  NormalFit = 2 ///< over the part of the surface within Radius, whatever the Neighbourhood
 };
 
 /// The area assigned to a point.
@@ -89,7 +106,7 @@ struct SurfaceCurvatureOptions : CurvatureDescriptorOptions
   isthmus::DualArea DualArea = isthmus::DualArea::Voronoi;
   CurvatureNeighbourhood Neighbourhood = CurvatureNeighbourhood::OneRing;
   SurfaceOrientation Orientation = SurfaceOrientation::Automatic;
-  double Radius = 0.0;  ///< radius of ball and disc; 0: three times the mean edge length
+  double Radius = 0.0; ///< radius of ball, disc and normal fit; 0: three times the mean edge length
   bool Normals = false; ///< whether to compute Normal and MeanNormal
 };
 
@@ -103,7 +120,7 @@ struct SurfaceCurvatureResult
   std::vector<double> Mean;
   std::vector<double> HalfDifference; ///< (kappa_1 - kappa_2) / 2 = sqrt(H^2 - K), 0 where K > H^2
   std::vector<double> Area;           ///< area of the point; 0 where Irregular or Isolated
-  std::vector<double> Direction1;     ///< unit vectors, for EdgeTensor only
+  std::vector<double> Direction1;     ///< unit vectors, not for AngleDefect
   std::vector<double> Direction2;
   std::vector<double>
     Normal; ///< with Normals: outward unit vectors, area-weighted means over the triangles
@@ -111,10 +128,11 @@ struct SurfaceCurvatureResult
   std::vector<unsigned char> Valid;
 
   vtkIdType BoundaryPoints =
-    0; ///< invalid, except for Ball and GeodesicDisc, where they are one-sided
-  vtkIdType IrregularPoints = 0;  ///< see StarKind; invalid
-  vtkIdType DegeneratePoints = 0; ///< at a triangle without area; invalid
-  vtkIdType AreaNotPositive = 0;  ///< obtuse triangles made the Voronoi area <= 0; invalid
+    0; ///< invalid, except for Ball, GeodesicDisc and NormalFit, where they are one-sided
+  vtkIdType IrregularPoints = 0; ///< see StarKind; invalid
+  vtkIdType DegeneratePoints =
+    0; ///< at a triangle without area (NormalFit: at such triangles only); invalid
+  vtkIdType AreaNotPositive = 0; ///< obtuse triangles made the Voronoi area <= 0; invalid
 };
 
 /**
@@ -122,7 +140,7 @@ struct SurfaceCurvatureResult
  *
  * Points without triangles are invalid. Time: O(triangles) for AngleDefect and OneRing, times the
  * number of triangles within Radius for the others. Memory: about 100 bytes per point, plus 100 per
- * triangle for EdgeTensor.
+ * triangle for EdgeTensor or 32 per point for NormalFit.
  * @throws std::invalid_argument for a Radius that is negative or not finite, and Cancelled.
  */
 VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceCurvatureResult ComputeSurfaceCurvature(

@@ -4,6 +4,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
@@ -19,6 +20,7 @@
 #include <vtkDataArraySelection.h>
 #include <vtkDataObjectTypes.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -30,6 +32,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -186,6 +189,9 @@ const std::vector<isthmus::OutputArray>& vtkHessianCurvature::OutputArrayTable()
       "none; with AutomaticScale" },
     { 0, ArrayPlace::Points, "CurvatureError", 1, "1/length", ArrayChoice::None,
       "standard error of the mean curvature, bias included; with AutomaticScale" },
+    { 0, ArrayPlace::Field, "Notes", 1, "", ArrayChoice::None,
+      "at a surface, if CurvatureError exceeds the mean curvature at more than a quarter of its "
+      "points" },
   };
   return table;
 }
@@ -355,6 +361,29 @@ void CheckPointsInside(
   vtkWarningWithObjectMacro(self, << what);
 }
 
+/// A note if much of the curvature is not resolved.
+void AddNoteOnErrors(vtkDataSet* output)
+{
+  vtkPointData* points = output->GetPointData();
+  vtkDataArray* mean = points->GetArray("MeanCurvature");
+  vtkDataArray* error = points->GetArray("CurvatureError");
+  vtkDataArray* valid = points->GetArray("CurvatureValid");
+  vtkIdType known = 0, unresolved = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const bool counts = valid->GetComponent(i, 0) != 0.0;
+    known += counts;
+    unresolved += counts && error->GetComponent(i, 0) > std::abs(mean->GetComponent(i, 0));
+  }
+  if (4 * unresolved > known)
+  {
+    isthmus::AddColumn<vtkStringArray>(output->GetFieldData(), "Notes",
+      std::vector<std::string>{ isthmus::JoinText("At ", 100 * unresolved / known,
+        " % of the points the estimated error of the mean curvature (CurvatureError) is larger "
+        "than the curvature: the grid does not resolve these details of the surface.") });
+  }
+}
+
 }
 
 void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
@@ -440,6 +469,10 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
     values = smoothed(scale.NextScale, 0.7 * (remaining - first));
     isthmus::AddErrors(
       image, values, box, points, this->Parameters, selection, scale, output, step(1.0));
+  }
+  if (points && this->AutomaticScale && this->OutputArrays.Has("MeanCurvature"))
+  {
+    AddNoteOnErrors(output);
   }
   if (points && this->OutputArrays.Has("MeanCurvature"))
   {

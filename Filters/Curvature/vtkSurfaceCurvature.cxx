@@ -168,7 +168,7 @@ const std::vector<isthmus::OutputArray>& vtkSurfaceCurvature::OutputArrayTable()
     ISTHMUS_CURVATURE_ARRAY_ROWS,
     { 0, ArrayPlace::Points, "MeanCurvatureNormal", 3, "1/length", ArrayChoice::Off,
       "H n, which points outwards where the surface is convex, whatever Orientation is; with "
-      "AngleDefect from the cotangent formula, with EdgeTensor H times the mean normal of the "
+      "AngleDefect from the cotangent formula, otherwise H times the mean normal of the "
       "triangles" },
     { 0, ArrayPlace::Points, "PointArea", 1, "length^2", ArrayChoice::On,
       "area assigned to each point, the weight for means over the surface" },

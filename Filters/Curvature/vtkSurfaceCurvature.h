@@ -1,7 +1,7 @@
 /**
  * @class   vtkSurfaceCurvature
- * @brief   Computes curvature at the points of a surface mesh, by angle defect and cotangents or by
- * edges.
+ * @brief   Computes curvature at the points of a surface mesh, by angle defect and cotangents, by
+ * edges, or by a fit of normals.
  *
  * The input, a vtkPolyData, is passed on with curvature arrays on its points. Polygons and strips
  * are split into triangles for the computation (the cells of the output are unchanged); vertices
@@ -12,15 +12,15 @@
  * `MeanCurvature`, `MaximumCurvature`, `MinimumCurvature`, `ShapeIndex`, `Curvedness` and
  * `PointArea`, the area assigned to a point by DualArea, the weight for means over the surface; the
  * sum over all points is the area of the surface. Principal directions, `NormalCurvature` and the
- * differential forms except `GaussMap` are made with EdgeTensor only. Field data
+ * differential forms except `GaussMap` are not made with AngleDefect. Field data
  * `GaussianCurvatureIntegral` and `GaussBonnetEulerNumber` (GaussBonnet.h).
  *
  * **Validity.** `CurvatureValid` is 1 where the values are meaningful. It is 0, and all values
- * except `PointArea` are 0, at points on the boundary (with Ball and GeodesicDisc these are valid,
- * but one-sided, with an error of the order of edge length / Radius), at points without triangles,
- * at points around which the surface is not a disc or not consistently oriented, at triangles
- * without area, and where obtuse triangles make the Voronoi area negative (choose Mixed). A warning
- * counts such points, except those on the boundary. Coinciding points are treated as one
+ * except `PointArea` are 0, at points on the boundary (with Ball, GeodesicDisc and NormalFit these
+ * are valid, but one-sided, with an error of the order of edge length / Radius), at points without
+ * triangles, at points around which the surface is not a disc or not consistently oriented, at
+ * triangles without area, and where obtuse triangles make the Voronoi area negative (choose Mixed).
+ * A warning counts such points, except those on the boundary. Coinciding points are treated as one
  * (SurfaceCleaning.h), so a file with texture coordinates or normals at corners has no boundary at
  * its seams; `PointArea` is divided among them.
  *
@@ -28,7 +28,7 @@
  *
  * **Method**: formulas and sources are in SurfaceCurvature.h. AngleDefect is of second order on
  * meshes that are regular in some parametrisation. On irregular meshes it does not converge: use
- * EdgeTensor with a ball or, for isosurfaces of a volume, vtkHessianCurvature.
+ * NormalFit or, for isosurfaces of a volume, vtkHessianCurvature.
  *
  * **Errors** (one message, empty output): coordinates that are not finite, damaged cells, negative
  * Radius or tolerance. An empty surface is not an error.
@@ -56,7 +56,8 @@ public:
   enum Methods
   {
     AngleDefect = 0,
-    EdgeTensor = 1
+    EdgeTensor = 1,
+    NormalFit = 2
   };
   enum DualAreas
   {
@@ -83,7 +84,7 @@ public:
   };
 
   ///@{
-  /// AngleDefect (angle defect and cotangent formula) or EdgeTensor.
+  /// AngleDefect (angle defect and cotangent formula), EdgeTensor or NormalFit.
   ISTHMUS_PARAMETER(Method, int);
   ///@}
 
@@ -97,8 +98,8 @@ public:
   ///@}
 
   ///@{
-  /// Radius of Ball and GeodesicDisc, in the unit of the points (angstrom). 0: three times
-  /// the mean edge length.
+  /// Radius of Ball, GeodesicDisc and NormalFit, in the unit of the points (angstrom). 0: three
+  /// times the mean edge length.
   ISTHMUS_PARAMETER(Radius, double);
   ///@}
 

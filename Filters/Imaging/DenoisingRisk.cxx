@@ -794,37 +794,39 @@ public:
 
   EdgeBest Search(double linearValue, double noisePower, const ProgressCallback& progress)
   {
-    constexpr double smoothing = 0.7, near = 1.05;
-    this->Try({ { 0, 0.5, smoothing }, { 1, 0.8, smoothing }, { 2, 1.6, smoothing } });
+    constexpr double near = 1.05, factor = 1.6, perOrder = 1.6;
+    // Nearly all edges of a map that is sampled close to its resolution are lost with the usual
+    // presmoothing of 0.7 voxels; without any, strong noise counts as edges.
+    this->Try({ { 0, 0.5, 0.7 }, { 0, 0.6, 0.35 }, { 1, perOrder * 0.5, 0.7 } });
     Report(progress, 0.3);
     if (this->Best.Value - noisePower > near * (linearValue - noisePower))
     {
       return this->Best;
     }
-    constexpr double factor = 1.6;
-    double sigma = this->BestSigma();
-    this->Try({ { this->BestOrder(), sigma / factor, smoothing },
-      { this->BestOrder(), sigma * factor, smoothing } });
+    const Candidate start = this->BestCandidate();
+    this->Try({ start.WithSigma(start.Sigma / factor), start.WithSigma(start.Sigma * factor) });
     Report(progress, 0.5);
-    const double moved = this->BestSigma() / sigma;
-    sigma = this->BestSigma();
+    const Candidate scaled = this->BestCandidate();
+    const double moved = scaled.Sigma / start.Sigma;
     std::vector<Candidate> next;
     if (std::abs(moved - 1.0) > 0.1)
     {
-      next.push_back({ this->BestOrder(), sigma * moved, smoothing });
+      next.push_back(scaled.WithSigma(scaled.Sigma * moved));
     }
-    for (const int order : { this->BestOrder() - 1, this->BestOrder() + 1 })
+    if (scaled.Order > 0)
     {
-      if (order >= 0 && order <= 2)
-      {
-        next.push_back({ order, sigma, smoothing });
-      }
+      next.push_back({ scaled.Order - 1, scaled.Sigma / perOrder, scaled.PreSmoothing });
+    }
+    if (scaled.Order < 2)
+    {
+      next.push_back({ scaled.Order + 1, scaled.Sigma * perOrder, scaled.PreSmoothing });
     }
     this->Try(next);
-    Report(progress, 0.8);
-    sigma = this->BestSigma();
-    this->Try({ { this->BestOrder(), sigma, 2.0 * smoothing },
-      { this->BestOrder(), sigma * std::sqrt(moved > 1.0 ? factor : 1.0 / factor), smoothing } });
+    Report(progress, 0.7);
+    this->TryPreSmoothings();
+    Report(progress, 0.9);
+    const Candidate last = this->BestCandidate();
+    this->Try({ last.WithSigma(last.Sigma * std::sqrt(moved > 1.0 ? factor : 1.0 / factor)) });
     Report(progress, 1.0);
     return this->Best;
   }
@@ -835,12 +837,45 @@ private:
     int Order;
     double Sigma;        ///< in standard deviations of the noise per voxel
     double PreSmoothing; ///< in voxels
+
+    Candidate WithSigma(double sigma) const { return { this->Order, sigma, this->PreSmoothing }; }
   };
 
-  int BestOrder() const { return this->Best.Run.Parameters.Order; }
-  double BestSigma() const
+  Candidate BestCandidate() const
   {
-    return this->Best.Run.Parameters.Sigma * this->Voxel / this->Deviation;
+    const DiffusionParameters& best = this->Best.Run.Parameters;
+    return { best.Order, best.Sigma * this->Voxel / this->Deviation,
+      best.PreSmoothing / this->Voxel };
+  }
+
+  /// The presmoothings next to the best one, and the one after in the direction that is better.
+  void TryPreSmoothings()
+  {
+    constexpr std::array<double, 6> lengths{ 0.0, 0.35, 0.5, 0.7, 1.0, 1.4 };
+    const Candidate from = this->BestCandidate();
+    auto isBest = [this](double length)
+    { return std::abs(length - this->BestCandidate().PreSmoothing) < 1e-3; };
+    auto indexOfBest = [&]
+    { return std::find_if(lengths.begin(), lengths.end(), isBest) - lengths.begin(); };
+    auto tryThem = [&](std::initializer_list<std::ptrdiff_t> indices)
+    {
+      std::vector<Candidate> candidates;
+      for (const std::ptrdiff_t n : indices)
+      {
+        if (n >= 0 && n < static_cast<std::ptrdiff_t>(lengths.size()))
+        {
+          candidates.push_back({ from.Order, from.Sigma, lengths[static_cast<std::size_t>(n)] });
+        }
+      }
+      this->Try(candidates);
+    };
+    const std::ptrdiff_t first = indexOfBest();
+    tryThem({ first - 1, first + 1 });
+    const std::ptrdiff_t second = indexOfBest();
+    if (second != first)
+    {
+      tryThem({ 2 * second - first });
+    }
   }
 
   DiffusionParameters ToParameters(const Candidate& candidate) const
@@ -858,6 +893,11 @@ private:
     constexpr double mostSteps = 1500.0;
     parameters.Time = std::max(std::pow(1.6 * this->Linear.Length[q], exponent), least[q]) *
       std::pow(this->Voxel, exponent);
+    const EdgeRun& best = this->Best.Run;
+    if (!best.Time.empty() && best.Parameters.Order == candidate.Order)
+    {
+      parameters.Time = std::max(parameters.Time, 1.5 * best.Time[this->Best.Step]);
+    }
     parameters.Time =
       std::min(parameters.Time, mostSteps * ExplicitStepLimit(parameters, this->Spacing));
     return parameters;
@@ -983,18 +1023,26 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
     EdgeSearch(trials, best, noise.Deviation, spacing)
       .Search(best.Value + choice.NoisePower, choice.NoisePower, Between(progress, 0.15, 1.0));
   const EdgeRun& run = edges.Run;
-  // Run again to the chosen time, with the same steps as for the whole volume.
-  DiffusionParameters parameters = run.Parameters;
-  parameters.Time = run.Time[edges.Step];
-  const EdgeRun atEnd = trials.Run({ parameters }).front();
+  // Run again to the chosen time and to times between the steps, with the steps of the whole
+  // volume.
+  std::vector<DiffusionParameters> ends(3, run.Parameters);
+  const double time = run.Time[edges.Step];
+  const double before = edges.Step > 0 ? run.Time[edges.Step - 1] : 0.25 * time;
+  const double after = edges.Step + 1 < run.Time.size() ? run.Time[edges.Step + 1] : 1.5 * time;
+  ends[0].Time = std::sqrt(before * time);
+  ends[1].Time = time;
+  ends[2].Time = std::sqrt(time * after);
+  const std::vector<EdgeRun> runs = trials.Run(ends);
+  auto valueAtEnd = [](const EdgeRun& one)
+  { return one.Residual.back() + 2.0 * one.Covariance.back(); };
+  const EdgeRun& atEnd = *std::min_element(runs.begin(), runs.end(),
+    [&](const EdgeRun& one, const EdgeRun& other) { return valueAtEnd(one) < valueAtEnd(other); });
   constexpr double clearly = 0.97;
-  if (std::min(edges.Value, atEnd.Residual.back() + 2.0 * atEnd.Covariance.back()) -
-      choice.NoisePower >=
-    clearly * best.Value)
+  if (std::min(edges.Value, valueAtEnd(atEnd)) - choice.NoisePower >= clearly * best.Value)
   {
     return choice;
   }
-  choice.Parameters = parameters;
+  choice.Parameters = atEnd.Parameters;
   choice.Residual = atEnd.Residual.back();
   choice.Covariance = atEnd.Covariance.back();
   choice.Spread = 1.0;
@@ -1003,6 +1051,13 @@ DenoisingChoice ChooseDenoising(const VolumeSample& sample, const NoiseSpectrum&
   for (std::size_t step = 0; step < run.Time.size(); ++step)
   {
     choice.RiskValue.push_back(run.Residual[step] + 2.0 * run.Covariance[step] - choice.NoisePower);
+  }
+  if (atEnd.Parameters.Time != time)
+  {
+    const auto at =
+      std::lower_bound(run.Time.begin(), run.Time.end(), atEnd.Parameters.Time) - run.Time.begin();
+    choice.RiskTime.insert(choice.RiskTime.begin() + at, atEnd.Parameters.Time);
+    choice.RiskValue.insert(choice.RiskValue.begin() + at, choice.Risk());
   }
   if (search.Strength != 0.5)
   {

@@ -80,7 +80,7 @@ struct DenoisingChoice
  * The diffusion with the least risk. `spacing` is the grid spacing along each axis.
  *
  * Cost: for surfaces, four recurrences of 41 terms on the sample and up to 100 combinations of
- * their terms; for volumes, one recurrence and three to nine pairs of runs with edge stopping.
+ * their terms; for volumes, one recurrence and six to fifteen pairs of runs with edge stopping.
  * @throws Cancelled if `progress` returns false.
  */
 VTKISTHMUSFILTERSIMAGING_EXPORT DenoisingChoice ChooseDenoising(const VolumeSample& sample,

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <stdexcept>
 
 namespace isthmus
@@ -133,8 +134,16 @@ Orthosphere EdgeOrthosphere(const RegularFiltration& f, const std::array<Simplex
 void Triangulate(const RegularFiltration& f, Regular& triangulation,
   const ProgressCallback& progress, const std::function<void(double)>& predicted)
 {
+  // CPU time, unless other threads work as well: a busy machine does not make it longer.
   Stopwatch watch;
+  const std::clock_t begin = std::clock();
+  double wall = 0.0;
   double eighth = 0.0;
+  const auto seconds = [&]()
+  {
+    wall += watch.Lap();
+    return std::min(wall, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  };
   std::vector<Kernel::Point_3> sites;
   sites.reserve(f.Radii.size());
   for (const Point3& p : f.Complex.Points)
@@ -149,11 +158,11 @@ void Triangulate(const RegularFiltration& f, Regular& triangulation,
   {
     if (i == order.size() / 8)
     {
-      eighth = watch.Lap();
+      eighth = seconds();
     }
     if (i == order.size() / 4 && predicted)
     {
-      const double quarter = eighth + watch.Lap();
+      const double quarter = seconds();
       // From an eighth to a quarter of the balls: linear for atoms, up to quadratic in convex
       // position.
       const double power = std::clamp(std::log2(quarter / std::max(eighth, 1e-9)), 1.0, 2.0);

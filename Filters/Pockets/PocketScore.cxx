@@ -74,9 +74,14 @@ void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sit
   {
     const auto last = std::find_if(
       first, order.end(), [&](std::size_t i) { return !AreTied(sites[*first], sites[i]); });
-    std::stable_sort(first, last,
-      [&](std::size_t a, std::size_t b)
-      { return std::tie(sites[a].Chain, names[a]) < std::tie(sites[b].Chain, names[b]); });
+    std::map<std::int64_t, std::size_t> firstOf; // of each group
+    std::for_each(first, last, [&](std::size_t i) { firstOf.emplace(sites[i].Group, i); });
+    const auto key = [&](std::size_t i)
+    {
+      const std::size_t copy = firstOf.at(sites[i].Group);
+      return std::tie(sites[copy].Chain, names[copy], sites[i].Group);
+    };
+    std::stable_sort(first, last, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     first = std::max(last, first + 1); // a density may be NaN
   }
   std::vector<Pocket> sorted;

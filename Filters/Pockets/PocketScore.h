@@ -44,9 +44,9 @@ using ResidueWord = std::tuple<std::string, int, std::string, std::string>;
 using SiteName = std::vector<ResidueWord>;
 
 /**
- * Reorders sites whose densities agree within 2 parts in 10,000, as those of copies of a chain do:
- * by chain, then by name, since their order by density would depend on the molecule's orientation.
- * Sites and `names` are in the same order. Parents are renumbered.
+ * Reorders sites whose densities agree within 2 parts in 10,000 by chain, then by name, since their
+ * order by density would depend on the molecule's orientation. Copies of a site stay together, in
+ * their order. Sites and `names` are in the same order. Parents are renumbered.
  */
 void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sites);
 

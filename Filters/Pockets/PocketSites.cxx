@@ -4,6 +4,7 @@
 #include "Core/ParallelFor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace isthmus
@@ -18,12 +19,50 @@ struct Mean
   Point3 Place{ 0.0, 0.0, 0.0 };
 };
 
+/// A kernel of the squared distance.
+double Kernel(double squared, double reach)
+{
+  const double inside = 1.0 - squared / (reach * reach);
+  return inside * inside;
+}
+
+/// value(i) for each i.
+template <typename Value>
+std::vector<double> Evaluate(std::size_t count, Value&& value)
+{
+  std::vector<double> values(count);
+  ParallelFor(0, static_cast<std::int64_t>(count), 64,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        values[i] = value(i);
+      }
+    });
+  return values;
+}
+
+/// The weight of each place in the density.
+std::vector<double> ComputeWeights(
+  const std::vector<Point3>& places, const std::vector<double>& probabilities)
+{
+  const PointBins bins(places, CrowdingReach);
+  return Evaluate(places.size(),
+    [&](std::size_t i)
+    {
+      double crowding = 0.0;
+      bins.Near(places[i], CrowdingReach,
+        [&](std::int64_t, double squared) { crowding += Kernel(squared, CrowdingReach); });
+      return probabilities[i] / std::sqrt(std::max(crowding, 1.0));
+    });
+}
+
 class Density
 {
 public:
   Density(const std::vector<Point3>& places, const std::vector<double>& probabilities)
     : Places(places)
-    , Probabilities(probabilities)
+    , Weights(ComputeWeights(places, probabilities))
     , Bins(places, 0.5 * DensityReach)
   {
   }
@@ -33,7 +72,7 @@ public:
     double density = 0.0;
     this->Bins.Near(place, DensityReach,
       [&](std::int64_t id, double squared)
-      { density += this->Weight(static_cast<std::size_t>(id), squared); });
+      { density += this->Weights[static_cast<std::size_t>(id)] * Kernel(squared, DensityReach); });
     return density;
   }
 
@@ -93,16 +132,10 @@ private:
     return modes;
   }
 
-  double Weight(std::size_t i, double squared) const
-  {
-    const double inside = 1.0 - squared / (DensityReach * DensityReach);
-    return this->Probabilities[i] * inside * inside;
-  }
-
   struct Weighted
   {
     Point3 Place;
-    double Probability;
+    double Weight;
   };
 
   std::vector<Weighted> GatherNear(const Point3& place, double reach) const
@@ -110,7 +143,7 @@ private:
     std::vector<Weighted> near;
     this->Near(place, reach,
       [&](std::size_t i) {
-        near.push_back({ this->Places[i], this->Probabilities[i] });
+        near.push_back({ this->Places[i], this->Weights[i] });
       });
     return near;
   }
@@ -124,7 +157,7 @@ private:
       const Point3 d = one.Place - place;
       // Those beyond DensityReach have the weight 0, without a branch.
       const double inside = std::max(0.0, 1.0 - Dot(d, d) / (DensityReach * DensityReach));
-      const double weight = one.Probability * inside * inside;
+      const double weight = one.Weight * inside * inside;
       mean.Density += weight;
       mean.Place = mean.Place + weight * one.Place;
     }
@@ -133,7 +166,7 @@ private:
   }
 
   const std::vector<Point3>& Places;
-  const std::vector<double>& Probabilities;
+  std::vector<double> Weights;
   PointBins Bins;
 };
 
@@ -173,15 +206,8 @@ std::vector<PocketSite> FindSites(
   const std::vector<Point3>& places, const std::vector<double>& probabilities)
 {
   const Density density(places, probabilities);
-  std::vector<double> values(places.size());
-  ParallelFor(0, static_cast<std::int64_t>(places.size()), 64,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        values[i] = density.At(places[i]);
-      }
-    });
+  const std::vector<double> values =
+    Evaluate(places.size(), [&](std::size_t i) { return density.At(places[i]); });
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
-#include <tuple>
+#include <set>
 #include <utility>
 
 namespace isthmus
@@ -15,12 +16,12 @@ namespace
 
 constexpr double AroundReach = 10.0; // angstrom
 constexpr double LeastLikeness = 0.5;
-constexpr double MostOfSameChain = 0.5; // of the similarity
+constexpr double MostOfSame = 0.5; // of the similarity
 
 /// Weights of residues.
 template <typename Key>
 using Weights = std::map<Key, double>;
-using ChainResidue = std::pair<int, std::int64_t>;
+using NumberedWord = std::pair<std::int64_t, std::int64_t>; ///< word, number of the residue
 
 template <typename Key>
 double ComputeSum(const Weights<Key>& weights)
@@ -48,12 +49,13 @@ double Similarity(const Weights<Key>& a, const Weights<Key>& b)
 
 struct Surroundings
 {
-  Weights<ChainResidue> ByChain;
+  Weights<NumberedWord> OfEach;
   Weights<std::int64_t> OfAll;
   int Chain = -1;
 
   Surroundings(const std::vector<SiteAtom>& atoms, const PointBins& bins, const Point3& center)
   {
+    std::map<std::int64_t, int> chainOf; // of each residue
     bins.Near(center, AroundReach,
       [&](std::int64_t id, double squared)
       {
@@ -61,16 +63,17 @@ struct Surroundings
         const double weight = 1.0 - std::sqrt(squared) / AroundReach;
         if (atom.Word >= 0)
         {
-          double& ofChain = this->ByChain[{ atom.Chain, atom.Word }];
-          ofChain = std::max(ofChain, weight);
+          double& ofEach = this->OfEach[{ atom.Word, atom.Number }];
+          ofEach = std::max(ofEach, weight);
           double& ofAll = this->OfAll[atom.Word];
           ofAll = std::max(ofAll, weight);
+          chainOf[atom.Number] = atom.Chain;
         }
       });
     Weights<int> chains;
-    for (const auto& [key, weight] : this->ByChain)
+    for (const auto& [key, weight] : this->OfEach)
     {
-      chains[key.first] += weight;
+      chains[chainOf[key.second]] += weight;
     }
     double most = 0.0;
     for (const auto& [chain, weight] : chains)
@@ -84,9 +87,40 @@ struct Surroundings
   {
     const double likeness = Similarity(this->OfAll, other.OfAll);
     return likeness >= LeastLikeness &&
-      Similarity(this->ByChain, other.ByChain) < MostOfSameChain * likeness;
+      Similarity(this->OfEach, other.OfEach) < MostOfSame * likeness;
   }
 };
+
+/// Sorts a group of copies (SiteCopies.h).
+void OrderCopies(const std::vector<Surroundings>& around, std::vector<std::size_t>& group)
+{
+  std::map<std::int64_t, std::set<std::int64_t>> numbersOf; // of each word
+  for (const std::size_t i : group)
+  {
+    for (const auto& one : around[i].OfEach)
+    {
+      numbersOf[one.first.first].insert(one.first.second);
+    }
+  }
+  std::map<std::size_t, double> shares;
+  for (const std::size_t i : group)
+  {
+    double sum = 0.0, all = 0.0;
+    for (const auto& [key, weight] : around[i].OfEach)
+    {
+      const auto word = numbersOf.find(key.first);
+      const auto before = std::distance(numbersOf.begin(), word);
+      const double part =
+        weight * (2.0 - static_cast<double>(before) / static_cast<double>(numbersOf.size()));
+      const auto rank = std::distance(word->second.begin(), word->second.find(key.second));
+      sum += part * std::pow(0.25, static_cast<double>(rank));
+      all += part;
+    }
+    shares[i] = all > 0.0 ? sum / all : 0.0;
+  }
+  std::stable_sort(group.begin(), group.end(),
+    [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
+}
 
 /// Numbers of the groups, each with its densest site first.
 std::vector<std::vector<std::size_t>> FindGroups(const std::vector<Surroundings>& around)
@@ -140,10 +174,12 @@ std::vector<CopiedSite> GroupCopies(
   {
     around.emplace_back(atoms, bins, site.Center);
   }
-  std::vector<CopiedSite> copied(sites.size());
+  std::vector<CopiedSite> copied;
+  copied.reserve(sites.size());
   std::int64_t number = 0;
-  for (const auto& group : FindGroups(around))
+  for (std::vector<std::size_t>& group : FindGroups(around))
   {
+    OrderCopies(around, group);
     double sum = 0.0;
     for (const std::size_t i : group)
     {
@@ -152,16 +188,13 @@ std::vector<CopiedSite> GroupCopies(
     for (const std::size_t i : group)
     {
       sites[i].Density = sum / static_cast<double>(group.size());
-      copied[i] = { std::move(sites[i]), number, around[i].Chain };
+      copied.push_back({ std::move(sites[i]), number, around[i].Chain });
     }
     ++number;
   }
   std::stable_sort(copied.begin(), copied.end(),
     [](const CopiedSite& a, const CopiedSite& b)
-    {
-      return std::tuple(-a.Site.Density, a.Group, a.Chain) <
-        std::tuple(-b.Site.Density, b.Group, b.Chain);
-    });
+    { return std::pair(-a.Site.Density, a.Group) < std::pair(-b.Site.Density, b.Group); });
   std::map<std::int64_t, std::int64_t> renumbered;
   for (CopiedSite& site : copied)
   {

@@ -60,8 +60,11 @@ struct SiteAtom
   SiteAtomKind Kind = SiteAtomKind::Other;
   int Residue =
     -1; ///< 0 to 19: backbone of the amino acids in the order of their names; 20 to 39: side chain
-  int Chain = 0;          ///< numbered from 0 by name
-  std::int64_t Word = -1; ///< the same for residues with the same number and name, of any chain
+  int Chain = 0;            ///< numbered from 0 by name
+  std::int64_t Number = -1; ///< of its residue, ascending by chain and number
+  /// The same for residues with the same name and the same three neighbours on each side in the
+  /// sequence, as copies of a chain have them.
+  std::int64_t Word = -1;
   bool BindsMetals = false;
 };
 

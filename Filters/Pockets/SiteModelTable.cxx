@@ -731,7 +731,7 @@ const double Propensity[] = {
 const SiteModelTable& GetSiteModel()
 {
   static const SiteModelTable table{ Nodes, FirstNodes, FirstLeaves, Leaves, 160, 0.0, Propensity,
-    { 2.4328237, -0.0910001149, 1.63591308 } };
+    { 1.49420153, 0.236208473, 1.80141942 } };
   return table;
 }
 

@@ -39,6 +39,27 @@ vtkStandardNewMacro(vtkMolecularPockets);
 namespace
 {
 
+/// The word (SiteAtom) of each residue, given in ascending order.
+std::vector<std::int64_t> FindWords(const std::vector<isthmus::ResidueWord>& sequence)
+{
+  constexpr std::size_t around = 3;
+  std::map<std::string, std::int64_t> known;
+  std::vector<std::int64_t> words;
+  words.reserve(sequence.size());
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+  {
+    std::string word;
+    for (std::size_t k = i + 1 > around ? i - around : 0;
+         k < std::min(i + around + 1, sequence.size()); ++k)
+    {
+      const bool sameChain = std::get<0>(sequence[k]) == std::get<0>(sequence[i]);
+      word += (sameChain ? std::get<3>(sequence[k]) : std::string()) + " ";
+    }
+    words.push_back(known.emplace(word, static_cast<std::int64_t>(known.size())).first->second);
+  }
+  return words;
+}
+
 /// The heavy atoms with their properties for binding; empty without names and elements.
 std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms)
 {
@@ -47,17 +68,29 @@ std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms
   {
     return found;
   }
+  const auto residueOf = [](const isthmus::NamedAtom& named) {
+    return isthmus::ResidueWord(named.Chain, named.ResidueId, named.InsertionCode, named.Residue);
+  };
   std::map<std::string, int> chains;
+  std::map<isthmus::ResidueWord, std::int64_t> residues;
   for (const std::int64_t point : atoms.Points)
   {
-    chains[atoms.Named[static_cast<std::size_t>(point)].Chain] = 0;
+    const isthmus::NamedAtom& named = atoms.Named[static_cast<std::size_t>(point)];
+    chains[named.Chain] = 0;
+    residues[residueOf(named)] = 0;
   }
   int number = 0;
   for (auto& chain : chains)
   {
     chain.second = number++;
   }
-  std::map<std::tuple<int, std::string, std::string>, std::int64_t> words;
+  std::vector<isthmus::ResidueWord> sequence;
+  for (auto& residue : residues)
+  {
+    residue.second = static_cast<std::int64_t>(sequence.size());
+    sequence.push_back(residue.first);
+  }
+  const std::vector<std::int64_t> words = FindWords(sequence);
   for (std::size_t i = 0; i < atoms.Balls.size(); ++i)
   {
     const isthmus::NamedAtom& named = atoms.Named[static_cast<std::size_t>(atoms.Points[i])];
@@ -66,11 +99,8 @@ std::vector<isthmus::SiteAtom> MakeSiteAtoms(const isthmus::MoleculeAtoms& atoms
       found.push_back(
         isthmus::MakeSiteAtom(atoms.Balls[i].Center, named.Element, named.Residue, named.Name));
       found.back().Chain = chains[named.Chain];
-      found.back().Word =
-        words
-          .emplace(std::tuple(named.ResidueId, named.InsertionCode, named.Residue),
-            static_cast<std::int64_t>(words.size()))
-          .first->second;
+      found.back().Number = residues[residueOf(named)];
+      found.back().Word = words[static_cast<std::size_t>(found.back().Number)];
     }
   }
   return found;

@@ -154,6 +154,10 @@ TaggedSurface CombineSurfaces(
 
 TriangleMesh OutwardSurface(const SurfaceView& mesh)
 {
+  if (mesh.Triangles.empty())
+  {
+    return {}; // CGAL reads a component that is not there
+  }
   return cgal::RethrowWithContext("turning the surface",
     [&]
     {

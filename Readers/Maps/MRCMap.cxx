@@ -8,8 +8,14 @@
 #include "Maps/NoData.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <string>
+#include <system_error>
 #include <vector>
 
 namespace isthmus
@@ -298,6 +304,32 @@ bool MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& 
         std::to_string(found) + ". Fetch the file again.");
   }
   return true;
+}
+
+bool IsNamedAsMRCFile(const std::string& path)
+{
+  std::filesystem::path name(path);
+  if (name.extension() == ".gz" || name.extension() == ".bz2")
+  {
+    name.replace_extension();
+  }
+  std::string ending = name.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array<const char*, 4> own{ ".mrc", ".mrcs", ".mrcz", ".ccp4" };
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed))
+  {
+    return false;
+  }
+  if (ending != ".map")
+  {
+    return std::find(own.begin(), own.end(), ending) != own.end();
+  }
+  std::string begin(32, '\0');
+  std::ifstream(path, std::ios::binary)
+    .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin.rfind("RUU CROSS SYSTEM MAP", 0) != 0 && begin.rfind("OziExplorer", 0) != 0;
 }
 
 bool LooksLikeMRCFile(const std::string& path)

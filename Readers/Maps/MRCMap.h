@@ -97,6 +97,10 @@ private:
   bool Means = false;
 };
 
+/// True for a file with the ending of a map, except geographic maps (PCRaster, OziExplorer) that
+/// have the ending .map, too. Never throws.
+bool IsNamedAsMRCFile(const std::string& path);
+
 /// True if the file at `path` begins like a map, compressed or not. Never throws.
 bool LooksLikeMRCFile(const std::string& path);
 

@@ -159,15 +159,10 @@ struct Brick
   Index3 Count{};
 };
 
-/// The selection seen along the file's axes, and what follows from it.
-class Reading
+/// A selection of MRCSelection, whose axes are the output's, along the file's axes.
+struct FileSelection
 {
-public:
-  Reading(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
-    unsigned char* out)
-    : Source(source)
-    , Layout(layout)
-    , Out(out)
+  FileSelection(const MRCVoxelLayout& layout, const MRCSelection& selection)
   {
     const Index3 step{ 1, selection.Count[0], selection.Count[0] * selection.Count[1] };
     for (std::size_t f = 0; f < 3; ++f)
@@ -178,6 +173,25 @@ public:
       this->Stride[f] = selection.Stride[axis];
       this->OutStep[f] = step[axis];
     }
+  }
+
+  Index3 First{};
+  Index3 Count{};
+  Index3 Stride{};
+  Index3 OutStep{}; ///< voxels in the output between neighbours along each file axis
+};
+
+/// The selection seen along the file's axes, and what follows from it.
+class Reading : private FileSelection
+{
+public:
+  Reading(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+    unsigned char* out)
+    : FileSelection(layout, selection)
+    , Source(source)
+    , Layout(layout)
+    , Out(out)
+  {
     this->RowBytes = layout.Type.FileBytes(static_cast<std::uint64_t>(layout.Counts[0]));
     this->Direct = layout.Type.SameInFile() && this->OutStep[0] == 1 && this->Stride[0] == 1;
   }
@@ -304,10 +318,6 @@ private:
   ByteSource& Source;
   const MRCVoxelLayout& Layout;
   unsigned char* Out;
-  Index3 First{};
-  Index3 Count{};
-  Index3 Stride{};
-  Index3 OutStep{}; ///< voxels in the output between neighbours along each file axis
   std::uint64_t RowBytes = 0;
   bool Direct = false; ///< rows go to the output as they are, byte order apart
 };
@@ -455,25 +465,18 @@ void ReadInOrder(const Reading& reading, ByteSource& source, const ProgressCallb
 }
 
 /// Means of boxes of voxels, section by section of the means and some of their rows at a time.
-class MeanReading
+/// Count and OutStep are those of the means, Stride is the side of a box.
+class MeanReading : private FileSelection
 {
 public:
   MeanReading(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
     const std::optional<double>& ignored, float* out)
-    : Source(source)
+    : FileSelection(layout, selection)
+    , Source(source)
     , Layout(layout)
     , Ignored(ignored)
     , Out(out)
   {
-    const Index3 step{ 1, selection.Count[0], selection.Count[0] * selection.Count[1] };
-    for (std::size_t f = 0; f < 3; ++f)
-    {
-      const auto axis = static_cast<std::size_t>(layout.OutputAxis[f]);
-      this->First[f] = selection.First[axis];
-      this->Count[f] = selection.Count[axis];
-      this->Side[f] = selection.Stride[axis];
-      this->OutStep[f] = step[axis];
-    }
   }
 
   std::int64_t Rows() const { return this->Count[1]; }
@@ -483,7 +486,7 @@ public:
   std::int64_t RowsAtOnce() const
   {
     constexpr std::int64_t pieceBytes = std::int64_t{ 1 } << 20;
-    const std::int64_t rowBytes = this->Count[0] * this->Side[0] * this->Side[1] *
+    const std::int64_t rowBytes = this->Count[0] * this->Stride[0] * this->Stride[1] *
       static_cast<std::int64_t>(this->Layout.Type.Bytes);
     return std::clamp<std::int64_t>(pieceBytes / rowBytes, 1, this->Count[1]);
   }
@@ -496,17 +499,17 @@ public:
     std::vector<std::int32_t> counts(sums.size(), 0);
     std::vector<unsigned char> voxels;
     const std::int64_t piece = this->RowsAtOnce();
-    for (std::int64_t s = 0; s < this->Side[2]; ++s)
+    for (std::int64_t s = 0; s < this->Stride[2]; ++s)
     {
       for (std::int64_t row = firstRow; row < endRow; row += piece)
       {
         const std::int64_t rows = std::min(piece, endRow - row);
         const auto at = static_cast<std::size_t>(this->Count[0] * (row - firstRow));
-        this->ReadVoxels(section * this->Side[2] + s, row, rows, voxels);
+        this->ReadVoxels(section * this->Stride[2] + s, row, rows, voxels);
         this->AddVoxels(rows, voxels, &sums[at], &counts[at]);
         Report(progress,
           static_cast<double>(s * (endRow - firstRow) + row + rows - firstRow) /
-            static_cast<double>(this->Side[2] * (endRow - firstRow)));
+            static_cast<double>(this->Stride[2] * (endRow - firstRow)));
       }
     }
     for (std::int64_t row = firstRow; row < endRow; ++row)
@@ -526,8 +529,8 @@ private:
   void ReadVoxels(std::int64_t section, std::int64_t row, std::int64_t rows,
     std::vector<unsigned char>& voxels) const
   {
-    const Index3 first{ 0, row * this->Side[1], section },
-      count{ this->Count[0] * this->Side[0], rows * this->Side[1], 1 };
+    const Index3 first{ 0, row * this->Stride[1], section },
+      count{ this->Count[0] * this->Stride[0], rows * this->Stride[1], 1 };
     MRCSelection part;
     for (std::size_t f = 0; f < 3; ++f)
     {
@@ -568,18 +571,18 @@ private:
   {
     // Of the axes x, y, z of the voxels that were read, columns are those of the smaller number.
     const bool columnsFirst = this->Layout.OutputAxis[0] < this->Layout.OutputAxis[1];
-    const std::int64_t columns = this->Count[0] * this->Side[0];
-    const std::int64_t columnStep = columnsFirst ? 1 : rows * this->Side[1];
+    const std::int64_t columns = this->Count[0] * this->Stride[0];
+    const std::int64_t columnStep = columnsFirst ? 1 : rows * this->Stride[1];
     const std::int64_t rowStep = columnsFirst ? columns : 1;
-    for (std::int64_t r = 0; r < rows * this->Side[1]; ++r)
+    for (std::int64_t r = 0; r < rows * this->Stride[1]; ++r)
     {
-      const std::int64_t to = this->Count[0] * (r / this->Side[1]);
+      const std::int64_t to = this->Count[0] * (r / this->Stride[1]);
       for (std::int64_t c = 0; c < this->Count[0]; ++c)
       {
         double sum = sums[to + c];
         std::int32_t count = counts[to + c];
-        const T* at = voxels + r * rowStep + c * this->Side[0] * columnStep;
-        for (std::int64_t k = 0; k < this->Side[0]; ++k, at += columnStep)
+        const T* at = voxels + r * rowStep + c * this->Stride[0] * columnStep;
+        for (std::int64_t k = 0; k < this->Stride[0]; ++k, at += columnStep)
         {
           const auto value = static_cast<double>(*at);
           if (!this->Ignored || value != *this->Ignored)
@@ -598,10 +601,6 @@ private:
   const MRCVoxelLayout& Layout;
   std::optional<double> Ignored;
   float* Out;
-  Index3 First{};
-  Index3 Count{}; ///< of means
-  Index3 Side{};  ///< of a box
-  Index3 OutStep{};
 };
 
 }

@@ -316,7 +316,9 @@ void vtkMRCMapReader::SetCropExtent(const int extent[6])
 
 int vtkMRCMapReader::CanReadFile(const char* fileName)
 {
-  return isthmus::CanRead(fileName, isthmus::LooksLikeMRCFile);
+  return isthmus::CanRead(fileName,
+    [](const std::string& path)
+    { return isthmus::LooksLikeMRCFile(path) || isthmus::IsNamedAsMRCFile(path); });
 }
 
 template <typename Body>

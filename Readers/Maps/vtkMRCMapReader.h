@@ -124,8 +124,9 @@ public:
   vtkBooleanMacro(Strict, bool);
   ///@}
 
-  /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), else 0. The
-  /// name has no effect. Issues no messages on errors. Reads 1 KB.
+  /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), or if its name
+  /// ends like that of a map, so that reading it reports what is wrong; else 0. Issues no messages
+  /// on errors. Reads 1 KB.
   virtual int CanReadFile(const char* fileName);
 
   /// The arrays that the reader adds to its outputs.

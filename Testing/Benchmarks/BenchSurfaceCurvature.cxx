@@ -99,6 +99,11 @@ BENCHMARK_CAPTURE(
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime()
   ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(
+  Curvature, normal_fit, CurvatureEstimate::NormalFit, CurvatureNeighbourhood::OneRing)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(VTKCurvatures, gauss, VTK_CURVATURE_GAUSS)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(VTKCurvatures, mean, VTK_CURVATURE_MEAN)->Unit(benchmark::kMillisecond);
 BENCHMARK(Measures)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();

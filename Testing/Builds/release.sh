@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Checks a release on one version of Debian: a clean root, both commands of README in it, a summary.
-# Usage: Testing/Builds/release.sh SUITE [example | plain] [ctest arguments]
+# Usage: Testing/Builds/release.sh SUITE [example | window | plain] [ctest arguments]
 #
 # The commands are ./Examples/run.sh and ./Testing/run.sh, the latter with --all: every test, whatever its
 # turn. The shared data are required.
 #
 # SUITE     bookworm, trixie, testing: a name that debootstrap knows
 # example   ./Examples/run.sh alone, and its numbers beside those of Debian 12
+# window    example, then ./Testing/run.sh --window: the tests of this ParaView's window
 # plain     Isthmus without ParaView on the suite's own VTK (libvtk9-dev): all unit tests
 #
 # Testing/Builds/tested_versions.py then writes the table of the guide from what is left in the logs.
@@ -31,8 +32,8 @@ if [ "${1:-}" = plain ]; then
   kind=plain
   name=$suite-plain
   shift
-elif [ "${1:-}" = example ]; then
-  kind=example
+elif [ "${1:-}" = example ] || [ "${1:-}" = window ]; then
+  kind=$1
   shift
 fi
 make_root "$suite" "$name"
@@ -60,7 +61,12 @@ if [ $kind != plain ]; then
   inside "source cmake/setup.sh && use_build_tree && with_display pvpython Testing/Builds/main_job_numbers.py \
     build/example build/numbers.json" 2>&1 | tee "$logs/$name-numbers.txt" || failed=1
 fi
-if [ $kind = example ]; then
+if [ $kind = window ]; then
+  say "./Testing/run.sh --window"
+  inside "./Testing/run.sh --window $arguments" >"$logs/$name-window.log" 2>&1 || failed=1
+  tail -n 40 "$logs/$name-window.log"
+fi
+if [ $kind = example ] || [ $kind = window ]; then
   exit $failed
 fi
 if [ $kind = paraview ]; then

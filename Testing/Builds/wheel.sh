@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
 # The Python wheel: built from this tree in a clean environment, repaired (libraries bundled, except VTK's), measured,
 # and tested where only pip's packages are: functions, panels, classes, the command, with the newest and the oldest VTK
-# that it accepts; then with PyVista, and the notebooks.
-# Usage: Testing/Builds/wheel.sh [--smoke | --units] [FOLDER]
+# that it accepts; then with PyVista, and the notebooks. Where the tree has a build, results of a few surfaces and of five maps are
+# compared with those of its pvpython.
+# Usage: Testing/Builds/wheel.sh [--smoke | --units | --results | --times] [FOLDER]
 #   --smoke   no PyVista and no notebooks: the tests of functions and the command
 #   --units   the unit tests in C++ as well, on the libraries of the installed wheel: half an hour more to compile
+#   --results no other tests than the comparison with pvpython, on all surfaces
+#   --times   no tests: size, time of import and of the first filter
 #   FOLDER    the build tree, where environments, wheel and pictures go as well; default: build_wheel/ in the tree
 # ISTHMUS_WHEEL: an existing wheel to test instead of building one. ISTHMUS_PYTHON: the Python that it is for; in the folder
-# of another one only wrapping and linking are done again. Exit status 77: PyPI cannot be reached, or a
-# package of Debian to build with is missing; the message says which.
+# of another one only wrapping and linking are done again. ISTHMUS_BUILD_DIR: the build with pvpython's package, by default build/ in
+# the tree. Exit status 77: PyPI cannot be reached, or a package of Debian to build with is missing; the message says which.
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scope=usual
 case "${1:-}" in
-  --smoke | --units)
+  --smoke | --units | --results | --times)
     scope=${1#--}
     shift
     ;;
@@ -23,6 +26,7 @@ mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 python=${ISTHMUS_PYTHON:-python3}
 limit=30000000 # bytes
+build=$(realpath -m "${ISTHMUS_BUILD_DIR:-$source_dir/build}")
 data=${ISTHMUS_DATA_DIR:-${ISTHMUS_DEFAULT_DATA_DIR:-$source_dir/../shared/data}}
 
 say() { printf '\n== %s\n' "$*"; }
@@ -50,6 +54,8 @@ if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
+  # Pythons of other origin would choose compilers of other names, and all would be compiled again.
+  export CC=${CC:-gcc} CXX=${CXX:-g++}
   rm -rf "$folder/raw" "$folder/dist"
   # Sources with CGAL take 3 GB of memory each.
   CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} "$folder/build_env/bin/python" -m build --wheel \
@@ -63,7 +69,10 @@ if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   PATH="$folder/build_env/bin:$PATH" "$folder/build_env/bin/auditwheel" repair --exclude 'libvtk*' --wheel-dir "$folder/dist" "$folder"/raw/isthmus-*.whl \
     >"$folder/repair.log" 2>&1 || { tail -n 20 "$folder/repair.log" >&2; exit 1; }
   ISTHMUS_WHEEL=$(echo "$folder"/dist/isthmus-*.whl)
+  say "The wheel that pip takes where there are two minor versions of VTK"
+  "$folder/build_env/bin/python" -B "$source_dir/Testing/Builds/wheel_versions.py"
 fi
+ISTHMUS_WHEEL=$(realpath "$ISTHMUS_WHEEL")
 size=$(stat -c %s "$ISTHMUS_WHEEL")
 say "$(basename "$ISTHMUS_WHEEL"): $((size / 1000)) kB"
 [ "$size" -lt $limit ] || { echo "The wheel is larger than $limit bytes." >&2; exit 1; }
@@ -80,6 +89,30 @@ tests()
     "$1" -B "$source_dir/Testing/Python/$test.py"
   done
   PATH="$(dirname "$1"):$PATH" "$1" -B "$source_dir/Testing/Builds/wheel_command.py" "$data"
+}
+
+# results PYTHON [SURFACES]: beside those of pvpython on the same triangles, all or so many surfaces
+results()
+{
+  if [ ! -e "$build/lib/isthmus/plugins/Isthmus/Isthmus.so" ] || [ ! -d "$data" ]; then
+    echo "skipped: no build in $build, or no shared data"
+    return
+  fi
+  say "Results beside those of pvpython"
+  local script=$source_dir/Testing/Builds/wheel_results.py
+  cd "$folder"
+  rm -rf triangles
+  mkdir triangles
+  ln -s "$(realpath "$data/maps")" triangles/maps
+  "$1" -B "$script" --triangles "$data" "$folder/triangles"
+  "$1" -B "$script" "$folder/triangles" wheel.json "${@:2}" >results.log
+  (
+    ISTHMUS_BUILD_DIR=$build
+    source "$source_dir/cmake/setup.sh"
+    use_build_tree
+    with_display pvpython "$script" "$folder/triangles" pvpython.json "${@:2}" >>results.log
+  )
+  "$1" -B "$script" --compare wheel.json pvpython.json
 }
 
 # unit_tests: compiled beside the same sources, run on the libraries of the wheel
@@ -103,8 +136,17 @@ unit_tests()
     --output-on-failure -E InnerAlgorithm.AllocationFailureIsOneErrorOfTheOuterFilter -j "${ISTHMUS_JOBS:-$(nproc)}" | tail -n 40
 }
 
-say "Tests with vtk and numpy alone"
 fresh plain_env "$ISTHMUS_WHEEL"
+say "Size and times"
+"$folder/plain_env/bin/python" -B "$source_dir/Testing/Builds/wheel_times.py" "$ISTHMUS_WHEEL"
+if [ $scope = times ]; then
+  exit 0
+fi
+if [ $scope = results ]; then
+  results "$folder/plain_env/bin/python"
+  exit
+fi
+say "Tests with vtk and numpy alone"
 tests "$folder/plain_env/bin/python"
 if [ $scope = smoke ]; then
   exit 0
@@ -129,6 +171,7 @@ for test in $(grep -l 'import isthmus' $(grep -LE 'paraview|pvpython|pvbatch|rob
       ;;
   esac
 done
+results "$folder/plain_env/bin/python" 8
 if [ $scope = units ]; then
   unit_tests
 fi

@@ -5,8 +5,9 @@
     wheel_results.py --triangles DATA FOLDER   writes all surfaces of DATA into FOLDER as triangles, by the VTK of the
                                                Python that runs it: with these, vtkOBJReader and vtkTriangleFilter of
                                                another version have no part in the results
-    wheel_results.py --compare A.json B.json   counts must be equal; prints the largest relative difference of each real
+    wheel_results.py --compare A.json B.json   prints what differs; exit status 1 if anything does
 """
+import hashlib
 import json
 import pathlib
 import sys
@@ -14,12 +15,15 @@ import warnings
 
 SURFACES = (".off", ".obj", ".stl", ".ply", ".vtp")
 MAPS = ("EMD-3197.map", "emd_1832.map", "1mru.map", "tiny1.map", "D7.ccp4")
-TOLERANCE = 1e-10
 
 
 def column(attributes, name):
     array = attributes.GetArray(name)
     return [] if array is None else [array.GetComponent(i, 0) for i in range(array.GetNumberOfTuples())]
+
+
+def digest(*arrays):
+    return hashlib.sha256(b"".join(bytes(memoryview(array)) for array in arrays)).hexdigest()
 
 
 def of_surface(isthmus, surface):
@@ -31,6 +35,8 @@ def of_surface(isthmus, surface):
     kinds = column(made.loops.GetCellData(), "Kind")
     found.update({f"kind {kind}": kinds.count(kind) for kind in (0, 1, 2)})
     found.update({"pairs": made.persistence_diagram.GetNumberOfRows(),
+                  "points and cells of the loops": digest(made.loops.GetPoints().GetData(),
+                                                          made.loops.GetLines().GetConnectivityArray()),
                   "radii": sorted(column(made.loops.GetCellData(), "Radius")),
                   "lengths": sorted(column(made.loops.GetCellData(), "Length")),
                   "deaths": sorted(column(made.loops.GetCellData(), "Death"))})
@@ -106,19 +112,16 @@ def differences(a, b):
 
 def compare(a, b):
     print(f"VTK {a.pop('vtk')} and {b.pop('vtk')}")
-    worst, failures = {}, 0
+    failures = 0
     for name in sorted({*a, *b}):
         counts, reals = differences(a.get(name, {}), b.get(name, {}))
-        large = {key: value for key, value in reals.items() if not value <= TOLERANCE}
-        if counts or large:
-            print(name, *counts, *(f"{key} {value:.2g}" for key, value in large.items()), sep="\n    ")
+        counts += [f"{key}: relative difference {value:.2g}" for key, value in reals.items() if value]
+        if counts:
+            print(name, *counts, sep="\n    ")
         failures += bool(counts)
-        for key, value in reals.items():
-            worst[key] = max(worst.get(key, 0.0), value)
-    print(f"{len(a)} results, {failures} with other counts; largest relative differences:")
-    for key, value in worst.items():
-        print(f"  {key}: {value:.2g}")
-    return 1 if failures else 0
+    refused = sum("error" in result for result in a.values())
+    print(f"{len(a)} results, {failures} with differences; {refused} are errors")
+    return 1 if failures or refused * 2 > len(a) else 0
 
 
 def main():

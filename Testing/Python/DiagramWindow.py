@@ -13,9 +13,7 @@ from pathlib import Path
 import numpy
 from paraview import simple
 from shared_data import shared_data
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
-from window_play import button, click, complaints, drag, play
+from window_play import button, click, complaints, drag, pixels_of_window, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "DiagramWindow"
 PAUSE = ("pqClientMainWindow", "pause", "2000")
@@ -29,13 +27,7 @@ VERMILION, BLUE = (213, 94, 0), (0, 114, 178)
 
 
 def window(name):
-    path = FOLDER / f"{name}.png"
-    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
-    return pixels.reshape(1000, 1600, 3)[::-1].astype(int)
+    return pixels_of_window(FOLDER / f"{name}.png")
 
 
 def count(pixels, part, colour, slack=40):

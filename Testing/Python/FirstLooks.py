@@ -116,12 +116,14 @@ def check_first_values():
     assert other.Level == before  # no density map
     # A map that a menu denoises is seen as a surface with a level, not as a box.
     view = simple.GetActiveViewOrCreate("RenderView")
+    before = simple.Show(by_hand, view)
     denoised = simple.DenoiseMap(Input=density)
     look.first_values(denoised.GetGlobalID())
     look.first_look(simple.Show(denoised, view).GetGlobalID())
     assert visible(view) == ["MapSurface"], visible(view)
     (surface,) = [surface for surface in named("MapSurface") if surface.Input.SMProxy == denoised.SMProxy]
     assert not surface.AutomaticLevel and simple.GetActiveSource() == denoised
+    assert not before.Visibility, "the denoised surface is drawn over that of the map"
     for proxy in list(simple.GetSources().values()):
         simple.Delete(proxy)
 
@@ -145,6 +147,12 @@ def check_looks(density, atoms):
     colours = list(simple.GetColorTransferFunction("Potential").RGBPoints)
     assert (colours[0], colours[-4]) == (-5.0, 5.0), colours
     assert colours[1] > 2 * colours[3] and colours[-1] > 2 * colours[-3], colours
+    again = simple.Show(simple.OutputPort(solved.Input, 1), simple.CreateView("RenderView"), "GeometryRepresentation")
+    look.colours.colour_by(again, "POINTS", "Potential")
+    colours = list(simple.GetColorTransferFunction("Potential").RGBPoints)
+    assert (colours[0], colours[-4]) == (-5.0, 5.0), "a second view rescales the legend"
+    simple.Delete(simple.GetActiveView())
+    simple.SetActiveView(view)
 
     handles = simple.MapHandles(Input=density, Scalars=["POINTS", "Density"])
     chart = simple.CreateView("XYChartView")

@@ -41,7 +41,8 @@ packed.write_bytes(gzip.compress(shared_data("molecules/4pti.pdb").read_bytes())
 with_ligand = take("with_ligand.pdb", "molecules/1hew.pdb")
 cif = take("protein.cif", "molecules/1FAS.cif")
 charged = take("charged.pqr", "molecules/1crn_apbs.pqr")
-volume = take("volume.map", "maps/emd_1832.map")
+# not `volume`: ParaView's Programmable Filter puts a function of that name into the user's names
+density = take("volume.map", "maps/emd_1832.map")
 surface = take("surface.obj", "surfaces/torus.obj")
 trajectory = home / "trajectory.pdb"
 ring_models.write(trajectory, 3)
@@ -119,8 +120,8 @@ clear()
 press("protein_to_surface", protein)
 assert len(named("AtomSelection")) == 1  # no ligands: nothing to show
 clear()
-for button, path in (("protein_to_pockets", packed), ("map_to_surface", volume), ("map_to_curvature", volume),
-                     ("map_to_loops", volume), ("surface_to_loops", surface), ("trajectory_to_loops", trajectory)):
+for button, path in (("protein_to_pockets", packed), ("map_to_surface", density), ("map_to_curvature", density),
+                     ("map_to_loops", density), ("surface_to_loops", surface), ("trajectory_to_loops", trajectory)):
     press(button, path)
     clear()
 
@@ -131,7 +132,7 @@ print(len(filters()), "filters")
 
 examples = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
 for script, *arguments in (
-        ("choking_loops.py", surface), ("electrostatics.py", charged), ("map_handles.py", volume),
+        ("choking_loops.py", surface), ("electrostatics.py", charged), ("map_handles.py", density),
         ("binding_sites.py", with_ligand), ("surface_regions.py", protein)):
     done = subprocess.run(["pvpython", str(examples / script), *map(str, arguments)], capture_output=True,
                           text=True, timeout=300, check=False)

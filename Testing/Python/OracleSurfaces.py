@@ -197,7 +197,7 @@ def surface_curvature(draw):
     filter_, tensor = isthmus.vtkSurfaceCurvature(), draw.chance(0.3)
     if tensor:
         h *= 2.0
-        settle(filter_, [data], Method=1, Neighbourhood=draw.choice([1, 2]), Radius=h)
+        settle(filter_, [data], Method=draw.choice([1, 2]), Neighbourhood=draw.choice([1, 2]), Radius=h)
     else:
         settle(filter_, [data], DualArea=draw.choice([0, 2]))
     output = filter_.GetOutput()

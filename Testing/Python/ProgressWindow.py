@@ -2,8 +2,9 @@
 
 While a button works, the status bar has its name, its step and a button Cancel. The loops of a trajectory are cancelled
 by mouse between two frames; potential and sites by the Escape key within Poisson Boltzmann; nothing that was made is
-left, and the note says so. Then the loops of a short trajectory are made to the end, with their chart. Pictures are kept
-beside the test's other output, for people to look at.
+left, and the note says so. Escape while a result is being shown comes too late, and does no harm. Then the loops of a
+short trajectory are made to the end, with their chart. Pictures are kept beside the test's other output, for people to
+look at.
 """
 
 import os
@@ -18,19 +19,13 @@ import window_home
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
-from window_play import STATUS_BAR, coloured_fraction, complaints, widen
-
-from paraview import servermanager
+from window_play import STATUS_BAR, coloured_fraction, complaints, place_of_button, widen
 
 PATIENCE = 150  # seconds for one step, on a machine with other things to do
 SOON = 15.0  # seconds from Cancel to its end, on such a machine
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ProgressWindow"
-VERSION = servermanager.vtkSMProxyManager.GetVersionMajor(), servermanager.vtkSMProxyManager.GetVersionMinor()
-# In a window of 1600 x 1000: the first button of our toolbar and the distance to the next; Cancel.
-BUTTON, NEXT = (
-    ((893, 116), 33) if VERSION > (6,) else ((827, 116), 33) if VERSION > (5, 12) else ((818, 122), 34))
-CANCEL = (30, 983)
-SITES, TRAJECTORY = 4, 10  # places in the toolbar
+CANCEL = (30, 983)  # in a window of 1600 x 1000
+SITES, POCKETS, TRAJECTORY = 4, 7, 10  # places in the toolbar
 
 
 def xdotool(*arguments):
@@ -89,7 +84,7 @@ class Session:
 
     def press(self, place):
         def act():
-            xdotool("mousemove", BUTTON[0] + place * NEXT, BUTTON[1], "sleep", "0.7", "click", "1")
+            xdotool("mousemove", *place_of_button(place), "sleep", "0.7", "click", "1")
 
         act()
         self.until("begins", again=act)
@@ -142,7 +137,7 @@ def escape():
 FOLDER.mkdir(parents=True, exist_ok=True)
 ring_models.write(FOLDER / "long.pdb", 60)
 ring_models.write(FOLDER / "ring.pdb", 4)
-chosen = sys.argv[1:] or ["frames", "filter", "chart"]
+chosen = sys.argv[1:] or ["frames", "filter", "late", "chart"]
 if "frames" in chosen:
     with Session("frames", FOLDER / "long.pdb") as session:
         session.press(TRAJECTORY)
@@ -152,6 +147,18 @@ if "filter" in chosen:
         xdotool("mousemove", *STATUS_BAR, "click", "1")
         session.press(SITES)
         session.cancel("1hew potential", escape)
+if "late" in chosen:
+    os.environ["ISTHMUS_SESSION_ESCAPE"] = "1"
+    with Session("late", shared_data("molecules/1hew.pdb")) as session:
+        xdotool("mousemove", *STATUS_BAR, "click", "1")
+        session.press(POCKETS)
+        session.until("ends")
+        assert "1hew residue names" in session.lines("ends")[0][2], session.lines("ends")
+        time.sleep(2)
+        assert session.paraview.poll() is None and not session.lines("note"), session.lines("note")
+        print(f"late: {session.picture('shown')}")
+        session.has_no_complaints()
+    del os.environ["ISTHMUS_SESSION_ESCAPE"]
 if "chart" in chosen:
     with Session("chart", FOLDER / "ring.pdb") as session:
         session.press(TRAJECTORY)

@@ -43,7 +43,7 @@ NEEDS = {
     **{(name, bound): {"OutputArrays": ["SurfaceType"]}
        for name in ("CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature")
        for bound in ("FlatTolerance", "GaussianTolerance", "MeanTolerance")},
-    ("SurfaceCurvature", "Radius"): {"Neighbourhood": 1},
+    ("SurfaceCurvature", "Radius"): {"Method": 2},
     ("TetCutaway", "SeedFace"): {"NumberOfCells": 5},
     ("TetCutaway", "SeedMode"): {"NumberOfCells": 5},
     ("TetCutaway", "SeedPoint"): {"NumberOfCells": 5},

@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 ROOT = Path(__file__).resolve().parents[2]
 text = (ROOT / "Filters/Pockets/SiteModelTable.cxx").read_text()
 header = (ROOT / "Filters/Pockets/PocketSites.h").read_text()
-REACH = float(re.search(r"DensityReach = ([0-9.]+)", header)[1])
+REACH, CROWDING = (float(re.search(name + r"Reach = ([0-9.]+)", header)[1]) for name in ("Density", "Crowding"))
 
 
 def numbers(name):
@@ -43,9 +43,13 @@ def place_probabilities(values):
     return 1.0 / (1.0 + numpy.exp(-odds))
 
 
-def density_at(place, places, probabilities):
-    d2 = ((places - place) ** 2).sum(axis=1) / REACH**2
-    weights = probabilities * numpy.where(d2 < 1.0, (1.0 - d2) ** 2, 0.0)
+def kernel(place, places, reach):
+    d2 = ((places - place) ** 2).sum(axis=1) / reach**2
+    return numpy.where(d2 < 1.0, (1.0 - d2) ** 2, 0.0)
+
+
+def density_at(place, places, weights):
+    weights = weights * kernel(place, places, REACH)
     return weights.sum(), weights @ places / weights.sum()
 
 
@@ -73,8 +77,9 @@ for name, lines, mask in list(tools.complexes())[:3]:
     table = tools.columns(finder.GetPocketTable())
     centers = tools.centers(finder)
     densities = []
+    weights = probabilities / numpy.sqrt([kernel(place, places, CROWDING).sum() for place in places])
     for center in centers:
-        density, after = density_at(center, places, probabilities)
+        density, after = density_at(center, places, weights)
         densities.append(density)
         assert numpy.linalg.norm(after - center) < 1e-3, (name, after, center)
     densities = numpy.array(densities)
@@ -105,9 +110,19 @@ copies = evaluation.Copies(lines)
 ligand = numpy.array([[1.0, 2.0, 0.5], [2.0, 2.0, 0.5]])
 there = numpy.array([49.0, -2.0, 3.5])
 nowhere = numpy.array([20.0, 30.0, 0.0])
-miss, hit, groups = evaluation.three_counts(numpy.array([nowhere, there, ligand[0]]), ligand, copies)
-assert miss == [False, False, True] and hit == [False, True, True], (miss, hit)
-assert groups == [False, True], groups  # the two copies are one
+centers = numpy.array([nowhere, there, ligand[0]])
+counts = evaluation.counts_of(centers, [ligand, ligand + [0.0, 9.0, 0.0]], copies)
+assert counts["copy a miss"].tolist() == [[False, False, True], [False] * 3], counts
+assert counts["copy a hit"].tolist() == [[False, True, True], [False] * 3], counts
+assert counts["copies one rank"].tolist() == [[False, True], [False, False]], counts  # the two copies are one
+assert counts["12 angstrom"].tolist() == [[False, False, True]] * 2, counts
+# Two ligands: the first two ranks, and the first four.
+assert evaluation.found_by([counts["copy a miss"]], 0) == [False, False]
+assert evaluation.found_by([counts["copy a miss"]], 2) == [True, False]
+assert evaluation.count_redundant(numpy.array([nowhere, ligand[0], ligand[1], nowhere + [0.0, 0.0, 4.9]])) == 2
+moved = list(evaluation.moved(1000 * lines[:1], random))
+shift = numpy.array([evaluation.place_of(line) for line in moved]) - evaluation.place_of(lines[0])
+assert abs((shift**2).sum(axis=1).mean() ** 0.5 - evaluation.NOISE) < 0.01
 
 # 400 pockets of which as many are right as the probability says, and 100 that say too much.
 probability = numpy.concatenate([numpy.repeat([0.1, 0.3, 0.5, 0.9], 100), numpy.repeat(0.7, 100)])

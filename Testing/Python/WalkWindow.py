@@ -17,17 +17,12 @@ import window_home
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
-from window_play import STATUS_BAR, coloured_fraction, complaints, widen
-
-from paraview import servermanager
+from window_play import STATUS_BAR, coloured_fraction, complaints, place_of_button, widen
 
 PATIENCE = 120  # seconds for one step, on a machine with other things to do
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "WalkWindow"
-VERSION = servermanager.vtkSMProxyManager.GetVersionMajor(), servermanager.vtkSMProxyManager.GetVersionMinor()
-# In a window of 1600 x 1000: the first button of our toolbar and the distance to the next, the menus File and Filters
-# and Search, the first entry of the latter, and the first source of the pipeline browser.
-BUTTON, NEXT = (
-    ((893, 116), 33) if VERSION > (6,) else ((827, 116), 33) if VERSION > (5, 12) else ((818, 122), 34))
+# In a window of 1600 x 1000: the menus File and Filters and Search, the first entry of the latter, and the first source
+# of the pipeline browser.
 FILE, FILTERS, SEARCH, FIRST_SOURCE = (20, 9), (209, 9), (230, 25), (100, 192)
 
 
@@ -167,7 +162,7 @@ def has(window, *kinds):
 def press(window, index, *kinds):
     """The button of that place in the toolbar."""
     def act():
-        click(BUTTON[0] + index * NEXT, BUTTON[1])
+        click(*place_of_button(index))
 
     act()
     window.until(f"button {index}", has(window, *kinds), act)

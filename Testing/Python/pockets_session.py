@@ -8,10 +8,9 @@ from paraview import simple
 from isthmus_plugin import pocket_views  # there once paraview.simple has loaded the plugin
 
 chosen = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "chosen.txt"
-choose = pocket_views.choose
 
 
-def choose_and_tell(features, number):
+def choose_and_tell(features, number, choose=pocket_views.choose):  # a name that numpy has, too
     choose(features, number)
     residues = pocket_views.residues_of(features)
     atoms = residues.GetDataInformation().DataInformation.GetNumberOfPoints()

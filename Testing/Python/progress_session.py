@@ -1,6 +1,7 @@
 """Opens the data of ProgressWindow.py, and writes down the steps that buttons report and the names of the sources."""
 
 import os
+import subprocess
 import time
 from pathlib import Path
 
@@ -39,7 +40,16 @@ def watched_run(function):
         vtkOutputWindow.GetInstance().RemoveObserver(observer)
 
 
+def show_after_escape(*proxies, **given):
+    """Escape is pressed when the result is about to be shown."""
+    subprocess.run(["xdotool", "key", "Escape"], check=True)
+    time.sleep(1)
+    return show(*proxies, **given)
+
+
 pipelines.run = watched_run
+if os.environ.get("ISTHMUS_SESSION_ESCAPE"):
+    show, pipelines.show = pipelines.show, show_after_escape
 
 source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
 simple.Show(source, simple.GetActiveViewOrCreate("RenderView"))

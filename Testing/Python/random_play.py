@@ -19,13 +19,14 @@ from pathlib import Path
 
 import window_home
 from shared_data import shared_data
-from window_play import STATUS_BAR, place_of, widen
+from window_play import PANELS, STATUS_BAR, place_of, place_of_button, widen
 
 FILES = ("maps/emd_1832.map", "molecules/1hew.pdb", "surfaces/torus.obj", "surfaces/sphere.off", "molecules/1ubq.pdb",
          "molecules/channels/1grm_hole_example.pdb", "maps/1ake.mrc")
 FREEZE = 240  # seconds, for a window that computes
-BUTTON, NEXT, BUTTONS = (818, 122), 34, 13  # of the toolbar, in ParaView 5.11 in a window of 1600 x 1000
-BROWSER, PANEL, VIEWS = (10, 180, 290, 420), (10, 480, 290, 950), (310, 190, 1590, 950)
+BUTTONS = 13  # of the toolbar
+# In a window of 1600 x 1000
+BROWSER, PANEL, VIEWS = (10, 180, PANELS - 10, 420), (10, 480, PANELS - 10, 950), (PANELS + 10, 190, 1590, 950)
 
 
 def xdotool(*arguments):
@@ -70,7 +71,7 @@ class Play:
 
     def button(self):
         number = self.draw.randrange(BUTTONS)
-        xdotool("mousemove", BUTTON[0] + NEXT * number, BUTTON[1], "sleep", 0.3, "click", 1)
+        xdotool("mousemove", *place_of_button(number), "sleep", 0.3, "click", 1)
         return number
 
     def open_file(self):

@@ -17,6 +17,8 @@ from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
+from paraview import servermanager
+
 PATIENCE = 200  # seconds for one session, on a machine with other things to do
 APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
 NOTHING_TO_APPLY = (APPLY[0], "check enabled", "false")
@@ -27,13 +29,23 @@ MENU = "pqClientMainWindow/menubar/menuFilters/Isthmus"
 # From 5.13 on the menu of a category is made when the menu Filters opens.
 OPEN_MENU = (("pqClientMainWindow/menubar", "activate", "menuFilters"),
              ("pqClientMainWindow/menubar/menuFilters", "activate", "Isthmus"))
-# The status bar, in a window of 1600 x 1000: a click there gives the window the keyboard, and does no more.
+VERSION = servermanager.vtkSMProxyManager.GetVersionMajor(), servermanager.vtkSMProxyManager.GetVersionMinor()
+# Places in a window of 1600 x 1000. The status bar: a click there gives the window the keyboard, and does no more.
 STATUS_BAR = (300, 987)
+# The first button of our toolbar and the distance to the next; the width of the panels to the left of the views.
+FIRST_BUTTON, NEXT_BUTTON = (
+    ((893, 116), 33) if VERSION > (6,) else ((827, 116), 33) if VERSION > (5, 12) else ((818, 122), 34))
+PANELS = 350 if VERSION > (6,) else 300
 
 
 def button(index):
     """Of the toolbar."""
     return (BUTTON % index, "activate", "")
+
+
+def place_of_button(index):
+    """Of the toolbar, for the mouse."""
+    return FIRST_BUTTON[0] + index * NEXT_BUTTON, FIRST_BUTTON[1]
 
 
 def entry(name):
@@ -162,15 +174,26 @@ def play(name, data, events, clicks, folder, keys=(), script=None, act=None):
     return log.read_text(errors="replace"), picture
 
 
-def pixels_of_view(path):
-    """height x width x 3, without bar, panels, toolbars and the blue frame of the active view, of any ParaView:
-    panels are 260 pixels wide in 5.11 and 350 in 6.1."""
+def pixels_of(path):
+    """A picture as numbers: height x width x 3, from the top."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-    return pixels.reshape(height, width, 3)[60:790, 360:1440]
+    return pixels.reshape(height, width, 3)[::-1]
+
+
+def pixels_of_window(path):
+    """Keeps a picture of the whole window as it is, and returns its pixels."""
+    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
+    return pixels_of(path)
+
+
+def pixels_of_view(path):
+    """height x width x 3 from the bottom, without bar, panels, toolbars and the blue frame of the active view, of any
+    ParaView: panels are 260 pixels wide in 5.11 and 350 in 6.1."""
+    return pixels_of(path)[::-1][60:790, 360:1440]
 
 
 def coloured_fraction(path):

@@ -8,10 +8,10 @@ phantoms, masked maps), each with white noise of 0.1, 0.3 and 1 standard deviati
 noise under a Gaussian of 1 voxel, of the same levels, and of 2 voxels. The other methods (from scipy and skimage:
 Gaussian, median, total variation and wavelets) use the setting with the smallest true error. Slow columns, which
 take a minute per row each: non-local means, BM4D and the oracle, the best of the filter's own family (linear:
-orders 0 to 3, 25 times; edge stopping: orders 0 to 2, four Sigmas, two presmoothings, five times). They are
+orders 0 to 3, 25 times; edge stopping: orders 0 to 2, four Sigmas, four presmoothings, five times). They are
 computed with --slow one (only for white noise of 0.3) or --slow all. Denoise Map is evaluated for both goals, and for
 volumes also with the noise level given. Prints Markdown: PSNR in dB, ratio of estimated to true noise level,
-estimated and true gain.
+estimated and true gain, and the table of the guide's page.
 
 With --halves: pairs of half maps. One half map is denoised without the other, and its Fourier shell correlation
 with the other half, up to the first shell below 0.143, is compared before and after; the mean of both is denoised
@@ -211,7 +211,7 @@ def family_oracle(noisy, truth, level):
     least = 10 * numpy.log10(numpy.ptp(truth) ** 2 / best)
     for order, times in ((0, (0.3, 1, 2, 4, 8)), (1, (0.03, 0.1, 0.3, 1, 3)), (2, (0.01, 0.03, 0.1, 0.3, 1))):
         for sigma in (0.5, 1, 2, 4):
-            for smoothing in (0.7, 1.4):
+            for smoothing in (0, 0.35, 0.7, 1.4):
                 before, volume = 0, noisy
                 for time in times:
                     volume, _ = filtered(isthmus.vtkHighOrderDiffusion, volume, Order=order, Sigma=sigma * level,
@@ -381,6 +381,17 @@ def summary(rows, title):
               f"lost by estimating the noise: {numpy.mean(lost):+.2f} dB on average.")
 
 
+def print_leads(rows):
+    """The table of the guide's page: the lead over the best tuned rival, in dB."""
+    noises = [noise for noise in ROWS if any((row["noise"], row["corr."]) == noise for row in rows)]
+    print("\n| volume | " + " | ".join(f"{level:g}" + (f", {length:g} voxels" if length else ", white")
+                                     for level, length in noises) + " |\n" + "|---" * (len(noises) + 1) + "|")
+    leads = {(row["volume"], row["noise"], row["corr."]): row["lead"] for row in rows}
+    for name in sorted(dict.fromkeys(row["volume"] for row in rows), key=lambda name: name not in ASIDE):
+        print(f"| {name}{' (held out)' if name in ASIDE else ''} | "
+              + " | ".join(f"{leads[(name, *noise)]:+.1f}" for noise in noises) + " |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data", type=Path)
@@ -415,6 +426,7 @@ def main():
                         ("Coloured noise", [r for r in rows if r["corr."] > 0])):
         if part:
             summary(part, title)
+    print_leads(rows)
 
 
 main()

@@ -1,12 +1,17 @@
-"""Measures how far the highest-ranked pockets are from the ligand. Compares Molecular Pockets with other programs,
-all without the ligand.
+"""Measures how far the highest-ranked pockets are from the ligands. Compares Molecular Pockets with other programs,
+all without the ligands.
 
 Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM] [--p2rank FOLDER] [--whole] [--each] [--sweep]
+       pvpython evaluate_pockets.py FOLDER --robustness 20 [--fpocket PROGRAM] [--whole]
 
 FOLDER contains ligands.csv (file, ligand_residue, chain, residue_number; optional: family) and the complexes listed
-there. The ligand's lines are removed from each file before all computations. Success: the center within 4 angstrom
-of an atom of the ligand; top-1 for the pocket that ranks first, top-3 for one of the first three. Intervals are 95
-% intervals from resampling the families (without that column, every file is a family).
+there, a file with several ligands in several rows. All ligands' lines are removed from a file before all computations.
+A ligand is found if a center is within 4 angstrom of one of its atoms. Recall is the share of ligands found, as in the
+LIGYSIS benchmark (J. Utges and G. Barton, J. Cheminform. 16 (2024) 126): by the first N pockets of a protein with N
+ligands (top-N), the first N + 2, or all; also with that benchmark's criterion, 12 angstrom between the
+center and the mean of the ligand's atoms. Redundancy is the number of pockets listed for one protein, and the share of them within 5
+angstrom of a better one. Intervals are 95 % intervals from resampling the families (without that column, every file
+is a family).
 
 There are three ways of counting a pocket at an equivalent copy of the ligand's place (the same place of a chain
 with the same residues, after superposition): as a miss, as a hit, or with all copies sharing one rank.
@@ -18,6 +23,10 @@ NAME*_predictions.csv of P2Rank for each file NAME.pdb. --whole adds whole pocke
 ranked by Score. --each prints the distances. --sweep: 40 settings of inner and outer radius of the
 whole pockets, and of 9 of them with burial radii of 8 to 12 angstrom and powers 0 to 3 of the
 number of atoms in the score, with each complex evaluated by the setting that is best on the others.
+
+--robustness N moves all atoms at random by 0.2 angstrom (root mean square), three times for the first file of N families
+at equal distances in the list (0: of all), and prints in how many runs the first center stays within 4
+angstrom of that of the unchanged file.
 """
 
 import argparse
@@ -35,7 +44,8 @@ import study_paths  # noqa: F401 (before isthmus)
 import isthmus
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-SUCCESS = 4.0  # angstrom
+SUCCESS, MEAN_SUCCESS, REDUNDANT = 4.0, 12.0, 5.0  # angstrom
+NOISE, MOVES = 0.2, 3  # root mean square in angstrom, and number of times
 INNER = numpy.linspace(1.5, 1.9, 5)
 OUTER = numpy.linspace(2.8, 3.5, 8)
 # Of the number of atoms around, these with every third radius: the rest would take half an hour.
@@ -50,21 +60,40 @@ def place_of(line):
     return [float(line[start : start + 8]) for start in (30, 38, 46)]
 
 
-def split(path, row):
-    """The file's lines with a mark for those of the ligand, and the ligand's atoms."""
+def split(path, rows):
+    """The file's lines without the ligands of these rows, and the atoms of each ligand."""
     opened = gzip.open if path.suffix == ".gz" else open
     with opened(path, "rt", errors="replace") as file:
         lines = [line for line in file if not line.startswith("ANISOU")]
-    ligand = {
+    ligands = [{
         i
         for i, line in enumerate(lines)
         if line.startswith("HETATM")
         and line[17:20].strip() == row["ligand_residue"]
         and row["chain"] in ("", line[21])
         and row["residue_number"] in ("", line[22:26].strip())
-    }
-    marked = [(line, i in ligand) for i, line in enumerate(lines)]
-    return marked, numpy.array([place_of(lines[i]) for i in sorted(ligand)])
+    } for row in rows]
+    protein = [line for i, line in enumerate(lines) if not any(i in ligand for ligand in ligands)]
+    return protein, [numpy.array([place_of(lines[i]) for i in sorted(ligand)]) for ligand in ligands]
+
+
+def complexes_of(folder):
+    """Of each file: its path, its family, and what split returns."""
+    rows = defaultdict(list)
+    for row in csv.DictReader(open(folder / "ligands.csv")):
+        rows[row["file"]].append(row)
+    for file, ligands in rows.items():
+        path = (folder / file).resolve()
+        yield path, ligands[0].get("family") or path.name.split(".")[0], *split(path, ligands)
+
+
+def moved(lines, random):
+    """The lines with all atoms moved at random."""
+    for line in lines:
+        if line.startswith(("ATOM", "HETATM")):
+            place = numpy.array(place_of(line)) + random.normal(0.0, NOISE / 3 ** 0.5, 3)
+            line = line[:30] + "{:8.3f}{:8.3f}{:8.3f}".format(*place) + line[54:]
+        yield line
 
 
 def by_isthmus(path, sites=True):
@@ -164,21 +193,30 @@ def distance(places, center):
     return numpy.linalg.norm(places - center, axis=1).min()
 
 
-def three_counts(centers, ligand, copies):
-    """For each counting rule, whether each rank succeeds."""
-    targets = copies.images(ligand)
-    miss = [distance(ligand, c) <= SUCCESS for c in centers]
-    hit = [min(distance(target, c) for target in targets) <= SUCCESS for c in centers]
+def counts_of(centers, ligands, copies):
+    """For each way of counting, whether each rank (column) finds each ligand (row)."""
+    within = lambda test: numpy.array([[test(ligand, c) for c in centers] for ligand in ligands], bool).reshape(
+        len(ligands), len(centers))
+    images = [copies.images(ligand) for ligand in ligands]
+    hit = numpy.array([[min(distance(image, c) for image in some) <= SUCCESS for c in centers] for some in images],
+                      bool).reshape(len(ligands), len(centers))
     groups = []
-    for center, success in zip(centers, hit):
-        images = copies.images(center)
+    for center, found in zip(centers, hit.T):
+        places = copies.images(center)
         for group in groups:
-            if min(numpy.linalg.norm(image[0] - group[0]) for image in images) <= SUCCESS:
-                group[1] |= success
+            if min(numpy.linalg.norm(place[0] - group[0]) for place in places) <= SUCCESS:
+                group[1] |= found
                 break
         else:
-            groups.append([center, success])
-    return miss, hit, [success for _, success in groups]
+            groups.append([center, found.copy()])
+    return {"copy a miss": within(lambda ligand, c: distance(ligand, c) <= SUCCESS), "copy a hit": hit,
+            "copies one rank": numpy.array([found for _, found in groups], bool).reshape(-1, len(ligands)).T,
+            "12 angstrom": within(lambda ligand, c: numpy.linalg.norm(ligand.mean(axis=0) - c) <= MEAN_SUCCESS)}
+
+
+def count_redundant(centers):
+    """Centers near a better one."""
+    return sum(len(centers[:i]) > 0 and distance(centers[:i], centers[i]) <= REDUNDANT for i in range(len(centers)))
 
 
 # ---------------------------------------------------------------------------- figures
@@ -198,19 +236,35 @@ def share_of(values, families):
     return f"{100 * numpy.mean(values):.1f} [{100 * low:.0f}, {100 * high:.0f}]"
 
 
-def print_summary(found, families):
-    """`found`: for each method, for each complex, the successes of the ranks by the three counts."""
-    counts = ("copy a miss", "copy a hit", "copies one rank")
-    print("| | " + " | ".join(f"{count}: top-{k}" for count in counts for k in (1, 3)) + " |")
-    print("|---|" + "---|" * 6)
-    for name, complexes in found.items():
-        cells = [share_of([any(one[count][:k]) for one in complexes], families)
-                 for count in range(3) for k in (1, 3)]
-        print(f"| {name} | " + " | ".join(cells) + " |")
-    first = next(iter(found.values()))
-    for name, complexes in list(found.items())[1:]:
-        gain = [any(a[0][:1]) - any(b[0][:1]) for a, b in zip(first, complexes)]
-        print(f"top-1 of {next(iter(found))} less that of {name}, pairs: {share_of(gain, families)}")
+def found_by(hits, more):
+    """Of each ligand of all files, whether one of the first N + more finds it."""
+    return [one[:len(hit) + more].any() for hit in hits for one in hit]
+
+
+EVERY = 10 ** 6
+RECALLS = [(f"top-{name}, {count}", count, more)
+           for count in ("copy a miss", "copy a hit", "copies one rank") for name, more in (("N", 0), ("N+2", 2))]
+RECALLS += [("all pockets, copy a miss", "copy a miss", EVERY), ("all pockets, copy a hit", "copy a hit", EVERY),
+            ("top-N, mean within 12 angstrom", "12 angstrom", 0), ("top-N+2, mean within 12 angstrom", "12 angstrom", 2)]
+
+
+def print_summary(counts, listed, families):
+    """`counts`: for each method, of each file, what counts_of returns; `listed`: its numbers of pockets and of
+    redundant ones."""
+    first = next(iter(counts))
+    each = [family for family, one in zip(families, counts[first]) for _ in one["copy a hit"]]
+    print("| recall, % | " + " | ".join(counts) + " |\n|---|" + "---|" * len(counts))
+    for title, count, more in RECALLS:
+        cells = [share_of(found_by([one[count] for one in files], more), each) for files in counts.values()]
+        print(f"| {title} | " + " | ".join(cells) + " |")
+    for title, values in (("pockets of a protein", lambda some: f"{some[:, 0].mean():.1f}"),
+                          ("near a better one, %", lambda some: f"{100 * some[:, 1].sum() / some[:, 0].sum():.1f}")):
+        print(f"| {title} | " + " | ".join(values(numpy.array(some)) for some in listed.values()) + " |")
+    for name in list(counts)[1:]:
+        for title, count, more in RECALLS[:4]:
+            ours, theirs = ([found_by([one[count] for one in counts[method]], more)] for method in (first, name))
+            gain = numpy.subtract(*(numpy.array(some[0], float) for some in (ours, theirs)))
+            print(f"{title}: {first} less {name}, pairs: {share_of(gain, each)}")
 
 
 def reliability_bins(probability, hit, least=50):
@@ -266,6 +320,35 @@ def print_sweep(table):
           "three {:.2f}".format(*left_out))
 
 
+def measure_robustness(options, methods):
+    """Prints how often the first center stays where it is when the atoms move."""
+    files = {}
+    for path, family, protein, _ in complexes_of(options.folder):
+        files.setdefault(family, (path.name.split(".")[0], protein))
+    chosen = list(files)
+    if options.robustness:
+        chosen = [chosen[i * len(chosen) // options.robustness] for i in range(min(options.robustness, len(chosen)))]
+    stays = defaultdict(list)
+    with tempfile.TemporaryDirectory() as folder:
+        for family in chosen:
+            name, protein = files[family]
+            file = Path(folder) / (name + ".pdb")
+            first = {}
+            for number in range(MOVES + 1):
+                file.write_text("".join(moved(protein, numpy.random.default_rng(number)) if number else protein))
+                for method, run in methods.items():
+                    centers = run(file, name)[0][:1]
+                    first.setdefault(method, []).append(centers[0] if len(centers) else numpy.full(3, numpy.inf))
+            for method, (unmoved, *others) in first.items():
+                distances = [numpy.linalg.norm(other - unmoved) for other in others]
+                stays[method].append([d <= SUCCESS for d in distances])
+                if options.each:
+                    print(f"{name}: {method}: " + " ".join(f"{d:.1f}" for d in distances), flush=True)
+    for method, some in stays.items():
+        print(f"{method}: the first center stays within {SUCCESS:g} angstrom in {numpy.sum(some)} of {numpy.size(some)} "
+              f"runs ({len(some)} proteins), {share_of(numpy.mean(some, axis=1), numpy.arange(len(some)))} %")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
@@ -273,6 +356,7 @@ def main():
     parser.add_argument("--p2rank", type=Path)
     for name in ("whole", "each", "sweep"):
         parser.add_argument("--" + name, action="store_true")
+    parser.add_argument("--robustness", type=int)
     options = parser.parse_args()
     methods = {"Molecular Pockets": lambda path, name: by_isthmus(path)}
     if options.whole:
@@ -281,30 +365,34 @@ def main():
         methods["fpocket"] = lambda path, name: by_fpocket(options.fpocket, path)
     if options.p2rank:
         methods["P2Rank"] = lambda path, name: by_p2rank(options.p2rank, name)
-    found, families, sweep, pockets = {name: [] for name in methods}, [], {}, []
-    for row in csv.DictReader(open(options.folder / "ligands.csv")):
-        path = (options.folder / row["file"]).resolve()
-        lines, ligand = split(path, row)
+    if options.robustness is not None:
+        return measure_robustness(options, methods)
+    counts, listed = {name: [] for name in methods}, {name: [] for name in methods}
+    families, sweep, pockets = [], {}, []
+    for path, family, protein, ligands in complexes_of(options.folder):
         name = path.name.split(".")[0]
-        families.append(row.get("family") or name)
-        protein = [line for line, is_ligand in lines if not is_ligand]
+        families.append(family)
         copies = Copies(protein)
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / (name + ".pdb")
             file.write_text("".join(protein))
             for method, run in methods.items():
                 centers, probabilities = run(file, name)
-                found[method].append(three_counts(centers, ligand, copies))
+                counts[method].append(counts_of(centers, ligands, copies))
+                listed[method].append((len(centers), count_redundant(centers)))
                 if probabilities is not None:
-                    pockets += [(p, hit, families[-1]) for p, hit in zip(probabilities, found[method][-1][0])]
+                    right = counts[method][-1]["copy a miss"].any(axis=0)
+                    pockets += [(p, hit, family) for p, hit in zip(probabilities, right)]
                 if options.each:
-                    print(f"{name}: {method}: " + " ".join(f"{distance(ligand, c):.1f}" for c in centers[:5]), flush=True)
+                    away = [min(distance(ligand, c) for ligand in ligands) for c in centers[:5]]
+                    print(f"{name}: {method}: " + " ".join(f"{d:.1f}" for d in away), flush=True)
             for setting in SETTINGS if options.sweep else ():
                 for power, centers in by_scores(file, *setting).items():
-                    d = [distance(ligand, c) for c in centers] or [numpy.inf]
+                    d = [min(distance(ligand, c) for ligand in ligands) for c in centers] or [numpy.inf]
                     sweep.setdefault((*setting, power), []).append((d[0] <= SUCCESS, min(d[:3]) <= SUCCESS))
-    print(f"{len(families)} complexes, {len(set(families))} families\n")
-    print_summary(found, families)
+    print(f"{len(families)} proteins of {len(set(families))} families, "
+          f"{sum(len(one['copy a hit']) for one in next(iter(counts.values())))} ligands\n")
+    print_summary(counts, listed, families)
     if pockets:
         print_reliability(*zip(*pockets))
     if sweep:

@@ -1,16 +1,20 @@
 """Trains the site model of Molecular Pockets and measures its performance on unseen families.
 
+    python3 train_site_model.py collect PDBBIND SET FOLDER           # SET: "further" or "left out"
     /usr/bin/python3 train_site_model.py describe FOLDER OUT.npz     # needs isthmus (PV_PLUGIN_PATH)
     python3 train_site_model.py train OUT.npz ... [--test OUT.npz] [--table SiteModelTable.cxx]
 
-FOLDER has the same layout as for evaluate_pockets.py, with a column family in ligands.csv. train needs numpy,
+FOLDER has the same layout as for evaluate_pockets.py, with a column family in ligands.csv. collect writes it for the
+entries of site_model_entries.tsv, from a clone of a repository that has PDBbind's files ID/ID_protein.pdb and
+ID/ID_ligand.mol2. train needs numpy,
 scipy, scikit-learn and lightgbm (4.7.0 made the shipped table), and no Isthmus. Places are the tetrahedra of
 pockets; a place is positive if an atom of the ligand lies within 3 angstrom. Every family of proteins has the same
 weight, and at most 4 complexes per family are used from each file.
 
 Printed: cross-validation over families (with --nested, the kernel's reach and the number of trees are chosen within
 each outer fold), intervals by resampling families, with --curve the learning curve, and calibration on left-out
-families. --table writes the C++ source of the model trained on all data.
+families. --table writes the C++ source of the model trained on all data, --centers the sites of the cross-validation
+into a folder, in the form in which evaluate_pockets.py reads those of P2Rank.
 """
 
 import argparse
@@ -24,26 +28,50 @@ import numpy
 
 NEAR, SUCCESS, SPACING, AROUND = 3.0, 4.0, 8.0, 10.0  # angstrom
 LEAST = 0.01  # of the largest density, for a site
+ENTRIES = Path(__file__).with_name("site_model_entries.tsv")
 PER_FAMILY, FOLDS = 4, 5
 PLACES = (150, 350)  # of each complex that take part: the largest number of right ones and of wrong ones
-REACHES, TREES = (5.0, 6.0, 7.0), (80, 160)
-SHIPPED = 6.0, 160  # kernel's reach (PocketSites.h) and number of trees
+REACHES, TREES = (6.0, 8.0, 10.0), (80, 160)
+SHIPPED = 10.0, 160  # kernel's reach (PocketSites.h) and number of trees
+CROWDING = 2.5
 PARAMETERS = {"objective": "binary", "num_leaves": 12, "learning_rate": 0.06, "min_data_in_leaf": 200,
               "bagging_fraction": 0.7, "bagging_freq": 1, "feature_fraction": 0.4, "lambda_l2": 20.0,
               "num_threads": 1, "deterministic": True, "force_row_wise": True, "seed": 1, "verbose": -1}
 
 
+# ---------------------------------------------------------------------------- complexes of PDBbind
+
+def collect(source, chosen, folder):
+    folder.mkdir(parents=True)
+    with open(folder / "ligands.csv", "w", newline="") as file:
+        table = csv.writer(file)
+        table.writerow(["file", "ligand_residue", "chain", "residue_number", "family"])
+        for row in csv.DictReader(open(ENTRIES), delimiter="\t"):
+            for entry in row["entries"].split() if row["set"].endswith(chosen) else ():
+                lines = (source / entry / f"{entry}_protein.pdb").read_text().splitlines()
+                lines = [line for line in lines if not line.startswith(("END", "CONECT", "MASTER"))]
+                atoms = (source / entry / f"{entry}_ligand.mol2").read_text().split("@<TRIPOS>")
+                for line in next(part for part in atoms if part.startswith("ATOM")).splitlines()[1:]:
+                    number, name, x, y, z, kind = line.split()[:6]
+                    element = kind.split(".")[0].upper()
+                    if element not in ("H", "D", "DU", "LP"):
+                        lines.append(f"HETATM{number:>5} {name[:4]:4} LIG Z   1    {float(x):8.3f}{float(y):8.3f}"
+                                     f"{float(z):8.3f}  1.00  0.00          {element:>2}")
+                (folder / f"{entry}.pdb").write_text("\n".join([*lines, "END", ""]))
+                table.writerow([f"{entry}.pdb", "LIG", "Z", "1", row["family"]])
+
+
 # ---------------------------------------------------------------------------- descriptors, by Isthmus
 
 def atoms_of(lines):
-    """Positions of the heavy atoms of a polymer, numbers of their residues (the same for copies of a chain)
-    and of their chains (by name)."""
+    """Positions of the heavy atoms of a polymer, and the words and numbers of their residues (SiteAtom)."""
     atoms = [line for line in lines if line.startswith("ATOM") and line[76:78].strip() not in ("H", "D")
              and line[12:16].strip("0123456789 ")[:1] not in ("H", "D")]
-    numbers = lambda words: numpy.unique(words, return_inverse=True)[1]
     places = numpy.array([[float(line[start:start + 8]) for start in (30, 38, 46)] for line in atoms])
-    return places.reshape(-1, 3), numbers([line[17:20] + line[22:27] for line in atoms]), \
-        numbers([line[21] for line in atoms])
+    residues, number = numpy.unique([line[21:27] + line[17:20] for line in atoms], return_inverse=True)
+    words = [" ".join(other[6:] if other[0] == residues[i][0] else "" for other in residues[max(0, i - 3):i + 4])
+             for i in range(len(residues))]
+    return places.reshape(-1, 3), numpy.unique(words, return_inverse=True)[1][number], number
 
 
 def describe(folder, out):
@@ -54,10 +82,10 @@ def describe(folder, out):
 
     columns = defaultdict(list)
     for row in csv.DictReader(open(folder / "ligands.csv")):
-        lines, ligand = split((folder / row["file"]).resolve(), row)
+        lines, (ligand,) = split((folder / row["file"]).resolve(), [row])
         with tempfile.TemporaryDirectory() as temporary:
             path = Path(temporary) / "protein.pdb"
-            path.write_text("".join(line for line, is_ligand in lines if not is_ligand))
+            path.write_text("".join(lines))
             reader = isthmus.vtkMacromoleculeReader()
             reader.SetFileName(str(path))
             finder = isthmus.vtkMolecularPockets()
@@ -78,9 +106,9 @@ def describe(folder, out):
         columns["places"].append(places)
         columns["distances"].append(distances)
         columns["ligand"].append(ligand)
-        atoms, residue, chain = atoms_of([line for line, is_ligand in lines if not is_ligand])
+        atoms, word, number = atoms_of(lines)
         columns["atoms"].append(atoms)
-        columns["words"].append(numpy.stack([residue, chain], axis=1))
+        columns["words"].append(numpy.stack([word, number], axis=1))
     names = [array.GetComponentName(k) for k in range(array.GetNumberOfComponents())]
     numpy.savez_compressed(
         out, names=names, name=columns["name"], family=columns["family"],
@@ -177,15 +205,18 @@ def sites_of(places, probabilities, reach, most=None):
     from scipy.spatial import cKDTree
 
     tree = cKDTree(places)
+    pairs = tree.sparse_distance_matrix(tree, CROWDING, output_type="coo_matrix")
+    crowding = numpy.bincount(pairs.row, (1.0 - (pairs.data / CROWDING) ** 2) ** 2, minlength=len(places))
+    likely = probabilities / numpy.sqrt(numpy.maximum(crowding, 1.0))
 
     def mean(at):
         near = tree.query_ball_point(at, reach)
-        weights = probabilities[near] * (1.0 - ((places[near] - at) ** 2).sum(axis=1) / reach ** 2) ** 2
+        weights = likely[near] * (1.0 - ((places[near] - at) ** 2).sum(axis=1) / reach ** 2) ** 2
         total = weights.sum()
         return total, (weights @ places[near] / total if total > 0.0 else at)
 
     pairs = tree.sparse_distance_matrix(tree, reach, output_type="coo_matrix")
-    weights = probabilities[pairs.col] * (1.0 - (pairs.data / reach) ** 2) ** 2
+    weights = likely[pairs.col] * (1.0 - (pairs.data / reach) ** 2) ** 2
     density = numpy.bincount(pairs.row, weights, minlength=len(places))
     taken = numpy.zeros(len(places), bool)
     found = []
@@ -212,17 +243,14 @@ def sites_of(places, probabilities, reach, most=None):
 
 
 def weights_around(one, center):
-    """Weights of the surrounding residues, by number and name and also by chain, and the chain with the largest
-    weight."""
+    """Weights of the surrounding residues, by word and by word and number."""
     weights = 1.0 - numpy.linalg.norm(one.atoms - center, axis=1) / AROUND
-    of_all, by_chain, chains = defaultdict(float), defaultdict(float), Counter()
+    of_all, of_each = defaultdict(float), defaultdict(float)
     for i in numpy.flatnonzero(weights >= 0.0):
-        residue, chain = one.words[i]
-        of_all[residue] = max(of_all[residue], weights[i])
-        by_chain[chain, residue] = max(by_chain[chain, residue], weights[i])
-    for (chain, _), weight in by_chain.items():
-        chains[chain] += weight
-    return of_all, by_chain, min(chains, key=lambda chain: (-chains[chain], chain), default=-1)
+        word, number = one.words[i]
+        of_all[word] = max(of_all[word], weights[i])
+        of_each[word, number] = max(of_each[word, number], weights[i])
+    return of_all, of_each
 
 
 def likeness(a, b):
@@ -231,17 +259,17 @@ def likeness(a, b):
 
 
 def with_copies(one, density, centers):
-    """Copies of a site are consecutive, in the order of their chains, with the mean of their densities
+    """Copies of a site are consecutive, in their order, with the mean of their densities
     (SiteCopies.h)."""
     around = [weights_around(one, center) for center in centers]
     groups = []
-    for i, (of_all, by_chain, _) in enumerate(around):
+    for i, (of_all, of_each) in enumerate(around):
         for group in groups:
             first = around[group[0]]
             if first[0].keys().isdisjoint(of_all):
                 continue
             alike = likeness(of_all, first[0])
-            if alike >= 0.5 and likeness(by_chain, first[1]) < 0.5 * alike:
+            if alike >= 0.5 and likeness(of_each, first[1]) < 0.5 * alike:
                 group.append(i)
                 break
         else:
@@ -250,12 +278,27 @@ def with_copies(one, density, centers):
     for group in groups:
         density[group] = density[group].mean()
     groups.sort(key=lambda group: -density[group[0]])
-    order = [i for group in groups for i in sorted(group, key=lambda i: around[i][2])]
+
+    def share(i, numbers_of):
+        parts = {(word, number): weight * (2.0 - list(numbers_of).index(word) / len(numbers_of))
+                 for (word, number), weight in around[i][1].items()}
+        return sum(part * 0.25 ** numbers_of[word].index(number) for (word, number), part in parts.items()) / max(
+            sum(parts.values()), 1e-9)
+
+    order = []
+    for group in groups:
+        keys = sorted({key for i in group for key in around[i][1]})
+        numbers_of = {word: [number for same, number in keys if same == word] for word, _ in keys}
+        order += sorted(group, key=lambda i: -share(i, numbers_of))
     return density[order], centers[order]
 
 
-def hits_of(one, probabilities, reach, most=None):
+def hits_of(one, probabilities, reach, most=None, folder=None):
     density, centers = with_copies(one, *sites_of(one.places, probabilities, reach, most))
+    if folder:
+        rows = [f"{rank},{x:.3f},{y:.3f},{z:.3f}\n" for rank, (x, y, z) in enumerate(centers, 1)]
+        path = folder / (one.name.split(".")[0] + "_predictions.csv")
+        path.write_text("rank,center_x,center_y,center_z\n" + "".join(rows))
     distances = numpy.array([numpy.linalg.norm(one.ligand - c, axis=1).min() for c in centers])
     return density, distances <= SUCCESS
 
@@ -404,7 +447,7 @@ const double Propensity[] = {{
 
 }}
 
-const SiteModelTable& FrozenSiteModel()
+const SiteModelTable& GetSiteModel()
 {{
   static const SiteModelTable table{{ Nodes, FirstNodes, FirstLeaves, Leaves, {len(first_nodes)}, 0.0, Propensity,
     {{ {", ".join(number(value) for value in calibration)} }} }};
@@ -439,7 +482,8 @@ def train(options):
         print(f"fold {k}: reach {reach:g}, {trees} trees", flush=True)
         for one in complexes:
             if fold[one.family] == k:
-                densities[one.name], hits[one.name] = hits_of(one, predict(model, one, column), reach)
+                densities[one.name], hits[one.name] = hits_of(
+                    one, predict(model, one, column), reach, folder=options.centers)
     say("nested cross-validation", [hits[one.name] for one in judged], judged)
     others = [one for one in complexes if one not in judged]
     if others:
@@ -481,6 +525,10 @@ def train(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
+    collecting = commands.add_parser("collect")
+    collecting.add_argument("source", type=Path)
+    collecting.add_argument("set", choices=("further", "left out"))
+    collecting.add_argument("folder", type=Path)
     describing = commands.add_parser("describe")
     describing.add_argument("folder", type=Path)
     describing.add_argument("out")
@@ -488,10 +536,16 @@ def main():
     training.add_argument("files", nargs="+", help="the first is the one that is judged by")
     training.add_argument("--test")
     training.add_argument("--table")
+    training.add_argument("--centers", type=Path)
     training.add_argument("--curve", action="store_true")
     training.add_argument("--nested", action="store_true")
     options = parser.parse_args()
-    describe(options.folder, options.out) if options.command == "describe" else train(options)
+    if options.command == "collect":
+        collect(options.source, options.set, options.folder)
+    elif options.command == "describe":
+        describe(options.folder, options.out)
+    else:
+        train(options)
 
 
 if __name__ == "__main__":

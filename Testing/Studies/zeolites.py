@@ -2,10 +2,16 @@
 
 Usage: pvpython zeolites.py [FOLDER] [--database FILE] [--pyzeo PYTHON] [--each]
 
-FOLDER contains iza.csv and a file CODE.cif of each framework with all atoms of its cell (the shared data
-zeolites); without it, all frameworks are those of the database. --database: the file frameworks.db of the PyPI package zefram, whose frameworks that are not in FOLDER
-are added, with the symmetry applied. It also says which frameworks are disordered or interrupted; without it, all
-count as ordered. Oxygen has the radius 1.32 angstrom, silicon is dropped, as in the database.
+--database: the file frameworks.db of the PyPI package zefram 0.1.3 (MIT), which has the data of the Database of Zeolite
+Structures of the International Zeolite Association; to get it:
+
+    pip download zefram==0.1.3 --no-deps --python-version 3.10 --only-binary=:all:
+    python3 -m zipfile -e zefram-0.1.3-py3-none-any.whl zefram
+
+The symmetry is applied. It also says which frameworks are disordered or interrupted. FOLDER: frameworks as files
+CODE.cif with all atoms of their cells, and iza.csv (the shared data zeolites, made from the same database); they replace
+those of the database, and without --database all count as ordered. Oxygen has the radius 1.32 angstrom, silicon is
+dropped, as in the database.
 
 Pore Profile, mode Cell Vectors: the diameter of the largest included sphere, and of the largest free sphere along
 a, b and c. Right: within 0.03 angstrom of the database. --pyzeo: a Python interpreter that has the PyPI package
@@ -177,7 +183,7 @@ def main():
         if options.each and (not right.all() or (options.pyzeo and zeo is None)):
             listed = [" ".join(f"{value:.2f}" for value in values) for values in (known, found, zeo or [])]
             print(f"{code}{'' if ordered else ' (not ordered)'}: database {listed[0]}, Isthmus {listed[1]}, Zeo++ "
-                  f"{listed[2] or '-'}")
+                  f"{listed[2] or '-'}", flush=True)
     print("| within 0.03 angstrom | number | % [95 %] |")
     print("|---|---|---|")
     for name, chosen in (("shared, ordered", [r for r in rows if r[0] and r[1]]),

@@ -1,6 +1,5 @@
 # The project file for ParaView's superbuild: projects/isthmus.cmake there, by which the plugin gets into Kitware's ParaView. Its
-# versions.cmake needs the line
-#   superbuild_set_revision(isthmus URL "<the source tarball>" URL_MD5 <its sum>)
+# versions.cmake needs the lines that fill.py writes for a release.
 # CGAL, GMP, MPFR, gemmi and ISA-L are no projects of the superbuild: they are those of the system that it runs on.
 superbuild_add_project(isthmus
   DEPENDS paraview python3 boost eigen nlohmannjson bzip2 zlib cxx17

@@ -1,6 +1,6 @@
 /**
  * @file TensorOptions.h
- * @brief Curvature by the edge tensor over a neighbourhood.
+ * @brief Curvature by the edge tensor over a neighbourhood, and by a fit of normals.
  */
 #ifndef isthmus_TensorOptions_h
 #define isthmus_TensorOptions_h
@@ -15,6 +15,14 @@ inline SurfaceCurvatureOptions Tensor(CurvatureNeighbourhood neighbourhood, doub
   SurfaceCurvatureOptions options;
   options.Method = CurvatureEstimate::EdgeTensor;
   options.Neighbourhood = neighbourhood;
+  options.Radius = radius;
+  return options;
+}
+
+inline SurfaceCurvatureOptions Fit(double radius = 0.0)
+{
+  SurfaceCurvatureOptions options;
+  options.Method = CurvatureEstimate::NormalFit;
   options.Radius = radius;
   return options;
 }

@@ -4,9 +4,11 @@
 #include "Curvature/FiniteDifference.h"
 #include "Curvature/GaussianSmoothing.h"
 #include "FieldImage.h"
+#include "SurfaceModels.h"
 #include "vtkHessianCurvature.h"
 
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -588,4 +590,20 @@ TEST(CurvatureScale, MeanCurvatureNeedNotBeAnOutput)
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("MeanCurvature"), nullptr);
   EXPECT_GT(PointArray(filter->GetOutput(), "CurvatureError")->GetRange()[1], 0.0);
+}
+
+// In noise ten times as high as the edge, nothing of the ball's curvature is above its error.
+TEST(CurvatureScale, UnresolvedCurvatureIsNoted)
+{
+  Model ball;
+  Append(ball, Icosphere(8, radius), { 23.5, 23.5, 23.5 });
+  for (const double deviation : { 0.02, 20.0 })
+  {
+    vtkNew<vtkHessianCurvature> filter;
+    filter->SetInputData(0, NoisyBall(deviation, 0.0));
+    filter->SetInputData(1, ToPolyData(ball));
+    filter->Update();
+    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_EQ(output->GetFieldData()->GetAbstractArray("Notes") != nullptr, deviation > 1.0);
+  }
 }

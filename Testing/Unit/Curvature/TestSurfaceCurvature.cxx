@@ -111,7 +111,8 @@ TEST(SurfaceCurvature, OrientationDecidesTheSign)
     [](double u, double v) {
       return Vector{ u, v, std::sqrt(4.0 - u * u - v * v) };
     });
-  for (const auto estimate : { CurvatureEstimate::AngleDefect, CurvatureEstimate::EdgeTensor })
+  for (const auto estimate :
+    { CurvatureEstimate::AngleDefect, CurvatureEstimate::EdgeTensor, CurvatureEstimate::NormalFit })
   {
     SurfaceCurvatureOptions options;
     options.Method = estimate;
@@ -147,7 +148,8 @@ TEST(SurfaceCurvature, NestedShellsAreOrientedByNesting)
     [](double u, double v) {
       return Vector{ u, v, std::sqrt(4.0 - u * u - v * v) };
     });
-  for (const auto estimate : { CurvatureEstimate::AngleDefect, CurvatureEstimate::EdgeTensor })
+  for (const auto estimate :
+    { CurvatureEstimate::AngleDefect, CurvatureEstimate::EdgeTensor, CurvatureEstimate::NormalFit })
   {
     for (unsigned turned = 0; turned < 16; ++turned)
     {
@@ -188,7 +190,8 @@ TEST(SurfaceCurvature, InvariantUnderMotionScaleAndOrder)
       scale * (s * p[0] + c * p[2]) };
   }
   std::reverse(moved.Triangles.begin(), moved.Triangles.end());
-  for (const auto& options : { SurfaceCurvatureOptions{}, Tensor(CurvatureNeighbourhood::Ball) })
+  for (const auto& options :
+    { SurfaceCurvatureOptions{}, Tensor(CurvatureNeighbourhood::Ball), Fit() })
   {
     const auto a = ComputeSurfaceCurvature(torus.View(), options);
     const auto b = ComputeSurfaceCurvature(moved.View(), options);
@@ -211,7 +214,7 @@ TEST(SurfaceCurvature, PointsWithoutCurvatureAreMarked)
   model.AddPoint(7, 0, 0);
   model.Triangles.push_back({ thin, thin + 1, thin + 2 });
   for (const auto& options : { SurfaceCurvatureOptions{}, Tensor(CurvatureNeighbourhood::Ball, 0.4),
-         Tensor(CurvatureNeighbourhood::GeodesicDisc, 0.4) })
+         Tensor(CurvatureNeighbourhood::GeodesicDisc, 0.4), Fit(0.4) })
   {
     const auto result = ComputeSurfaceCurvature(model.View(), options);
     EXPECT_EQ(result.IrregularPoints, 2);

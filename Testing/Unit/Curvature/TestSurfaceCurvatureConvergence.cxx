@@ -141,25 +141,33 @@ TEST(SurfaceCurvature, SecondOrderOnRegularMeshes)
   }
 }
 
-// The angle defect does not converge on irregular meshes; the tensor over a ball does.
+// The angle defect does not converge on irregular meshes; the tensor over a ball does, the fit of
+// normals with second order in the radius.
 TEST(SurfaceCurvature, PlateauOnIrregularMeshes)
 {
   for (const Graph& graph : { SurfaceTypes()[1], SurfaceTypes()[5] })
   {
-    Errors defect, ball, firstDefect, firstBall;
+    Errors defect, ball, fit, firstDefect, firstBall, firstFit;
     for (const int n : { 32, 64, 128 })
     {
       const Model mesh = MakeMesh(graph, n, 0.2);
       const double radius = 0.6 / std::sqrt(static_cast<double>(n));
       defect = RecordErrors(graph, mesh, {}, 0.2);
       ball = RecordErrors(graph, mesh, Tensor(CurvatureNeighbourhood::Ball, radius), 0.2);
-      std::printf("%-13s n = %-3d angle defect K %.3e H %.3e; ball of %.2f h K %.3e H %.3e\n",
-        graph.Name, n, defect.Gaussian, defect.Mean, radius * n, ball.Gaussian, ball.Mean);
+      fit = RecordErrors(graph, mesh, Fit(radius), 0.2);
+      std::printf("%-13s n = %-3d angle defect K %.3e H %.3e; ball of %.2f h K %.3e H %.3e; fit K "
+                  "%.3e H %.3e\n",
+        graph.Name, n, defect.Gaussian, defect.Mean, radius * n, ball.Gaussian, ball.Mean,
+        fit.Gaussian, fit.Mean);
+      firstFit = n == 32 ? fit : firstFit;
       firstDefect = n == 32 ? defect : firstDefect;
       firstBall = n == 32 ? ball : firstBall;
     }
     EXPECT_GT(defect.Gaussian, 0.9 * firstDefect.Gaussian) << "is the mesh regular?";
     EXPECT_LT(ball.Gaussian, 0.75 * firstBall.Gaussian);
     EXPECT_LT(ball.Mean, 0.75 * firstBall.Mean);
+    // The radius is halved.
+    EXPECT_LT(fit.Gaussian, 0.35 * firstFit.Gaussian);
+    EXPECT_LT(fit.Mean, 0.35 * firstFit.Mean);
   }
 }

@@ -113,6 +113,7 @@ TEST(vtkSurfaceCurvature, IsosurfaceOfASphere)
 {
   double theirLast = 0.0;
   double ourLast = 1.0;
+  double fitLast = 1.0;
   for (const int n : { 20, 40, 80 })
   {
     const auto surface = DistanceSphere(n);
@@ -125,9 +126,19 @@ TEST(vtkSurfaceCurvature, IsosurfaceOfASphere)
     ours->Update();
     const double theirError = RelativeError(theirs, "Mean_Curvature", 0.5, false);
     const double ourError = RelativeError(ours, "MeanCurvature", 0.5, true);
+    vtkNew<vtkSurfaceCurvature> fit;
+    fit->SetInputData(surface);
+    fit->SetMethod(vtkSurfaceCurvature::NormalFit);
+    fit->SetRadius(0.35);
+    fit->Update();
+    const double fitError = RelativeError(fit, "MeanCurvature", 0.5, true);
     std::printf(
-      "grid %d: rms error of H: vtkCurvatures %.1f %%, tensor over a ball of 0.35 %.1f %%\n", n,
-      100 * theirError, 100 * ourError);
+      "grid %d: rms error of H: vtkCurvatures %.1f %%, tensor over a ball of 0.35 %.1f %%, fit "
+      "%.2f %%\n",
+      n, 100 * theirError, 100 * ourError, 100 * fitError);
+    EXPECT_LT(fitError, 0.25 * fitLast);
+    EXPECT_TRUE(n < 80 || fitError < 0.5 * ourError);
+    fitLast = fitError;
     EXPECT_LT(Array(theirs, "Mean_Curvature")->GetRange()[1], 0.0) << "no longer as measured";
     EXPECT_GT(theirError, theirLast) << "no longer as measured";
     EXPECT_LT(ourError, 0.4 * ourLast);
@@ -317,7 +328,8 @@ TEST(vtkSurfaceCurvature, NamesSignsAndTypesMatchHessianCurvature)
 TEST(vtkSurfaceCurvature, IdenticalOnAnyNumberOfThreads)
 {
   const auto surface = ToPolyData(Torus(80, 40, 2.0, 0.5));
-  for (const int method : { vtkSurfaceCurvature::AngleDefect, vtkSurfaceCurvature::EdgeTensor })
+  for (const int method : { vtkSurfaceCurvature::AngleDefect, vtkSurfaceCurvature::EdgeTensor,
+         vtkSurfaceCurvature::NormalFit })
   {
     std::vector<double> first;
     for (const int threads : { 1, 2, 3 })
@@ -361,7 +373,7 @@ TEST(vtkSurfaceCurvature, KeepsTheInputsArraysAndSwitchesItsOwn)
 TEST(vtkSurfaceCurvature, ReportsValuesOutOfRange)
 {
   const std::pair<const char*, std::function<void(vtkSurfaceCurvature*)>> cases[] = {
-    { "Method is 2, but it must be from 0 to 1", [](auto* f) { f->SetMethod(2); } },
+    { "Method is 3, but it must be from 0 to 2", [](auto* f) { f->SetMethod(3); } },
     { "DualArea is -1, but it must be from 0 to 2", [](auto* f) { f->SetDualArea(-1); } },
     { "Neighbourhood is 3", [](auto* f) { f->SetNeighbourhood(3); } },
     { "Orientation is 4", [](auto* f) { f->SetOrientation(4); } },

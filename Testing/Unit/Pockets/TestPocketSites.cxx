@@ -120,6 +120,39 @@ TEST(PocketSites, TwoCloudsAreTwoSitesAtTheirMiddles)
   EXPECT_EQ(sites[1].Places.size(), 2000u);
 }
 
+TEST(PocketSites, TheEndsOfALigandAreOneSite)
+{
+  // Two clouds 6 apart: noise would decide between two sites.
+  std::mt19937 random(3);
+  std::normal_distribution<double> spread(0.0, 1.0);
+  std::vector<Point3> places;
+  for (int i = 0; i < 2000; ++i)
+  {
+    places.push_back({ 6.0 * (i % 2) + spread(random), spread(random), spread(random) });
+  }
+  const std::vector<PocketSite> sites = FindSites(places, std::vector<double>(2000, 0.5));
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_LT(Distance(sites[0].Center, { 3.0, 0.0, 0.0 }), 0.3);
+}
+
+TEST(PocketSites, CrowdedPlacesCountLess)
+{
+  // Of each place of the first cloud there are four copies.
+  std::mt19937 random(3);
+  std::normal_distribution<double> spread(0.0, 2.0);
+  std::vector<Point3> places;
+  for (int i = 0; i < 100; ++i)
+  {
+    const Point3 at{ spread(random), spread(random), spread(random) };
+    places.insert(places.end(), 4, at);
+    places.push_back(at + Point3{ 30.0, 0.0, 0.0 });
+  }
+  const std::vector<PocketSite> sites = FindSites(places, std::vector<double>(500, 0.5));
+  ASSERT_EQ(sites.size(), 2u);
+  EXPECT_LT(Distance(sites[0].Center, { 0.0, 0.0, 0.0 }), 1.0);
+  EXPECT_NEAR(sites[0].Density / sites[1].Density, 2.0, 0.1);
+}
+
 TEST(PocketSites, NoPlacesAndImpossibleOnes)
 {
   EXPECT_TRUE(FindSites({}, {}).empty());
@@ -138,6 +171,7 @@ TEST(PocketSites, TiedOnesAreOrderedByTheirResidues)
     sites[i].Density = densities[i];
     sites[i].Score = static_cast<double>(i);
     sites[i].Parent = static_cast<std::int64_t>(i) + 1;
+    sites[i].Group = static_cast<std::int64_t>(i);
   }
   OrderTiedSites({ { { "D", 1, "", "ALA" } }, { { "B", 10, "", "ALA" } },
                    { { "A", 10, "", "ALA" } }, { { "A", 1, "", "ALA" } } },
@@ -165,6 +199,7 @@ TEST(PocketSites, CopiesHaveOneDensityAndFollowEachOtherByTheirChains)
       atom.Place = { 2.0 * word + noise(random), 50.0 * chain + noise(random), noise(random) };
       atom.Chain = chain;
       atom.Word = chain < 2 || word == 0 ? word : 100 + word;
+      atom.Number = 20 * chain + word;
       atoms.push_back(atom);
     }
   }
@@ -185,6 +220,33 @@ TEST(PocketSites, CopiesHaveOneDensityAndFollowEachOtherByTheirChains)
     EXPECT_EQ(sites[i].Group, groups[i]) << i;
   }
   EXPECT_EQ(GroupCopies({}, { at(5.0, 0, 1.0) }).front().Chain, -1);
+}
+
+TEST(PocketSites, CopiesBetweenTwoChainsKeepTheirOrder)
+{
+  // Words 0 to 9 line one side of the site, 10 to 19 the other: in the first site of chain 0 and of
+  // chain 1, in the second the other way round. Which chain has more weight is noise.
+  std::vector<SiteAtom> atoms;
+  for (int word = 0; word < 20; ++word)
+  {
+    for (int site = 0; site < 2; ++site)
+    {
+      SiteAtom atom;
+      atom.Place = { word < 10 ? -5.0 : 5.0, 0.5 * (word % 10), 50.0 * site };
+      atom.Chain = word < 10 ? site : 1 - site;
+      atom.Word = word;
+      atom.Number = 20 * atom.Chain + word;
+      atoms.push_back(atom);
+    }
+  }
+  for (const double shift : { -0.3, 0.3 })
+  {
+    const std::vector<CopiedSite> sites =
+      GroupCopies(atoms, { { { -shift, 2.0, 50.0 }, 9.0, {} }, { { shift, 2.0, 0.0 }, 8.0, {} } });
+    ASSERT_EQ(sites.size(), 2u);
+    EXPECT_EQ(sites[1].Group, 0);
+    EXPECT_LT(sites[0].Site.Center[2], 1.0) << shift;
+  }
 }
 
 TEST(SiteModel, ProbabilitiesAreLogisticAndRiseWithTheShare)
@@ -272,6 +334,29 @@ TEST(PocketSites, DoNotDependOnRotationTranslationOrOrder)
       EXPECT_LT(Distance(turned[i].Center, Turn(rows[i].Center)), 0.05);
     }
   }
+}
+
+TEST(PocketSites, FirstSiteStaysIfAtomsMove)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
+  const auto atoms = AtomsOfFile("molecules/1hew.pdb");
+  std::vector<vtkIdType> order(static_cast<std::size_t>(atoms->GetNumberOfPoints()));
+  std::iota(order.begin(), order.end(), vtkIdType{ 0 });
+  const Point3 first = DescribeRows(atoms).front().Center;
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, 0.2 / std::sqrt(3.0));
+  int changes = 0;
+  for (int run = 0; run < 20; ++run)
+  {
+    const auto moved = Rearrange(atoms, order,
+      [&](const Point3& p)
+      {
+        const double x = noise(random), y = noise(random), z = noise(random);
+        return p + Point3{ x, y, z };
+      });
+    changes += Distance(DescribeRows(moved).front().Center, first) > 4.0 ? 1 : 0;
+  }
+  EXPECT_LE(changes, 2);
 }
 
 TEST(PocketSites, OnASurfaceAndOff)

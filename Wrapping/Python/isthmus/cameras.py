@@ -1,4 +1,4 @@
-"""Updates when the camera of a view moves: names of residues, scale bars.
+"""Cameras of views, and updates when they move: names of residues, scale bars.
 
     from isthmus import cameras                   # or: from isthmus_plugin, with the plugin loaded
     cameras.when_moved(act)                       # act(view, ended) is called for each view that is followed
@@ -7,8 +7,20 @@
 
 from . import messages
 
+POSITION = ("Position", "FocalPoint", "ViewUp", "ViewAngle", "ParallelScale")
 _actions = []
 _followed = {}  # address of the interactor of each followed view: a view recreated by undo has a new one
+
+
+def position_of(view):
+    """Where the camera of a view is, for set_position()."""
+    camera = view.GetActiveCamera()
+    return {name: getattr(camera, f"Get{name}")() for name in POSITION}
+
+
+def set_position(view, position):
+    for name, value in position.items():
+        getattr(view.GetActiveCamera(), f"Set{name}")(value)
 
 
 def when_moved(act):

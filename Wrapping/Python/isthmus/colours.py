@@ -28,7 +28,11 @@ def colour_by(display, association, array):
     """Colours a display by an array, or with a solid colour and no legend if the array has no values. Returns whether it
     has any."""
     if has_values(display.Input, association, array):
+        table = simple.GetColorTransferFunction(array)
+        points = list(table.RGBPoints) if table.AutomaticRescaleRangeMode == "Never" else None
         simple.ColorBy(display, (association, array))
+        if points and list(table.RGBPoints) != points:  # a legend that rescales unasked cannot be compared
+            table.RescaleTransferFunction(points[0], points[-4])
         return True
     plain(display)
     return False
@@ -38,6 +42,22 @@ def plain(display):
     """Solid colour; simple.ColorBy() fails for a display that has no array yet."""
     if display.ColorArrayName[1]:
         simple.ColorBy(display, None)
+
+
+def legend(table, view, title):
+    """The legend of a colour map in a view, with a horizontal title, readable on the background of a view of its own colour."""
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle, bar.HorizontalTitle = title, "", 1
+    if int(table.InterpretValuesAsCategories):
+        bar.ScalarBarLength = min(0.33, 0.05 * len(table.Annotations) / 2)
+    if not int(view.UseColorPaletteForBackground):
+        bar.TitleColor = bar.LabelColor = ink(view.Background)
+    return bar
+
+
+def ink(background):
+    """Black or white, for text on that background."""
+    return [0.0] * 3 if sum(background) > 1.5 else [1.0] * 3
 
 
 def set_categories(table, rows):

@@ -18,7 +18,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import loop_views, messages, selections
+from . import entries, loop_views, messages, selections
 from . import pocket_views as pockets_and_pores
 
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}  # filter and port of its diagram
@@ -62,7 +62,7 @@ for label, threshold in LINES:
     if threshold is None:  # the least persistent of those that are listed
         threshold = (death - birth)[numpy.argmin(abs(death - birth))] if len(birth) else 0.0
     result.RowData.append(birth + threshold, label)
-"""
+""" + entries.TIDY
 
 
 class _ScriptColours:
@@ -101,6 +101,8 @@ def show(source):
     rows = table.GetDataInformation().GetAttributeInformation(ROW)
     if not rows.GetArrayInformation("Birth"):
         raise ValueError("The persistence diagram is empty: the filter's messages say why.")
+    if not table.GetDataInformation().DataInformation.GetNumberOfRows():
+        raise ValueError("There is no persistence diagram: nothing becomes narrower or connects here, as on a sphere.")
     selected = simple.GetActiveSource()
     plot = _plot_of(source, table)
     simple.SetActiveSource(selected)
@@ -202,7 +204,8 @@ def _draw(source, plot, chart):
     points = simple.Show(plot, chart, "XYChartRepresentation")
     points.AttributeType = "Row Data"
     points.UseIndexForXAxis, points.XArrayName = 0, "Birth"
-    drawn = ["Birth", *lines, *(label for label, *_ in series)]
+    has_lines = plot.GetDataInformation().DataInformation.GetNumberOfRows() > 1  # a chart draws none through one point
+    drawn = [*(("Birth", *lines) if has_lines else ()), *(label for label, *_ in series)]
     points.SeriesVisibility = drawn
     styles = {"Birth": ("1", "0", "4", GREY, "1"), **{
                   label: ("1", "0", "4", (0.45, 0.45, 0.45) if "outside" in label else (0.0, 0.0, 0.0), "2") for label in lines},
@@ -398,11 +401,9 @@ def _show_balls(source, ids):
     if balls is None:
         if not places:
             return
-        selected = simple.GetActiveSource()
-        balls = simple.ExtractSelection(
-            simple.OutputPort(source, loop_views.CHOKE_POINTS), Selection=selections.of_ids("POINT", []),
-            registrationName=pockets_and_pores.name_of(source, "selected balls"))
-        simple.SetActiveSource(selected)
+        balls = entries.make(
+            "ExtractSelection", simple.OutputPort(source, loop_views.CHOKE_POINTS),
+            pockets_and_pores.name_of(source, "selected balls"), Selection=selections.of_ids("POINT", []))
     balls.Selection = selections.of_ids("POINT", places)
     balls.UpdatePipeline()
     for view in loop_views.views_of(source):

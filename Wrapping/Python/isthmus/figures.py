@@ -32,10 +32,10 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import cameras, loop_views, messages
+from . import cameras, colours, loop_views, messages
 
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
-WHITE, BLACK = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
+WHITE = [1.0, 1.0, 1.0]
 BAR_SHARE = 0.25  # largest length of the scale bar, as a fraction of the width
 NANOMETRES = 100.0  # angstrom, the shortest bar that is given in nanometres
 # Ambient occlusion: the distance at which surfaces shade each other, in diagonals of what is shown, and how much farther
@@ -63,8 +63,12 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
      ambient occlusion by the renderer (SSAO), which darkens crevices. Opaque surfaces only.
     silhouettes: black lines where the depth jumps. Opaque surfaces only; none where a server renders.
     The view itself is not changed."""
-    view = view or simple.GetActiveView()
-    if view is None or not hasattr(view, "ViewSize") or view.SMProxy.GetXMLName() == "SpreadSheetView":
+    def can_be_drawn(one):
+        return one is not None and hasattr(one, "ViewSize") and one.SMProxy.GetXMLName() != "SpreadSheetView"
+
+    if view is None:  # beside an active table, the view that it belongs to
+        view = next(filter(can_be_drawn, [simple.GetActiveView(), *simple.GetViews()]), None)
+    if not can_be_drawn(view):
         raise ValueError("A figure is made of a render view or a chart: give one.")
     if not (width_mm > 0 and dpi > 0 and font_points > 0):
         raise ValueError("The width (mm), the resolution (dpi) and the size of text (points) must be above 0.")
@@ -188,6 +192,8 @@ def background(name):
     for view in _render_views():
         for ruler, display in _bars(view):
             _place_bar(view, ruler, display)
+        for names in _names(view):
+            names.PointLabelColor = view.OrientationAxesLabelColor
         simple.Render(view)
 
 
@@ -223,7 +229,11 @@ def scale_bar(view=None, on=None):
 def change_look(what):
     """An entry of the menu Isthmus > Look of the view."""
     try:
-        background(what) if what in (*PALETTES, "standard") else globals()[what]()
+        if what not in (*PALETTES, "standard"):
+            globals()[what]()
+            return
+        background(what)
+        messages.show_note("ParaView keeps the background for later sessions; Standard background returns to its own.")
     except ValueError as error:
         messages.show_error(str(error))
 
@@ -293,10 +303,6 @@ def _place_bars(view, _):
 
 # ---------------------------------------------------------------------------- figures
 
-def _ink(background):
-    return BLACK if sum(background) > 1.5 else WHITE
-
-
 def _legends(view):
     return [display for display in view.Representations
             if display.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation" and display.Visibility]
@@ -317,7 +323,7 @@ def _prepare(view, change, background, scale_bar):
     if background is None:
         ink = list(view.OrientationAxesLabelColor)  # of texts, which follows the palette
     else:
-        ink = _ink(background)
+        ink = colours.ink(background)
         change.set(view, UseColorPaletteForBackground=0, BackgroundColorMode="Single Color", Background=background)
     for text in _texts(view):
         if loop_views.registered_name(text.Input).endswith(loop_views.COUNT):

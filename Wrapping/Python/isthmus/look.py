@@ -41,6 +41,7 @@ VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
     (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))
 FURTHER, BLACK = (0.70, 0.64, 0.74), (0.0, 0.0, 0.0)
+UNDEFINED = (0.40, 0.40, 0.40)  # of values that are not numbers, as at the border of a map; unlike the colour of 0
 BETTI = (("Beta0", "components", VERMILION), ("Beta1", "tunnels", BLUE), ("Beta2", "cavities", GREEN))
 CATEGORIES = {
     "Kind": (("0", "handle", VERMILION), ("1", "tunnel", BLUE), ("2", "bottleneck", ORANGE)),
@@ -102,8 +103,7 @@ def number_format(bar, form):
 
 
 def _bar(table, view, array):
-    bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
+    bar = colours.legend(table, view, TITLES.get(array, array))
     bar.RangeLabelFormat = number_format(bar, "-#.2g")  # 0.17, not 1.7e-01
 
 
@@ -142,17 +142,38 @@ def _follow_values(display, view):
         display.SetScalarBarVisibility(view, True)
 
 
-def _name_kinds(table, display):
-    """A legend of the kinds that are shown."""
-    data = servermanager.Fetch(display.Input)
-    array = data.GetCellData().GetArray("Kind") if data.IsA("vtkDataSet") else None
-    there = {str(int(array.GetTuple1(i))) for i in range(array.GetNumberOfTuples())} if array else set()
-    rows = [row for row in CATEGORIES["Kind"] if row[0] in there]
+def _categories_of(display):
+    """The categories in the data of a display."""
+    association, array = display.ColorArrayName[:2]
+    if array == "Kind":
+        data = servermanager.Fetch(display.Input)
+        kinds = data.GetCellData().GetArray("Kind") if data.IsA("vtkDataSet") else None
+        return {int(kinds.GetTuple1(i)) for i in range(kinds.GetNumberOfTuples())} if kinds else set()
+    values = (display.Input.PointData if association == "POINTS" else display.Input.CellData)[array]
+    low, high = values.GetRange(0) if values else (0.0, -1.0)
+    return set(range(int(low), int(high) + 1))
+
+
+def _name_categories(table, array):
+    """A legend of the categories of all displays that use the colour map, also of those hidden at present: all loops while
+    only the selected ones are shown."""
+    there = set()
+    for view in simple.GetViews():
+        for display in view.Representations:
+            if hasattr(display, "ColorArrayName") and display.ColorArrayName[1] == array and display.LookupTable == table:
+                there |= _categories_of(display)
+    rows = [row for row in CATEGORIES[array] if int(row[0]) in there]
     if rows and list(table.Annotations)[::2] != [value for value, *_ in rows]:
         colours.set_categories(table, rows)
 
 
-def _colour(display, view):
+def _is_used(table, display):
+    """Whether another visible display uses a colour map."""
+    return any(getattr(other, "LookupTable", None) == table and other.Visibility and other != display and other.ColorArrayName[1]
+               for view in simple.GetViews() for other in view.Representations if hasattr(other, "ColorArrayName"))
+
+
+def _colour(display, view, first=False):
     _follow_values(display, view)
     association, array = display.ColorArrayName[0], display.ColorArrayName[1]
     if not array or (array not in CATEGORIES and array not in SIGNED and
@@ -165,11 +186,11 @@ def _colour(display, view):
             _ranges.add(key)
             _named.add(key)
             _set_categories(table, array)
-        if array == "Kind" and key in _named:
-            _name_kinds(table, display)
+        if key in _named:
+            _name_categories(table, array)
         _title(table, view, array)
         return
-    if key in _ranges:  # a legend that rescales unasked cannot be compared
+    if key in _ranges and (not first or _is_used(table, display)):  # see colour_by()
         _title(table, view, array)
         return
     limits = colour_range(display.Input, association, array)
@@ -179,7 +200,7 @@ def _colour(display, view):
     if array == "Potential":
         table.InvertTransferFunction()  # red is negative, as everywhere in structural biology
     table.AutomaticRescaleRangeMode = "Never"
-    table.NanColor = GREY
+    table.NanColor = UNDEFINED
     _title(table, view, array)
     table.RescaleTransferFunction(*limits)
     opacity = display.OpacityTransferFunction
@@ -256,7 +277,10 @@ def _look_at_opened(display, view, name):
         return
     before = set(simple.GetSources().values())
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
-        _show_surface(display, view, "surface")
+        surface = _show_surface(display, view, "surface")
+        if surface is not None and not any(each.Visibility for each in view.Representations if getattr(
+                each, "Input", None) is not None and not comes_from(each.Input.SMProxy, display.Input.SMProxy)):
+            view.SMProxy.ResetCamera(*surface.GetDataInformation().GetBounds())  # not to the box, which may be much larger
     elif name in MOLECULES and getattr(display.Input, "Port", 0) == 0 and display.Input.PointData["ResidueId"] is not None:
         selected = simple.GetActiveSource()
         cartoon = simple.MoleculeCartoon(
@@ -285,6 +309,16 @@ def _hide_first_sight(source, view):
         if shown is None or shown.SMProxy.GetGlobalID() not in _first_sights or not display.Visibility:
             continue
         if shown.SMProxy.GetProducerProxy(0) == given:
+            display.Visibility = 0
+    simple.HideUnusedScalarBars(view)
+
+
+def _hide_made_from(origin, part, view):
+    """Hides the surfaces made from a map, except those made from a part of its pipeline, which lie in the same place."""
+    for display in view.Representations:
+        shown = getattr(display, "Input", None)
+        if shown is not None and hasattr(display, "ColorArrayName") and shown.SMProxy != origin and comes_from(
+                shown.SMProxy, origin) and not comes_from(shown.SMProxy, part):
             display.Visibility = 0
     simple.HideUnusedScalarBars(view)
 
@@ -366,7 +400,7 @@ def _hide_molecule(atoms, view):
 HIDDEN_OF_RESIDUES = ("ChainIndex", "InsertionCode", "Point ID", "Points")
 # Columns that a spreadsheet of sites hides initially: ParaView sorts columns by name, and these would come
 # before rank, class, residues, score and volume.
-HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "SiteClass")
+HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "Row ID", "SiteClass")
 
 
 def _view_of(display):
@@ -422,6 +456,7 @@ def _look_at_shape(display, view, source, name):
     elif name in DENOISERS and port == 0 and source.SMProxy.GetGlobalID() in _by_hand:
         if _show_surface(display, view, "denoised surface"):
             display.Visibility = 0
+            _hide_made_from(source.Input.SMProxy, source.SMProxy, view)
     elif name in MAPS + MOLECULES:
         _look_at_opened(display, view, name)
     elif name == "AtomSelection":
@@ -451,10 +486,12 @@ def _look(display):
     if not hasattr(display, "ColorArrayName"):
         if first:
             _look_at_table(display, view, name)
+        elif name == "ThresholdTable":
+            pockets_and_pores.follow_profile(source, view)
     else:
         if first:
             _look_at_shape(display, view, source, name)
-        _colour(display, view)
+        _colour(display, view, first)
         if name in loop_views.LOOPS and getattr(source, "Port", 0) == 0 and loop_views.count(source, view):
             return view
         if name == "Threshold" and pockets_and_pores.replace_names(source, view):
@@ -633,6 +670,7 @@ def show(*proxies, view=None, tables=False):
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
         display = pockets_and_pores.show(proxies[-1], view, tables)
+        _seen.update(each.GetGlobalID() for each in view.Representations)  # they are already displayed
         _look(display)
         return display
     if proxies[-1].SMProxy.GetXMLName() == "PointDatasetInterpolator":  # pipelines.map_with_model

@@ -18,7 +18,7 @@ except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
 from . import pocket_views as pockets_and_pores
-from . import colours, messages, selections, steps
+from . import colours, entries, messages, selections, steps
 
 LOOPS = ("ChokingLoops",)
 STALE = "the loops follow when the slider is released"
@@ -84,7 +84,7 @@ if len(ids):
     for axis in range(3):
         rows.append(middle[:, axis].copy(), "XYZ"[axis] + " (\\u00c5)")
     rows.append(features, "FeatureId")
-"""
+""" + entries.TIDY
 HIDDEN_COLUMNS = ["FeatureId", "Row ID"]
 
 
@@ -234,13 +234,11 @@ def table_of(loops):
     known = tables_of(loops)
     if known:
         return known[0]
-    selected = simple.GetActiveSource()
     atoms = _atoms_of(loops)
-    table = simple.ProgrammableFilter(
-        Input=[simple.OutputPort(loops, 0), *([atoms] if atoms is not None else [])],
-        registrationName=pockets_and_pores.name_of(loops, "table of loops"), OutputDataSetType="vtkTable", Script=SCRIPT)
+    table = entries.make(
+        "ProgrammableFilter", [simple.OutputPort(loops, 0), *([atoms] if atoms is not None else [])],
+        pockets_and_pores.name_of(loops, "table of loops"), OutputDataSetType="vtkTable", Script=SCRIPT)
     table.UpdatePipeline()
-    simple.SetActiveSource(selected)
     return table
 
 
@@ -316,14 +314,12 @@ def show_only(loops, cells):
         only.Selection = selections.of_ids("CELL", cells)
         only.UpdatePipeline()
         return
-    selected = simple.GetActiveSource()
     views = views_of(loops)
-    only = simple.ExtractSelection(simple.OutputPort(loops, 0), Selection=selections.of_ids("CELL", cells),
-                                   registrationName=pockets_and_pores.name_of(loops, "selected loops"))
+    only = entries.make("ExtractSelection", simple.OutputPort(loops, 0), pockets_and_pores.name_of(loops, "selected loops"),
+                        hidden=False, Selection=selections.of_ids("CELL", cells))
     for view in views:
         simple.Hide(loops, view)
         look(simple.Show(only, view), view)
-    simple.SetActiveSource(selected)
 
 
 def show_all(loops):

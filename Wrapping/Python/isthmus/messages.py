@@ -23,7 +23,8 @@ def show_note(text):
     vtkOutputWindow.GetInstance().InvokeEvent("UserEvent", text)
 
 
-STEP = 1100  # the event of a step, which the window observes (IsthmusProgress)
+# Events that the window observes (IsthmusProgress): a step; the result of a button is about to be shown.
+STEP, SHOWS = 1100, 1101
 
 
 class Cancelled(Exception):
@@ -40,6 +41,12 @@ def step(what=""):
 def is_cancelled(what=""):
     """step(), for callers that must not raise."""
     return bool(vtkOutputWindow.GetInstance().InvokeEvent(STEP, what))
+
+
+def begin_showing():
+    """From here on the button cannot be cancelled: filters that its result is shown by would be left without data, and
+    ParaView ends if that happens to the input of Extract Selection."""
+    vtkOutputWindow.GetInstance().InvokeEvent(SHOWS)
 
 
 def reports_faults(what):

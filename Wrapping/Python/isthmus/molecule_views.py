@@ -108,8 +108,7 @@ def colour(display, view, array):
     has_legend = array != "Element" and len(table.Annotations) <= 2 * MOST_NAMES
     display.SetScalarBarVisibility(view, has_legend)
     if has_legend:
-        bar = simple.GetScalarBar(table, view)
-        bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
+        colours.legend(table, view, TITLES.get(array, array))
     simple.HideUnusedScalarBars(view)
 
 

@@ -24,7 +24,7 @@ except ImportError:
     # With the vtk package alone, the module can be imported; its functions report what they need (end of this file).
     servermanager = simple = None
 
-from . import comparisons, diagram_views, figures, levels, look, loop_views, messages, steps, track_views
+from . import cameras, comparisons, diagram_views, entries, figures, levels, look, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
 
 from . import pocket_views as pockets_and_pores
@@ -107,17 +107,14 @@ def _require_triangles(surface):
 
 # ---------------------------------------------------------------------------- the pipelines
 
-def _make(pipeline, name, source=None, **more):
-    """The filter of a step of steps.PIPELINES, with a descriptive name."""
+def _make(pipeline, name, source, hidden=False, **more):
+    """The filter of a step of steps.PIPELINES, with a descriptive name. hidden: a part of a result, which the pipeline
+    browser leaves out."""
     step = steps.PIPELINES[pipeline][name]
-    given = [] if source is None else [source]
-    label = pockets_and_pores.name_of(more.get("Input") if source is None else source, step.label)
+    label = pockets_and_pores.name_of(source, step.label)
     messages.step(label)
-    return getattr(simple, step.proxy)(*given, registrationName=label, **{**step.properties, **more})
+    return entries.make(step.proxy, source, label, hidden, follows=False, **{**step.properties, **more})
 
-
-# Filters are given their input first, without its name: with the name they choose arrays of the active source.
-# (Curvature On Surface would take it for its volume, so its array is set explicitly.)
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or an automatic level where none is
@@ -150,7 +147,7 @@ def map_to_curvature(source, level=None):
 
 def _with_curvature(surface, source):
     """(surface, curvature) of a surface of that map."""
-    curvature = _make("map_to_curvature", "curvature", Input=surface, Volume=source,
+    curvature = _make("map_to_curvature", "curvature", surface, Volume=source,
                       Scalars=["POINTS", _point_array(source)])
     curvature.UpdatePipeline()
     if look.range_by_area(curvature, "POINTS", "MeanCurvature") is None:
@@ -240,13 +237,13 @@ def trajectory_to_loops(source, frames=steps.MOST_FRAMES):
         raise ValueError(steps.NOTHING["frames"])
     moving = source
     if len(times) > frames:
-        moving = simple.ExtractTimeSteps(
-            source, registrationName=pockets_and_pores.name_of(source, "frames"), SelectionMode="Select Time Range",
-            TimeStepRange=[0, len(times) - 1], TimeStepInterval=-(-len(times) // frames))
+        moving = entries.make(
+            "ExtractTimeSteps", source, pockets_and_pores.name_of(source, "frames"), follows=False,
+            SelectionMode="Select Time Range", TimeStepRange=[0, len(times) - 1], TimeStepInterval=-(-len(times) // frames))
         times = times[::-(-len(times) // frames)]
     moving.UpdatePipeline(times[0])
     if _has_atoms(moving):
-        surface = _molecule(_chains(moving))[1]
+        surface = _molecule(_chains(moving, hidden=True), hidden=("density",))[1]
     elif _is_volume(moving):
         (surface,) = map_to_surface(moving)
         surface.LargestComponents = steps.PIPELINES["map_to_loops"]["surface"].properties["LargestComponents"]
@@ -285,17 +282,17 @@ def protein_to_sites(source, potential=None):
     """
     _require_atoms(source)
     _require_one(source, "molecule")
-    chains, ligands = _parts(source)
+    chains, ligands = _parts(source, hidden=True)
     if potential is None:
         chains = _charged(chains)
-    density, surface = _molecule(chains)
+    density, surface = _molecule(chains, hidden=("density", "surface"))
     if potential is None:
         potential = _make("protein_to_potential", "potential", chains, Surface=density)
         potential.UpdatePipeline()
-    curvature = _make("protein_to_potential", "curvature", Input=surface, Volume=density,
+    curvature = _make("protein_to_potential", "curvature", surface, hidden=True, Volume=density,
                       Scalars=["POINTS", "Density"])
     curvature.UpdatePipeline()
-    polarized = _make("protein_to_potential", "polarized", curvature, PotentialImage=potential)
+    polarized = _make("protein_to_potential", "polarized", curvature, hidden=True, PotentialImage=potential)
     polarized.UpdatePipeline()
     sites = _make("protein_to_potential", "sites", polarized, Atoms=chains,
                   RankedArray=["POINTS", "PolarizedCurvature"])
@@ -418,24 +415,24 @@ def _map_and_model(source, model, level, cartoon=True):
 def _nearest(points, surface, what):
     """The surface with the arrays of the nearest of the points."""
     messages.step(what)
-    return simple.PointDatasetInterpolator(
-        Input=points, Source=surface, Kernel="VoronoiKernel", PassPointArrays=1,
-        registrationName=pockets_and_pores.name_of(surface, what))
+    return entries.make(
+        "PointDatasetInterpolator", points, pockets_and_pores.name_of(surface, what), hidden=False, follows=False,
+        Source=surface, Kernel="VoronoiKernel", PassPointArrays=1)
 
 
-def _chains(source):
+def _chains(source, hidden=False):
     """The atoms without ligands, ions and water."""
     _require_atoms(source)
-    chains = _make("protein_to_surface", "chains", source)
+    chains = _make("protein_to_surface", "chains", source, hidden)
     chains.UpdatePipeline()
     if not look.data_of(chains).GetNumberOfPoints():
         raise ValueError(steps.NOTHING["chains"])
     return chains
 
 
-def _parts(source):
-    """(chains, ligands), the latter with ions; None without any."""
-    chains = _chains(source)
+def _parts(source, hidden=False):
+    """(chains, ligands), the latter with ions; None without any. hidden: the chains."""
+    chains = _chains(source, hidden)
     ligands = _make("protein_to_surface", "ligands", source)
     ligands.UpdatePipeline()
     if not look.data_of(ligands).GetNumberOfPoints():
@@ -446,17 +443,17 @@ def _parts(source):
 
 def _charged(atoms):
     """The atoms with charges: those of their file, or a force field's."""
-    charged = _make("protein_to_potential", "charges", atoms)
+    charged = _make("protein_to_potential", "charges", atoms, hidden=True)
     charged.UpdatePipeline()
     if not look.data_of(charged).GetNumberOfPoints():
         raise ValueError(steps.NOTHING["charges"])
     return charged
 
 
-def _molecule(source):
-    """Density and surface of the atoms."""
-    density = _make("protein_to_surface", "density", source)
-    surface = _make("protein_to_surface", "surface", density, Scalars=["POINTS", "Density"])
+def _molecule(source, hidden=()):
+    """Density and surface of the atoms. hidden: those that the pipeline browser leaves out."""
+    density = _make("protein_to_surface", "density", source, "density" in hidden)
+    surface = _make("protein_to_surface", "surface", density, "surface" in hidden, Scalars=["POINTS", "Density"])
     surface.UpdatePipeline()
     _require_triangles(surface)
     return density, surface
@@ -599,6 +596,7 @@ def forget():
     """Called by the window when sources were deleted: deletes their texts, tables and charts."""
     loop_views.forget()
     diagram_views.forget()
+    entries.forget()
     pockets_and_pores.close_empty_views()
 
 
@@ -623,7 +621,7 @@ def _surface_on_screen(source):
 @messages.reports_faults("The button")
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on the source from which it was made; shown
-    in the active view, with everything else hidden."""
+    in the active view, with everything else hidden; but the surface of a molecule does not hide its pockets and pores."""
     selected = simple.GetActiveSource()
     if selected is None or not loop_views.registered_name(selected):  # after Reset Session, it is still that of before
         messages.show_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
@@ -654,13 +652,20 @@ def run(function):
             raise
         messages.show_error(str(error))
         return
+    messages.begin_showing()
     view = simple.GetActiveViewOrCreate("RenderView")
-    bars = figures.visible_bars(view)
-    simple.HideAll(view)
-    for bar in bars:
-        bar.Visibility = 1
-    simple.HideUnusedScalarBars(view)
-    show(*proxies, view=view, tables=True)
+    if function == "protein_to_surface" and pockets_and_pores.are_shown(source, view):
+        camera = cameras.position_of(view)
+        display = show(*proxies, view=view)
+        display.Opacity, display.Pickable = 0.3, 0
+        cameras.set_position(view, camera)
+    else:
+        bars = figures.visible_bars(view)
+        simple.HideAll(view)
+        for bar in bars:
+            bar.Visibility = 1
+        simple.HideUnusedScalarBars(view)
+        show(*proxies, view=view, tables=True)
     figures.refresh(view)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)

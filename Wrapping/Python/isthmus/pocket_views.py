@@ -14,7 +14,8 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import cameras, colours, messages, selections, steps
+from . import cameras, colours, entries, messages, selections, steps
+from . import molecule_views as molecules
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # The arrays that number the features, and the output ports of the parts shown.
@@ -34,16 +35,69 @@ BEST_SURFACES, CHOSEN_SURFACE = "best pockets", "chosen pocket"
 HIDDEN_COLUMNS = {
     "MolecularPockets": [
         "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "CopyOf", "LiningAtoms", "MeanPolarized",
-        "MeanPotential", "MouthArea", "MouthRadius", "Radius", "Row ID"],
+        "MeanPotential", "MouthArea", "MouthRadius", "Parent", "PolarShare", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
 # Units of columns of tables, which their headers show.
 UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "MouthRadius": "Å", "Length": "Å", "Span": "Å",
          "CenterX": "Å", "CenterY": "Å", "CenterZ": "Å", "BottleneckX": "Å", "BottleneckY": "Å", "BottleneckZ": "Å",
          "MeanDepth": "Å", "MeanPotential": "kT/e", "MeanPolarized": "kT/(e Å)"}
+FIRST_COLUMNS = {"Rank": "# Rank", "PoreId": "# Pore"}  # names that ParaView, which sorts columns by name, places first
 RADII = {"Of the atoms": "radii of the atoms", "HOLE": "radii of HOLE"}
 BOTTLENECKS = 3  # port of Pore Profile
 BALL = (0.941, 0.894, 0.259)
 WATERS = ("1.15", "2.30")  # smallest radii that let one and two water molecules pass (as in HOLE)
+# Executed where the data is. The faces between two pockets belong to both, and each pocket has points of its own.
+SURFACES = """# The outer faces of each pocket's tetrahedra, smoothed.
+import numpy
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkWindowedSincPolyDataFilter
+
+pockets = self.GetInputDataObject(0, 0)
+if pockets.GetNumberOfCells():
+    corners = vtk_to_numpy(pockets.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    number = vtk_to_numpy(pockets.GetCellData().GetArray("PocketId")).astype(numpy.int64)
+    place = vtk_to_numpy(pockets.GetPoints().GetData()).astype(float)
+    faces = numpy.concatenate([corners[:, others] for others in ((1, 2, 3), (0, 2, 3), (0, 1, 3), (0, 1, 2))])
+    inner, pocket = numpy.concatenate(list(corners.T)), numpy.tile(number, 4)
+    a, b, c, d = (place[ends] for ends in (*faces.T, inner))
+    inward = numpy.einsum("ij,ij->i", numpy.cross(b - a, c - a), d - a) > 0.0
+    faces[inward] = faces[inward][:, [0, 2, 1]]
+    keys = numpy.column_stack([pocket, numpy.sort(faces, axis=1)])
+    _, back, count = numpy.unique(keys, axis=0, return_inverse=True, return_counts=True)
+    outer = count[back.ravel()] == 1
+    faces, pocket = faces[outer], pocket[outer]
+    owned, ends = numpy.unique(pocket[:, None] * len(place) + faces, return_inverse=True)
+    place, ends = place[owned % len(place)], ends.reshape(-1, 3)
+    for _ in range(2):  # each triangle becomes four
+        edges = numpy.sort(ends[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        edges, middle = numpy.unique(edges, axis=0, return_inverse=True)
+        middle = len(place) + middle.reshape(-1, 3)
+        place = numpy.concatenate([place, place[edges].mean(axis=1)])
+        (a, b, c), (ab, bc, ca) = ends.T, middle.T
+        ends = numpy.concatenate([numpy.column_stack(three) for three in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
+        pocket = numpy.tile(pocket, 4)
+    surface, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(place, deep=True))
+    cells.SetData(3, numpy_to_vtk(ends.astype(numpy.int64).ravel(), deep=True))
+    surface.SetPoints(points)
+    surface.SetPolys(cells)
+    ids = numpy_to_vtk(pocket.astype(numpy.int32), deep=True)
+    ids.SetName("PocketId")
+    surface.GetCellData().AddArray(ids)
+    smooth, normals = vtkWindowedSincPolyDataFilter(), vtkPolyDataNormals()
+    smooth.SetInputData(surface)
+    smooth.SetNumberOfIterations(60)
+    smooth.SetPassBand(0.03)
+    smooth.NonManifoldSmoothingOn()
+    normals.SetInputConnection(smooth.GetOutputPort())
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    self.GetOutputDataObject(0).ShallowCopy(normals.GetOutput())
+""" + entries.TIDY
 ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
             ("8", "O", (0.835, 0.2, 0.1)), ("16", "S", (0.902, 0.75, 0.1)),
             ("1", "H", (0.9, 0.9, 0.9)), ("15", "P", (0.902, 0.5, 0.0)))
@@ -103,8 +157,9 @@ def _with_residues(features, nothing):
 def _fed_by(features, port, name):
     """The filter of that name behind a port of `features`, if there is one."""
     for proxy in simple.GetSources().values():
-        given = getattr(proxy, "Input", None) if proxy.SMProxy.GetXMLName() == name else None
-        if given is not None and given.SMProxy == features.SMProxy and given.Port == port:
+        given = proxy.SMProxy.GetProperty("Input") if proxy.SMProxy.GetXMLName() == name else None
+        if given is not None and given.GetNumberOfProxies() and given.GetProxy(0) == features.SMProxy and (
+                given.GetOutputPortForConnection(0) == port):
             return proxy
     return None
 
@@ -114,23 +169,33 @@ def residues_of(features):
     kind = FEATURES[features.SMProxy.GetXMLName()]
     found = _fed_by(features, kind["atoms"], "Threshold")
     if found is None:
-        found = simple.Threshold(
-            simple.OutputPort(features, kind["atoms"]), registrationName=name_of(features, "residues"),
+        found = entries.make(
+            "Threshold", simple.OutputPort(features, kind["atoms"]), name_of(features, "residues"), hidden=False,
             Scalars=["POINTS", kind["id"]], ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=1)
+        found.UpdatePipeline()
+    return found
+
+
+def _rows_of_one(features, part, column, words):
+    """The filter that passes those rows of a table that belong to one pocket or pore."""
+    port = FEATURES[features.SMProxy.GetXMLName()][part]
+    found = _fed_by(features, port, "ThresholdTable")
+    if found is None:
+        found = entries.make(
+            "ThresholdTable", simple.OutputPort(features, port), name_of(features, words), hidden=False,
+            Column=["ROWS", column], MinValue=1, MaxValue=1, Mode="Between")
         found.UpdatePipeline()
     return found
 
 
 def chart_of(pores):
     """The filter that passes the profile of one pore."""
-    port = FEATURES["PoreProfile"]["chart"]
-    found = _fed_by(pores, port, "ThresholdTable")
-    if found is None:
-        found = simple.ThresholdTable(
-            simple.OutputPort(pores, port), registrationName=name_of(pores, "profile"), Column=["ROWS", "PoreId"],
-            MinValue=1, MaxValue=1, Mode="Between")
-        found.UpdatePipeline()
-    return found
+    return _rows_of_one(pores, "chart", "PoreId", "profile")
+
+
+def lining_of(pockets):
+    """The filter that passes the table of residues that line one pocket."""
+    return _rows_of_one(pockets, "residues", "PocketId", "lining residues")
 
 
 def names_of(residues, make=True):
@@ -138,24 +203,22 @@ def names_of(residues, make=True):
     None if there is none yet."""
     found = _fed_by(residues, 0, "ExtractSelection")
     if found is None and make:
-        found = simple.ExtractSelection(residues, registrationName=name_of(residues, "residue names"),
-                                        Selection=selections.of_ids("POINT", [0]))
+        found = entries.make("ExtractSelection", residues, name_of(residues, "residue names"),
+                             Selection=selections.of_ids("POINT", [0]))
     return found
 
 
 def surface_of(pockets, name, last):
     """The filter with this name that passes the surfaces of pockets (the smoothed outer faces of their tetrahedra),
     initially of the pockets 1 to `last`."""
-    faces = _fed_by(pockets, 0, "DataSetSurfaceFilter") or simple.ExtractSurface(
-        pockets, registrationName=name_of(pockets, "pocket faces"))
-    smooth = _fed_by(faces, 0, "SmoothPolyDataFilter") or simple.Smooth(
-        faces, registrationName=name_of(pockets, "pocket surfaces"), NumberofIterations=40)
+    smooth = _fed_by(pockets, 0, "ProgrammableFilter") or entries.make(
+        "ProgrammableFilter", pockets, name_of(pockets, "pocket surfaces"), OutputDataSetType="vtkPolyData", Script=SURFACES)
     for (known, _), proxy in simple.GetSources().items():
         given = getattr(proxy, "Input", None) if name in known else None
         if given is not None and given.SMProxy == smooth.SMProxy:
             return proxy
-    return simple.Threshold(smooth, registrationName=name_of(pockets, name), Scalars=["CELLS", "PocketId"],
-                            ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=last)
+    return entries.make("Threshold", smooth, name_of(pockets, name), hidden=False, Scalars=["CELLS", "PocketId"],
+                        ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=last)
 
 
 def choose(features, number):
@@ -165,11 +228,14 @@ def choose(features, number):
     residues.LowerThreshold = residues.UpperThreshold = number
     residues.UpdatePipeline()
     changed = [residues]
-    if _fed_by(features, 0, "DataSetSurfaceFilter"):
+    if _fed_by(features, 0, "ProgrammableFilter"):
         chosen = surface_of(features, CHOSEN_SURFACE, 1)
         chosen.LowerThreshold = chosen.UpperThreshold = number
         chosen.UpdatePipeline()
         changed.append(chosen)
+        lining = lining_of(features)
+        lining.MinValue = lining.MaxValue = number
+        lining.UpdatePipeline()
     if "chart" in kind:
         chart = chart_of(features)
         chart.MinValue = chart.MaxValue = number
@@ -180,6 +246,9 @@ def choose(features, number):
             if _is_shown(chart, view):
                 _title_chart(chart, view)
     for view in simple.GetViews():
+        for display in view.Representations if "chart" not in kind else ():
+            if getattr(display, "Input", None) in changed[1:]:
+                _name_ranks(display.LookupTable, features, sorted({*range(1, 1 + BEST), number}))
         for proxy in changed:
             shown = simple.GetRepresentation(proxy, view) if _is_shown(proxy, view) else None
             if shown is None and view.SMProxy.GetXMLName() == "RenderView" and proxy is residues and (
@@ -195,7 +264,7 @@ def show_only(pockets, number):
     """Shows the surface and the residues of one pocket and hides the others; 0 shows the best pockets, with the
     residues of the first."""
     choose(pockets, number or 1)
-    if not _fed_by(pockets, 0, "DataSetSurfaceFilter"):
+    if not _fed_by(pockets, 0, "ProgrammableFilter"):
         return
     best = surface_of(pockets, BEST_SURFACES, BEST)
     for view in simple.GetViews():
@@ -216,6 +285,16 @@ def _shows(features, view):
                display.Visibility for display in view.Representations)
 
 
+def are_shown(molecule, view):
+    """Whether a view shows pockets or pores of a molecule."""
+    for display in view.Representations:
+        source = getattr(display, "Input", None)
+        features = _features_of(source) if source is not None and display.Visibility else None
+        if features is not None and features.Input.SMProxy == molecule.SMProxy:
+            return True
+    return False
+
+
 def _selected(features, source):
     """The number of the feature that is selected in `source`, determined on the server; None if nothing is
     selected."""
@@ -226,7 +305,8 @@ def _selected(features, source):
         part = source.SMProxy.GetSelectionOutput(port)
         part.UpdatePipeline()
         data = part.GetDataInformation(0)
-        for attribute, name in ((ROW, kind["row"]), (ROW, kind["id"]), (CELL, kind["id"]), (POINT, kind["id"])):
+        for attribute, name in ((ROW, FIRST_COLUMNS[kind["row"]]), (ROW, kind["row"]), (ROW, kind["id"]), (CELL, kind["id"]),
+                                (POINT, kind["id"])):
             arrays = data.GetAttributeInformation(attribute)
             array = arrays.GetArrayInformation(name) if arrays else None
             if array and array.GetNumberOfTuples() > 0:
@@ -285,27 +365,25 @@ def colour_shapes(display, view):
 
 
 def _colour_by_rank(display, association, view, pockets=None):
-    """Gives each of the best pockets a colour, labelled by its rank."""
-    pockets = pockets or display.Input
+    """Gives each of the best pockets a colour, labelled by its rank. pockets: of which the display shows the best ones or the
+    chosen one only."""
     if not colours.colour_by(display, association, "PocketId"):
         return
-    count = pockets.SMProxy.GetDataInformation(1).GetNumberOfRows()
-    table = display.LookupTable
-    names = _names_of(pockets, min(count, len(COLOURS)))
-    colours.set_categories(table, [(str(rank), name, colour) for rank, (name, colour) in enumerate(zip(names, COLOURS), 1)])
-    table.NanColor = FURTHER
-    bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = "Pockets by rank", ""
-    if any(" " in name for name in names):
-        bar.Title = "Sites by rank (probability)"
+    names = _name_ranks(display.LookupTable, pockets or display.Input, range(1, 1 + (BEST if pockets else len(COLOURS))))
+    colours.legend(display.LookupTable, view, "Sites by rank (probability)" if any(" " in name for name in names) else "Pockets by rank")
     display.SetScalarBarVisibility(view, True)
 
 
-def _names_of(pockets, count):
-    """Ranks of the first pockets, with their probabilities if there are sites."""
-    table = servermanager.Fetch(pockets, idx=FEATURES["MolecularPockets"]["table"])
-    values = [table.GetValueByName(row, "Probability").ToDouble() for row in range(count)]
-    return [str(rank) if value != value else f"{rank} ({value:.2f})" for rank, value in enumerate(values, 1)]
+def _name_ranks(table, pockets, ranks):
+    """Gives the colour map an entry for each of these ranks: the rank, with its probability if there are sites."""
+    found = servermanager.Fetch(pockets, idx=FEATURES["MolecularPockets"]["table"])
+    ranks = [rank for rank in ranks if rank <= found.GetNumberOfRows()]
+    values = [found.GetValueByName(rank - 1, "Probability").ToDouble() for rank in ranks]
+    names = [str(rank) if value != value else f"{rank} ({value:.2f})" for rank, value in zip(ranks, values)]
+    colours.set_categories(table, [(str(rank), name, COLOURS[rank - 1] if rank <= len(COLOURS) else FURTHER)
+                                   for rank, name in zip(ranks, names)])
+    table.NanColor = FURTHER
+    return names
 
 
 def sticks(display, view):
@@ -444,13 +522,39 @@ def _show_surfaces(pockets, view):
 
 
 def _show_molecule(source, view):
-    """Shows the molecule thin and pale, and not selectable."""
+    """Shows the molecule pale and not selectable: as a cartoon with its ligands, or thin where it has no residues."""
+    cartoon = _cartoon_of(source)
+    if cartoon is not None:
+        display = simple.Show(simple.OutputPort(cartoon, molecules.CARTOON), view)
+        colours.plain(display)
+        display.AmbientColor = display.DiffuseColor = [0.72, 0.72, 0.75]
+        display.Pickable = 0
+        if cartoon.SMProxy.GetDataInformation(molecules.STICKS).GetNumberOfCells():
+            ligands = simple.Show(simple.OutputPort(cartoon, molecules.STICKS), view)
+            molecules.look(ligands, view, molecules.STICKS)
+            ligands.Pickable = 0
+        return
     display = simple.Show(source, view)
     display.SetRepresentationType("Surface")
     display.ColorArrayName = ["POINTS", ""]
     display.AmbientColor = display.DiffuseColor = [0.55, 0.55, 0.6]
     display.LineWidth, display.PointSize, display.Opacity = 1.0, 1.0, 0.6
     display.Pickable = 0
+
+
+def _cartoon_of(source):
+    """The cartoon of a molecule; None where it has no residues."""
+    if source.PointData["ResidueId"] is None:
+        return None
+    for proxy in simple.GetSources().values():
+        if proxy.SMProxy.GetXMLName() == "MoleculeCartoon" and proxy.Input.SMProxy == source.SMProxy:
+            return proxy
+    cartoon = entries.make("MoleculeCartoon", source, name_of(source, "cartoon"), hidden=False, follows=False)
+    cartoon.UpdatePipeline()
+    if cartoon.SMProxy.GetDataInformation(molecules.CARTOON).GetNumberOfCells():
+        return cartoon
+    simple.Delete(cartoon)
+    return None
 
 
 def _beside(view, kind, share):
@@ -491,18 +595,19 @@ def close_empty_views():
 
 
 def show_table(source, port, hidden, beside, kind, share):
-    """Opens a table with units in the headers of its columns, and without the columns `hidden`; returns its view."""
-    table = simple.RenameArrays(simple.OutputPort(source, port), registrationName=name_of(source, "table"))
-    table.RowArrays = [name for column in _columns(source, port) if column in UNITS
-                       for name in (column, _with_unit(column))]
+    """Opens a table with units in the headers of its columns, the rank first, and without the columns `hidden`; returns its
+    view."""
+    table = entries.make("RenameArrays", simple.OutputPort(source, port), name_of(source, "table"))
+    table.RowArrays = [name for column in _columns(source, port) if _header_of(column) != column
+                       for name in (column, _header_of(column))]
     sheet = new_view("SpreadSheetView", beside, kind, share)
-    sheet.HiddenColumnLabels = [_with_unit(column) for column in hidden]
+    sheet.HiddenColumnLabels = [_header_of(column) for column in hidden]
     simple.Show(table, sheet, "SpreadSheetRepresentation")
     return sheet
 
 
-def _with_unit(column):
-    return f"{column} ({UNITS[column]})" if column in UNITS else column
+def _header_of(column):
+    return FIRST_COLUMNS.get(column) or (f"{column} ({UNITS[column]})" if column in UNITS else column)
 
 
 def _columns(source, port):
@@ -525,7 +630,6 @@ def _show_chart(pores, view):
     lines.SeriesVisibility = ["Radius"]
     lines.SeriesLineThickness = ["Radius", "3"]
     chart.BottomAxisTitle = "Along the pore (Å)"
-    chart.LeftAxisTitle = f"Radius (Å), {RADII[pores.RadiusTable.GetData()]}"
     chart.ChartTitleFontSize = 12
     _title_chart(chart_of(pores), chart)
     chart.LeftAxisUseCustomLabels = 1
@@ -536,12 +640,27 @@ def _show_chart(pores, view):
 
 
 def _title_chart(profile, chart):
-    """The title of a chart: the narrowest place, and the radii at which water passes."""
+    """The title of a chart: the narrowest place, and the radii at which water passes. The axis names the radii of atoms."""
+    pores = servermanager._getPyProxy(profile.Input.SMProxy)
+    chart.LeftAxisTitle = f"Radius (Å), {RADII[pores.RadiusTable.GetData()]}"
     rows = servermanager.Fetch(profile)
-    places = [(rows.GetValueByName(row, "Radius").ToDouble(), rows.GetValueByName(row, "ArcLength").ToDouble())
-              for row in range(rows.GetNumberOfRows())]
-    narrowest = "Narrowest: %.2f Å, at %.1f Å. " % min(places) if places else ""
+    columns = ("Radius", "ArcLength", "RadiusError")
+    places = [[rows.GetValueByName(row, name).ToDouble() for name in columns] for row in range(rows.GetNumberOfRows())]
+    narrowest = ""
+    if places:
+        radius, along, _ = min(places)
+        error = radius - min(each - below for each, _, below in places)  # of the narrowest place, wherever it is
+        narrowest = f"Narrowest: {radius:.2f} ± {error:.2f} Å, at {along:.1f} Å. "
     chart.ChartTitle = narrowest + "One water passes from 1.15 Å, two from 2.30 Å"
+
+
+def follow_profile(profile, chart):
+    """Called for new data of the profile that a chart shows, such as with other radii of the atoms."""
+    if getattr(profile.Input, "SMProxy", None) and profile.Input.SMProxy.GetXMLName() in FEATURES:
+        pores = servermanager._getPyProxy(profile.Input.SMProxy)
+        _title_chart(profile, chart)
+        _narrowest_of(pores, int(profile.MinValue))
+        simple.RenderAllViews()
 
 
 def _narrowest_of(pores, number):
@@ -551,8 +670,8 @@ def _narrowest_of(pores, number):
     places = [i for i in range(pore.GetNumberOfTuples() if pore else 0) if (pore.GetTuple1(i), rank.GetTuple1(i)) == (number, 1)]
     found = _fed_by(pores, BOTTLENECKS, "ExtractSelection")
     if found is None:
-        found = simple.ExtractSelection(simple.OutputPort(pores, BOTTLENECKS), Selection=selections.of_ids("POINT", places),
-                                        registrationName=name_of(pores, "narrowest place"))
+        found = entries.make("ExtractSelection", simple.OutputPort(pores, BOTTLENECKS), name_of(pores, "narrowest place"),
+                             hidden=False, Selection=selections.of_ids("POINT", places))
     else:
         found.Selection = selections.of_ids("POINT", places)
     found.UpdatePipeline()
@@ -581,6 +700,7 @@ def show(features, view=None, tables=True):
         colour_shapes(display, view)
     else:
         display = _show_surfaces(features, view)
+        lining_of(features)
     _show_residues(residues_of(features), view)
     if "chart" in kind:
         narrowest = _narrowest_of(features, 1)

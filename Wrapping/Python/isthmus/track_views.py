@@ -153,8 +153,7 @@ def show(loops, tracks, view, beside=False):
         table = display.LookupTable
         colours.set_categories(table, [(column.split()[-1], name, colour) for column, name, colour in _charted(tracks)])
         table.NanColor = FURTHER
-        bar = simple.GetScalarBar(table, view)
-        bar.Title, bar.ComponentTitle = "Paths of loops", ""
+        colours.legend(table, view, "Paths of loops")
         display.SetScalarBarVisibility(view, True)
     if beside:
         show_chart(tracks, view)

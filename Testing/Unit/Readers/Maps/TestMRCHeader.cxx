@@ -251,9 +251,9 @@ TEST(MRCHeader, CanReadFileLooksAtTheContent)
 {
   MRCTestReading reading;
   const std::string map = SmallMap([](MRCTestFile&) {});
-  const auto asFile = [&](const std::string& content)
+  const auto asFile = [&](const std::string& content, const char* name = "any.name")
   {
-    const TemporaryFile file(content, "any.name");
+    const TemporaryFile file(content, name);
     return reading->CanReadFile(file.Path());
   };
   EXPECT_EQ(asFile(map), 1);
@@ -266,7 +266,12 @@ TEST(MRCHeader, CanReadFileLooksAtTheContent)
   EXPECT_EQ(asFile(std::string(4096, ' ')), 0);
   EXPECT_EQ(asFile(std::string(4096, '\0')), 0);
   EXPECT_EQ(asFile(Gzip(std::string(4096, 'x'))), 0);
+  EXPECT_EQ(asFile("short", "wrong.map"), 1); // by its name: reading reports what is wrong
+  EXPECT_EQ(asFile("short", "wrong.MRC.gz"), 1);
+  EXPECT_EQ(asFile("RUU CROSS SYSTEM MAP FORMAT", "elevation.map"), 0);
+  EXPECT_EQ(asFile("OziExplorer Map Data File", "walk.map"), 0);
   EXPECT_EQ(reading->CanReadFile("/there/is/no/such/file"), 0);
+  EXPECT_EQ(reading->CanReadFile("/there/is/no/such/file.map"), 0);
   EXPECT_EQ(reading->CanReadFile("/"), 0);
   EXPECT_EQ(reading->CanReadFile(nullptr), 0);
   EXPECT_FALSE(reading.HasFailed());
