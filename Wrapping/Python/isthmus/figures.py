@@ -15,6 +15,7 @@ import os
 import re
 import struct
 import tempfile
+import time
 import zlib
 
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVersion
@@ -48,6 +49,7 @@ LETTER = 11.0  # pixels, the width of one in the text of the scale bar of a view
 SCALE_BAR = "scale bar"  # begins its name in the pipeline browser
 PALETTES = {"white": "WhiteBackground", "light": "WhiteBackground", "dark": "BlackBackground"}  # ParaView's
 LIGHT = [0.93, 0.93, 0.93]
+FAST = 0.1  # seconds to draw a view with soft shadows, so that it still turns smoothly
 
 
 def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True, shadows=True,
@@ -197,6 +199,33 @@ def background(name):
         simple.Render(view)
 
 
+def first_sight(view):
+    """Called before the window shows its first result of Isthmus, which it lights for a figure: a light background, where the
+    user has ParaView's own, and soft shadows, where the view is drawn fast enough with them. The setting Isthmus > Light
+    Background And Soft Shadows turns this off."""
+    global _has_begun
+    settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
+    if _has_begun or settings is None or not settings.LightBackgroundAndSoftShadows:
+        return
+    _has_begun = True
+    palette = servermanager.ProxyManager().GetProxy("settings", "ColorPalette")
+    if palette.GetProperty("BackgroundColor").IsValueDefault():
+        background("light")
+        messages.show_note("Light background: Isthmus > Look of the view has others.")
+    # A view that is slow without shadows is not made to wait for the measurement.
+    if _time_to_draw(view) < FAST and soft_shadows(view, True) and _time_to_draw(view) > FAST:
+        soft_shadows(view, False)
+
+
+_has_begun = False
+
+
+def _time_to_draw(view):
+    began = time.monotonic()
+    view.SMProxy.StillRender()
+    return time.monotonic() - began
+
+
 def soft_shadows(view=None, on=None):
     """Ambient occlusion, which darkens crevices of opaque surfaces, in a render view; on=None: toggle.
     Returns whether it is on."""
@@ -233,6 +262,8 @@ def change_look(what):
             globals()[what]()
             return
         background(what)
+        if what == "standard":
+            servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings").LightBackgroundAndSoftShadows = 0
         messages.show_note("ParaView keeps the background for later sessions; Standard background returns to its own.")
     except ValueError as error:
         messages.show_error(str(error))

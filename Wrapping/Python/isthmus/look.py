@@ -7,7 +7,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import cameras, colours, diagram_views, loop_views, messages, steps, track_views
+from . import cameras, colours, diagram_views, figures, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
 from . import pocket_views as pockets_and_pores
 
@@ -502,20 +502,25 @@ def _look(display):
 def first_look(*ids):
     """Called by the window with the global ids of representations that are new or changed."""
     session = servermanager.ActiveConnection.Session
-    views = {}
+    views, lit = {}, []
     for number in ids:
         proxy = session.GetRemoteObject(number)
         if proxy is None:
             continue
         try:
-            view = _look(servermanager._getPyProxy(proxy))
+            display = servermanager._getPyProxy(proxy)
+            view = _look(display)
             if view is not None:
                 views[view.GetGlobalID()] = view
+                if display.Input.SMProxy.GetXMLName() in MAPS + MOLECULES or _is_ours(display.Input.SMProxy):
+                    lit.append(view)
         except Exception:  # a failed display must not cause an error
             messages.fault("The initial display of a result")
     for view in views.values():  # ParaView has drawn them before
         if hasattr(view, "HiddenLineRemoval"):  # a render view
             simple.HideUnusedScalarBars(view)
+        if view in lit:
+            figures.first_sight(view)
         view.SMProxy.StillRender()
 
 

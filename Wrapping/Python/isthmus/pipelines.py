@@ -666,6 +666,7 @@ def run(function):
             bar.Visibility = 1
         simple.HideUnusedScalarBars(view)
         show(*proxies, view=view, tables=True)
+    figures.first_sight(view)
     figures.refresh(view)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)
