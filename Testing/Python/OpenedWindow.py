@@ -1,5 +1,5 @@
 """A map and a molecule opened by keys in the real ParaView, and Apply: the surface of the map with its box, the cartoon of
-the molecule. With the setting switched off, ParaView's own displays.
+the molecule, on a light background. With the settings switched off, ParaView's own displays and background.
 
 Pictures of the window are kept beside the test's other output.
 """
@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 from shared_data import shared_data
-from window_play import STATUS_BAR, click, complaints, place_of, play
+from window_play import STATUS_BAR, click, complaints, pixels_of_view, place_of, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "OpenedWindow"
 SCRIPT = Path(__file__).parent / "opened_session.py"
@@ -55,6 +55,8 @@ def session(name, data, expected, setting=True):
     assert "Success =  true" in log, f"{name}: the session could not be played: {log[-2000:]}"
     assert not complaints(log), f"{name}: {complaints(log)}"
     assert shown(name) == expected, f"{name}: {shown(name)}, not {expected}"
+    light = float((pixels_of_view(picture).min(axis=2) > 220).mean())
+    assert (light > 0.3) == setting, f"{name}: {100 * light:.0f} % of the view are light"
 
 
 SESSIONS = {
