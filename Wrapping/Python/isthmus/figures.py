@@ -211,7 +211,7 @@ def first_sight(view):
     palette = servermanager.ProxyManager().GetProxy("settings", "ColorPalette")
     if palette.GetProperty("BackgroundColor").IsValueDefault():
         background("light")
-        messages.show_note("Light background: Isthmus > Look of the view has others.")
+        messages.show_note("Light background, which ParaView keeps for later sessions: Isthmus > Look of the view has others.")
     # A view that is slow without shadows is not made to wait for the measurement.
     if _time_to_draw(view) < FAST and soft_shadows(view, True) and _time_to_draw(view) > FAST:
         soft_shadows(view, False)
@@ -263,7 +263,9 @@ def change_look(what):
             return
         background(what)
         if what == "standard":
-            servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings").LightBackgroundAndSoftShadows = 0
+            settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
+            settings.LightBackgroundAndSoftShadows = 0
+            servermanager.vtkSMSettings.GetInstance().SetProxySettings(settings.SMProxy, None)  # for later sessions
         messages.show_note("ParaView keeps the background for later sessions; Standard background returns to its own.")
     except ValueError as error:
         messages.show_error(str(error))
