@@ -49,7 +49,7 @@ LETTER = 11.0  # pixels, the width of one in the text of the scale bar of a view
 SCALE_BAR = "scale bar"  # begins its name in the pipeline browser
 PALETTES = {"white": "WhiteBackground", "light": "WhiteBackground", "dark": "BlackBackground"}  # ParaView's
 LIGHT = [0.93, 0.93, 0.93]
-FAST = 0.1  # seconds to draw a view with soft shadows, so that it still turns smoothly
+FAST = 0.04  # seconds to draw a view with soft shadows, so that it still turns smoothly
 
 
 def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True, shadows=True,
