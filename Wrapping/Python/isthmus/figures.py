@@ -106,7 +106,7 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
         _set_resolution(path, dpi)
     finally:
         change.undo()
-        simple.Render(view)
+        _draw(view)
     return path, vector
 
 
@@ -196,7 +196,7 @@ def background(name):
             _place_bar(view, ruler, display)
         for names in _names(view):
             names.PointLabelColor = view.OrientationAxesLabelColor
-        simple.Render(view)
+        _draw(view)
 
 
 def first_sight(view):
@@ -220,9 +220,14 @@ def first_sight(view):
 _has_begun = False
 
 
+def _draw(view):
+    """Not simple.Render(), which resets the camera when it draws for the first time."""
+    view.SMProxy.StillRender()
+
+
 def _time_to_draw(view):
     began = time.monotonic()
-    view.SMProxy.StillRender()
+    _draw(view)
     return time.monotonic() - began
 
 
@@ -235,7 +240,7 @@ def soft_shadows(view=None, on=None):
         _occlude(view, _Changes())
     else:
         view.UseAmbientOcclusion = 0
-    simple.Render(view)
+    _draw(view)
     return on
 
 
@@ -250,7 +255,7 @@ def scale_bar(view=None, on=None):
         display.Visibility = int(on)
         _place_bar(view, ruler, display)
         cameras.follow(view)
-    simple.Render(view)
+    _draw(view)
     return on
 
 
@@ -376,7 +381,7 @@ def _set_fonts(view, change, size, thickness):
         change.set(bar, TitleFontSize=size, LabelFontSize=size, ScalarBarThickness=max(1, round(thickness)))
     for text in _texts(view):
         change.set(text, FontSize=size)
-    simple.Render(view)
+    _draw(view)
 
 
 def _add_scale_bar(view, change, ink):
@@ -479,7 +484,7 @@ class _Silhouettes:
                 change.set(each, SelectionPointLabelVisibility=0)
             change.set(view, OrientationAxesVisibility=0, CenterAxesVisibility=0)
             change.set(view, ViewSize=size)  # ignored if the window determines it
-            simple.Render(view)
+            _draw(view)
             depths = view.SMProxy.CaptureDepthBuffer()
             across, up = view.SMProxy.GetRenderWindow().GetSize()
             low, high = view.GetActiveCamera().GetClippingRange()
@@ -560,7 +565,7 @@ def _unit(a):
 def _set_chart_fonts(view, change, size):
     change.set(view, ChartTitleFontSize=size, LegendFontSize=size, **{
         f"{axis}Axis{part}FontSize": size for axis in ("Left", "Bottom", "Right", "Top") for part in ("Title", "Label")})
-    simple.Render(view)
+    _draw(view)
 
 
 def _save(path, view, size, lines=None):

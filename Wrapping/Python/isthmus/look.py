@@ -275,24 +275,26 @@ def _look_at_opened(display, view, name):
     and sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files turns them off."""
     if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files() or _has_filters(display.Input):
         return
-    before = set(simple.GetSources().values())
+    before, shown = set(simple.GetSources().values()), None
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
-        surface = _show_surface(display, view, "surface")
-        if surface is not None and not any(each.Visibility for each in view.Representations if getattr(
-                each, "Input", None) is not None and not comes_from(each.Input.SMProxy, display.Input.SMProxy)):
-            view.SMProxy.ResetCamera(*surface.GetDataInformation().GetBounds())  # not to the box, which may be much larger
+        shown = _show_surface(display, view, "surface")
     elif name in MOLECULES and getattr(display.Input, "Port", 0) == 0 and display.Input.PointData["ResidueId"] is not None:
         selected = simple.GetActiveSource()
-        cartoon = simple.MoleculeCartoon(
+        shown = simple.MoleculeCartoon(
             display.Input, registrationName=pockets_and_pores.name_of(display.Input, "cartoon"))
-        cartoon.UpdatePipeline()
+        shown.UpdatePipeline()
         simple.SetActiveSource(selected)
-        if data_of(cartoon).GetNumberOfCells():
-            molecules.show(cartoon, view)
+        if data_of(shown).GetNumberOfCells():
+            molecules.show(shown, view)
             _hide_molecule(display.Input, view)
             display.Visibility = 0
         else:
-            simple.Delete(cartoon)
+            simple.Delete(shown)
+            shown = None
+    if shown is not None and not any(each.Visibility for each in view.Representations if getattr(
+            each, "Input", None) is not None and not comes_from(each.Input.SMProxy, display.Input.SMProxy)):
+        # Not to the box of the map, or the water of the molecule, which may be much larger.
+        view.SMProxy.ResetCamera(*shown.GetDataInformation().GetBounds())
     _first_sights.update(source.SMProxy.GetGlobalID() for source in set(simple.GetSources().values()) - before)
 
 

@@ -276,6 +276,9 @@ def zoom(loops, cells):
         low, high = min(box[2 * axis] for box in boxes), max(box[2 * axis + 1] for box in boxes)
         reach = 0.5 * CONTEXT * (high - low)
         bounds += [0.5 * (low + high) - reach, 0.5 * (low + high) + reach]
+    whole = loops.Input.GetDataInformation().GetBounds()
+    if math.dist(bounds[::2], bounds[1::2]) > math.dist(whole[::2], whole[1::2]):
+        bounds = whole
     for view in views_of(loops):
         view.SMProxy.ResetCamera(*bounds)
 

@@ -669,7 +669,7 @@ def run(function):
     figures.first_sight(view)
     figures.refresh(view)
     simple.SetActiveSource(proxies[-1])
-    simple.Render(view)
+    view.SMProxy.StillRender()
 
 
 # ---------------------------------------------------------------------------- without ParaView
