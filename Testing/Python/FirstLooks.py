@@ -3,6 +3,7 @@ that it can use, hides all else, and refuses in one sentence; meshes have edges,
 a surface takes the place of its molecule.
 """
 
+import os
 from pathlib import Path
 
 from good_data import channel
@@ -180,6 +181,19 @@ def check_looks(density, atoms):
     assert not {"Along", "Current"} & set(sheet.HiddenColumnLabels), sheet.HiddenColumnLabels
 
 
+def check_file_without_atoms():
+    """ParaView shows a legend of nothing for a molecule without atoms, if it is visible."""
+    path = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "words.pdb"
+    path.write_text("no molecule\n")
+    words = simple.OpenDataFile(str(path))
+    view = simple.CreateView("RenderView")
+    displays = [simple.Show(simple.OutputPort(words, port), view) for port in (0, 1)]
+    look.first_look(*[display.GetGlobalID() for display in displays])
+    assert not visible(view), visible(view)
+    simple.Delete(view)
+    simple.Delete(words)
+
+
 def check_sites():
     """The best site faces the viewer; the potential is beside it, and the table; all close with their sources."""
     view = simple.GetActiveViewOrCreate("RenderView")
@@ -233,6 +247,7 @@ check_sites()
 check_fault()
 check_first_values()
 check_looks(*check_buttons())
+check_file_without_atoms()
 check_diagram_of_deleted_loops()  # last: the plot's script puts numpy's all() in place of Python's
 assert servermanager.ActiveConnection is not None
 print("buttons and first looks")

@@ -336,6 +336,11 @@ def _shows_files():
     return settings is None or bool(settings.SurfaceAndCartoonOfFiles)
 
 
+def _count_atoms(port):
+    data = data_of(port)
+    return max(data.GetNumberOfPoints(), data.GetNumberOfVertices())  # the latter of a vtkMolecule
+
+
 def _colour_if_it_differs(display, view, array):
     """A plain colour if a cell array has a single value: a colour bar would be empty."""
     cells = _range_of_cells(display.Input, array)
@@ -459,6 +464,9 @@ def _look_at_shape(display, view, source, name):
         if _show_surface(display, view, "denoised surface"):
             display.Visibility = 0
             _hide_made_from(source.Input.SMProxy, source.SMProxy, view)
+    elif name in MOLECULES and not _count_atoms(display.Input):
+        display.Visibility = 0  # of a file without atoms: ParaView shows a legend of nothing
+        simple.HideUnusedScalarBars(view)
     elif name in MAPS + MOLECULES:
         _look_at_opened(display, view, name)
     elif name == "AtomSelection":
