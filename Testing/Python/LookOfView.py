@@ -98,6 +98,8 @@ else:
 # The first result of a session: light where the background is ParaView's own, soft shadows where they are drawn fast.
 settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
 assert not settings.LightBackgroundAndSoftShadows, "after Standard background it stays"
+pipelines.change_look("light")
+assert servermanager.vtkSMSettings.GetInstance().HasSetting(".settings.ColorPalette.BackgroundColor"), "ParaView saves a choice"
 
 
 def first_sight(before, after, setting=1, background="standard"):
@@ -113,6 +115,8 @@ def first_sight(before, after, setting=1, background="standard"):
 
 fast, slow = 0.5 * figures.FAST, 2.0 * figures.FAST
 assert first_sight(fast, fast) == (True, True)
+saved = servermanager.vtkSMSettings.GetInstance()
+assert not saved.HasSetting(".settings.ColorPalette.BackgroundColor"), "later sessions begin as ParaView does"
 view.UseAmbientOcclusion = 0
 figures.first_sight(view)
 assert not int(view.UseAmbientOcclusion), "only the first result"

@@ -208,10 +208,11 @@ def first_sight(view):
     if _has_begun or settings is None or not settings.LightBackgroundAndSoftShadows:
         return
     _has_begun = True
-    palette = servermanager.ProxyManager().GetProxy("settings", "ColorPalette")
-    if palette.GetProperty("BackgroundColor").IsValueDefault():
+    manager = servermanager.ProxyManager()
+    if manager.GetProxy("settings", "ColorPalette").GetProperty("BackgroundColor").IsValueDefault():
         background("light")
-        messages.show_note("Light background, which ParaView keeps for later sessions: Isthmus > Look of the view has others.")
+        # ParaView has saved it for later sessions, which may be without Isthmus: the default values take it out again.
+        servermanager.vtkSMSettings.GetInstance().SetProxySettings(manager.GetPrototypeProxy("settings", "ColorPalette"), None)
     # A view that is slow without shadows is not made to wait for the measurement.
     if _time_to_draw(view) < FAST and soft_shadows(view, True) and _time_to_draw(view) > FAST:
         soft_shadows(view, False)
