@@ -1,5 +1,6 @@
 #include "IsthmusFirstLook.h"
 
+#include "IsthmusBrowser.h"
 #include "IsthmusProgress.h"
 #include "RunPython.h"
 #include "WindowGuards.h"
@@ -44,13 +45,6 @@ namespace
 int PendingDelay()
 {
   return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
-}
-
-bool IsOurs(vtkSMProxy* proxy)
-{
-  vtkPVXMLElement* hints = proxy->GetHints();
-  vtkPVXMLElement* entry = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
-  return entry && QString(entry->GetAttribute("category")).contains("Isthmus");
 }
 
 /// Whether a panel has values that wait for Apply.
@@ -116,7 +110,8 @@ void AcceptCapitals(pqServer* server)
 void Unmark(pqServerManagerModelItem* item)
 {
   const QPointer<pqPipelineSource> source(qobject_cast<pqPipelineSource*>(item));
-  if (!source || source->modifiedState() != pqProxy::MODIFIED || !IsOurs(source->getProxy()))
+  if (!source || source->modifiedState() != pqProxy::MODIFIED ||
+    !IsthmusBrowser::IsOurs(source->getProxy()))
   {
     return;
   }

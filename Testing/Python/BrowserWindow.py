@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy
 from shared_data import shared_data
-from window_play import APPLY, button, click, complaints, pixels_of_window, play
+from window_play import APPLY, asks_for_apply, button, click, complaints, pixels_of_window, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "BrowserWindow"
 SCRIPT = Path(__file__).parent / "browser_session.py"
@@ -19,7 +19,6 @@ BAR = "pqClientMainWindow/menubar"
 PAUSE = ("pqClientMainWindow", "pause", "3000")
 HELPERS = [(BAR, "activate", "menuIsthmus"), (BAR + "/menuIsthmus", "activate", "Show_helpers"), PAUSE]
 NAMES = (slice(163, 430), slice(24, 280))  # of the pipeline browser, in a window of 1600 x 1000
-APPLY_BUTTON = (slice(435, 540), slice(8, 88))
 ROW_BESIDE, ROW_BELOW = (1200, 288), (400, 823)  # rows of the table to the right of a view, and of the table below it
 
 
@@ -37,11 +36,6 @@ def entries(pixels):
     starts = numpy.flatnonzero(text[1:] & ~text[:-1])
     # A letter below the line, or a dot above it, is no line of its own.
     return 1 + int((numpy.diff(starts) > 12).sum()) if len(starts) else 0
-
-
-def asks_for_apply(pixels):
-    red, green, blue = numpy.moveaxis(pixels[APPLY_BUTTON], 2, 0)
-    return int(((green > red + 20) & (green > blue + 20)).sum()) > 500
 
 
 def session(name, data, events, row):
