@@ -529,8 +529,8 @@ def first_look(*ids):
     for view in views.values():  # ParaView has drawn them before
         if hasattr(view, "HiddenLineRemoval"):  # a render view
             simple.HideUnusedScalarBars(view)
-        if view in lit:
-            figures.first_sight(view)
+            if view in lit:
+                figures.first_sight(view)
         view.SMProxy.StillRender()
 
 
