@@ -77,9 +77,11 @@ if len(ids):
                 atom = locator.FindClosestPoint(place)
                 found[feature].add((chain.GetValue(atom), int(number.GetTuple1(atom)), code.GetValue(atom) if code else "",
                                     name.GetValue(atom)))
-        texts("Residues", [", ".join(f"{word} {n}{c} {letter}".strip() for letter, n, c, word in sorted(found[feature]))
+        texts("Residues", ["; ".join(f"{word} {n}{c} {letter}".strip() for letter, n, c, word in sorted(found[feature]))
                            for feature in features])
-    texts("Trusted", ["yes" if each else "no" for each in trusted])
+    resolved = column("Uncertainty")[first] < 0.5 * column("Radius")[first]
+    texts("Trusted", ["no" if not exists else "yes" if known else "yes, radius unresolved"
+                      for exists, known in zip(trusted, resolved)])
     middle = numpy.round([numpy.mean(points[feature], axis=0) for feature in features], 3) + 0.0
     for axis in range(3):
         rows.append(middle[:, axis].copy(), "XYZ"[axis] + " (\\u00c5)")
@@ -105,13 +107,11 @@ def words(loops):
     if not found:
         lines = ["No choking loops", f"Try {_advice(proxy)}"]
     else:
-        lines = [f"{shown} of {found} loops shown"]
+        lines = [f"{shown} of {found} loops shown" if only_of(proxy) is None else f"the selected ones of {found} loops shown"]
         if untrusted and proxy.TrustedOnly:
             lines[0] += f", {untrusted} not trusted"
         if not shown:
             lines.append(f"Try {'Trusted Only off' if untrusted and proxy.TrustedOnly else _advice(proxy)}")
-    if only_of(proxy) is not None:
-        lines.append("only the selected ones are drawn")
     gain = _gain_of_denoising(proxy)
     if gain is not None:
         lines.append(f"map denoised first, estimated gain {gain:.1f} dB")

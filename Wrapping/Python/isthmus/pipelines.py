@@ -52,6 +52,8 @@ def _is_volume(source):
 
 
 def _require_volume(source):
+    if look.data_of(source).GetDataSetTypeAsString() == "vtkImageData" and not look.data_of(source).GetNumberOfPoints():
+        raise ValueError("There is no map: the file could not be read. The window Output Messages says why.")
     if not _is_volume(source):
         raise ValueError("This needs a density map (a volume): select one in the pipeline browser, "
                          "or open one by File > Open.")
