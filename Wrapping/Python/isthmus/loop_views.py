@@ -24,6 +24,7 @@ LOOPS = ("ChokingLoops",)
 STALE = "the loops follow when the slider is released"
 COUNT = " shown"  # ends the names of the texts in the pipeline browser
 CHOKE_POINTS = 2  # port of Choking Loops
+ADVANCED = ("sides", "Minimum Persistence", "Maximum Length", "Maximum Reach")  # properties that the gear shows, in _advice()
 CONTEXT = 3.0  # size of the region shown around a clicked loop, relative to the size of the loop
 # Executed where the data is. Inputs: the loops, and the atoms of which the surface was made, if any. The residues of a loop
 # are those of the atoms nearest to its points; its position is the mean of them.
@@ -129,7 +130,8 @@ def _advice(loops):
         ("a larger Maximum Length", loops.MaximumLength > 0.0),
         ("a larger Maximum Reach", loops.MaximumReach > 0.0),
         ("another level of the map", loops.Input.SMProxy.GetXMLName() in steps.LEVELLED)) if helps]
-    return " or ".join(filter(None, [", ".join(found[:-1]), *found[-1:]])) or "a surface with narrow places"
+    words = " or ".join(filter(None, [", ".join(found[:-1]), *found[-1:]])) or "a surface with narrow places"
+    return words + " (the gear above the panel shows it)" * any(name in words for name in ADVANCED)
 
 
 def _gain_of_denoising(loops):

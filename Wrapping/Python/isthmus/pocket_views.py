@@ -38,7 +38,8 @@ HIDDEN_COLUMNS = {
         "MeanPotential", "MouthArea", "MouthRadius", "Parent", "PolarShare", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
 # Units of columns of tables, which their headers show.
-UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "MouthRadius": "Å", "Length": "Å", "Span": "Å",
+UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "RadiusError": "Å", "MouthRadius": "Å", "Length": "Å",
+         "Span": "Å",
          "CenterX": "Å", "CenterY": "Å", "CenterZ": "Å", "BottleneckX": "Å", "BottleneckY": "Å", "BottleneckZ": "Å",
          "MeanDepth": "Å", "MeanPotential": "kT/e", "MeanPolarized": "kT/(e Å)"}
 FIRST_COLUMNS = {"Rank": "# Rank", "PoreId": "# Pore"}  # names that ParaView, which sorts columns by name, places first
