@@ -181,9 +181,7 @@ def count(loops, view):
     if text is None:
         if not said:
             return False
-        selected = simple.GetActiveSource()
-        text = simple.Text(registrationName=name + COUNT, Text=said)
-        simple.SetActiveSource(selected)
+        text = entries.make("Text", None, name + COUNT, Text=said)
         _place(simple.Show(text, view))
         return True
     has_changed = text.Text != said
