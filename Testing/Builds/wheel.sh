@@ -155,6 +155,12 @@ oldest=$(sed -E 's/^vtk>=([0-9.]+),.*$/\1/' <<<"$vtk").0
 say "The same with VTK $oldest"
 fresh oldest_env "$ISTHMUS_WHEEL" "vtk==$oldest"
 tests "$folder/oldest_env/bin/python"
+newer=$(sed -E 's/^.*<([0-9.]+)$/vtk>=\1/' <<<"$vtk")
+say "With $newer: one sentence"
+"$folder/oldest_env/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps "$newer"
+said=$("$folder/oldest_env/bin/python" -B -c 'import isthmus' 2>&1 | tail -n 1) || true
+echo "$said"
+grep -qE "^ImportError: .* built for VTK .*: pip install 'vtk==" <<<"$said" || exit 1
 say "Python tests that need no ParaView"
 "$folder/plain_env/bin/python" -m pip install --quiet --disable-pip-version-check scipy
 # Those that import isthmus, and neither they nor their helpers ParaView.
