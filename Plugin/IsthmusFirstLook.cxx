@@ -106,12 +106,18 @@ void AcceptCapitals(pqServer* server)
   }
 }
 
+bool IsReader(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  return hints && hints->FindNestedElementByName("ReaderFactory");
+}
+
 /// The lists of arrays of a panel mark it as modified when ParaView builds it.
 void Unmark(pqServerManagerModelItem* item)
 {
   const QPointer<pqPipelineSource> source(qobject_cast<pqPipelineSource*>(item));
   if (!source || source->modifiedState() != pqProxy::MODIFIED ||
-    !IsthmusBrowser::IsOurs(source->getProxy()))
+    !(IsthmusBrowser::IsOurs(source->getProxy()) || IsReader(source->getProxy())))
   {
     return;
   }
