@@ -11,7 +11,7 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
-from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import colours, look, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import diagram_views as diagrams
 
 
@@ -219,6 +219,10 @@ def check_sites():
     (display,) = [display for display in view.Representations
                   if getattr(display, "Input", None) == sites and display.Visibility]
     assert len(display.LookupTable.Annotations) == 2 * min(6, 1 + table.GetNumberOfRows())
+    bar = simple.GetScalarBar(display.LookupTable, view)
+    for count in (1, 3):
+        colours.set_categories(display.LookupTable, [(str(i), f"site {i}", (0.0, 0.0, 1.0)) for i in range(count)])
+        assert abs(bar.ScalarBarLength - 0.05 * count) < 1e-6, f"{count} entries in {bar.ScalarBarLength} of the view"
     for proxy in list(simple.GetSources().values()):
         simple.Delete(proxy)
     pipelines.forget()
