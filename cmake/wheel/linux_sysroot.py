@@ -49,11 +49,18 @@ def main():
         for headers in pathlib.Path("/usr/include").glob("*-linux-gnu/python3.*"):
             (root / str(headers)[1:]).symlink_to(headers)
         (shared,) = root.glob("usr/lib/*-linux-gnu/libstdc++.so.6")
+        (support,) = root.rglob("libgcc_s.so.1")
         static = subprocess.run(["g++", "-print-file-name=libstdc++.a"], capture_output=True, text=True, check=True).stdout.strip()
         (folder / "first").mkdir()
-        (folder / "first/libstdc++.so").write_text(f"INPUT({shared} {static})\n")
-        # The compiler would look in this machine's folders before it looks in those of CMAKE_SYSROOT.
-        flags = f"-L{folder}/first -B{shared.parent} -Wl,--exclude-libs,libstdc++.a"
+        # What is linked statically reads this variable of glibc 2.32, which says whether it may do without atomic operations.
+        subprocess.run(["gcc", "-x", "c", "-c", "-fPIC", "-o", folder / "first/threads.o", "-"], text=True, check=True,
+                       input='__attribute__((visibility("hidden"))) char __libc_single_threaded;\n')
+        (folder / "first/libstdc++.so").write_text(f"INPUT({shared} {static} {folder}/first/threads.o)\n")
+        (folder / "first/libgcc_s.so").write_text(f"GROUP({support} -lgcc)\n")
+        # The compiler would look in this machine's folders before it looks in those of CMAKE_SYSROOT. The shared library comes first
+        # and in any case, or what other libraries need of it would be taken from the static one.
+        flags = (f"-L{folder}/first -B{shared.parent} -Wl,--exclude-libs,libstdc++.a "
+                 f"-Wl,--push-state,--no-as-needed,{shared},--pop-state")
         toolchain.write_text(f'set(CMAKE_SYSROOT "{root}")\nset(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)\n' + "".join(
             f'set(CMAKE_{kind}_LINKER_FLAGS_INIT "{flags}")\n' for kind in ("EXE", "SHARED", "MODULE")))
     print(toolchain)
