@@ -35,18 +35,9 @@ vtkSMInputProperty* MainInput(pqPipelineSource* source)
   return vtkSMInputProperty::SafeDownCast(source->getProxy()->GetProperty("Input"));
 }
 
-bool IsOurs(pqPipelineSource* source)
-{
-  vtkSMProxy* proxy = source->getProxy();
-  vtkPVXMLElement* hints = proxy->GetHints();
-  vtkPVXMLElement* entry = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
-  const char* category = entry ? entry->GetAttribute("category") : nullptr;
-  return proxy->HasAnnotation(Annotation) || (category && std::strstr(category, "Isthmus"));
-}
-
 bool IsFurtherInput(pqPipelineSource* source, pqPipelineSource* sink, int port)
 {
-  vtkSMInputProperty* main = IsOurs(sink) ? MainInput(sink) : nullptr;
+  vtkSMInputProperty* main = IsthmusBrowser::IsOurs(sink->getProxy()) ? MainInput(sink) : nullptr;
   for (unsigned int i = 0; main && i < main->GetNumberOfProxies(); ++i)
   {
     if (main->GetProxy(i) == source->getProxy() &&
@@ -65,6 +56,14 @@ IsthmusBrowser& IsthmusBrowser::Instance()
   // Lives as long as the application, which it uses in the destructor.
   static IsthmusBrowser* const instance = new IsthmusBrowser;
   return *instance;
+}
+
+bool IsthmusBrowser::IsOurs(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  vtkPVXMLElement* entry = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
+  const char* category = entry ? entry->GetAttribute("category") : nullptr;
+  return proxy->HasAnnotation(Annotation) || (category && std::strstr(category, "Isthmus"));
 }
 
 void IsthmusBrowser::Attach(QWidget* window)
@@ -131,7 +130,7 @@ bool IsthmusBrowser::IsHidden(pqPipelineSource* source) const
 
 bool IsthmusBrowser::IsCollapsed(pqPipelineSource* source) const
 {
-  return !this->ShowsAll && source->getNumberOfOutputPorts() > 1 && IsOurs(source) &&
+  return !this->ShowsAll && source->getNumberOfOutputPorts() > 1 && IsOurs(source->getProxy()) &&
     this->Above(source).first;
 }
 

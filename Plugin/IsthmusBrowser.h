@@ -24,6 +24,7 @@ class QWidget;
 class pqPipelineBrowserWidget;
 class pqPipelineModel;
 class pqPipelineSource;
+class vtkSMProxy;
 
 class IsthmusBrowser : public QObject
 {
@@ -31,6 +32,9 @@ class IsthmusBrowser : public QObject
 
 public:
   static IsthmusBrowser& Instance();
+
+  /// Whether a filter is one of Isthmus, or was made by one of its buttons.
+  static bool IsOurs(vtkSMProxy* proxy);
 
   /// Takes over the entries of the window's pipeline browser.
   void Attach(QWidget* window);

@@ -1,5 +1,6 @@
 #include "IsthmusFirstLook.h"
 
+#include "IsthmusBrowser.h"
 #include "IsthmusProgress.h"
 #include "RunPython.h"
 #include "WindowGuards.h"
@@ -44,13 +45,6 @@ namespace
 int PendingDelay()
 {
   return IsthmusProgress::Instance().IsRunning() ? 200 : 0;
-}
-
-bool IsOurs(vtkSMProxy* proxy)
-{
-  vtkPVXMLElement* hints = proxy->GetHints();
-  vtkPVXMLElement* entry = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
-  return entry && QString(entry->GetAttribute("category")).contains("Isthmus");
 }
 
 /// Whether a panel has values that wait for Apply.
@@ -112,11 +106,18 @@ void AcceptCapitals(pqServer* server)
   }
 }
 
+bool IsReader(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  return hints && hints->FindNestedElementByName("ReaderFactory");
+}
+
 /// The lists of arrays of a panel mark it as modified when ParaView builds it.
 void Unmark(pqServerManagerModelItem* item)
 {
   const QPointer<pqPipelineSource> source(qobject_cast<pqPipelineSource*>(item));
-  if (!source || source->modifiedState() != pqProxy::MODIFIED || !IsOurs(source->getProxy()))
+  if (!source || source->modifiedState() != pqProxy::MODIFIED ||
+    !(IsthmusBrowser::IsOurs(source->getProxy()) || IsReader(source->getProxy())))
   {
     return;
   }

@@ -136,10 +136,14 @@ function (isthmus_python_sources folder destination)
     "${CMAKE_CURRENT_SOURCE_DIR}/Readers/*/CMakeLists.txt")
   file(GLOB tables CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/[FR]*/*/vtk*.cxx"
     "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*/*Arrays.h")
+  set(vtk)
+  if (ISTHMUS_WHEEL)
+    string(REGEX MATCH "^[0-9]+\\.[0-9]+" vtk "${vtk_version}")
+  endif ()
   add_custom_command(
     OUTPUT "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
     COMMAND "${Python3_EXECUTABLE}" -B "${from}/describe.py"
-      "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}" "${PROJECT_VERSION}"
+      "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}" "${PROJECT_VERSION}" ${vtk}
     DEPENDS "${from}/describe.py" "${from}/output_arrays.py" "${from}/panel_files.py"
       "${CMAKE_CURRENT_SOURCE_DIR}/Readers/Molecules/MoleculeFormats.h" "${from}/isthmus/__init__.py.in"
       "${from}/isthmus/data_pipelines.py" "${from}/function_examples.txt" ${panels} ${lists} ${tables}

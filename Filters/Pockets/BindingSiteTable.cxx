@@ -2,6 +2,7 @@
 
 #include "Atoms/PointBins.h"
 #include "Core/NamedColumns.h"
+#include "Pockets/LiningResidues.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -49,9 +50,8 @@ std::string JoinResidueNames(const NearResidues& residues, const MoleculeAtoms& 
     {
       return count + (residue.Atoms == 1 ? " atom" : " atoms");
     }
-    const NamedAtom& atom = atoms.Named[residue.First];
-    text += (text.empty() ? "" : ", ") + atom.Chain + (atom.Chain.empty() ? "" : " ") +
-      atom.Residue + ' ' + std::to_string(atom.ResidueId) + atom.InsertionCode + " (" + count + ')';
+    text += (text.empty() ? "" : "; ") + MakeResidueLabel(atoms.Named[residue.First]) + " (" +
+      count + ')';
   }
   return text;
 }

@@ -22,7 +22,7 @@ constexpr double SiteReach = 4.0;
 
 /**
  * For each of `sites` sites, the residues with atoms within SiteReach of a point that has the
- * site's label (1 + index): "A HIS 57 (5), A SER 195 (3)" gives chain, name, number and number of
+ * site's label (1 + index): "HIS 57 A (5); SER 195 A (3)" gives name, number, chain and number of
  * atoms. Residues with the most atoms come first, then in the order of the file; atoms without
  * residue names are only counted ("12 atoms"). O(n log n) plus the number of pairs within reach.
  */

@@ -47,13 +47,13 @@ int ReadInteger(vtkDataArray* array, vtkIdType i)
   return std::isfinite(value) ? static_cast<int>(value) : -1;
 }
 
-/// The items of a list separated by commas, sorted.
+/// The items of a list separated by semicolons, sorted.
 std::vector<std::string> SplitNames(const std::string& list)
 {
   std::vector<std::string> names;
   for (std::size_t at = 0; at < list.size();)
   {
-    const std::size_t end = std::min(list.find(", ", at), list.size());
+    const std::size_t end = std::min(list.find("; ", at), list.size());
     names.push_back(list.substr(at, end - at));
     at = end + 2;
   }

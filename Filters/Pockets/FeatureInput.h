@@ -33,7 +33,7 @@ struct InputFeature
  * MouthId), PoreId (per bottleneck, if there is a Rank) or FeatureId; without any of these arrays,
  * one feature per point. The position of a pocket is the mean of its tetrahedra with the weights of
  * its score, that of a pore is its narrowest place, and that of any other feature is the mean of
- * its points. The residues of a point are those named in its array `Residues`, separated by commas.
+ * its points. The residues of a point are those named in its array `Residues`, separated by "; ".
  *
  * `lining`, or null: the residues by PocketId or PoreId, for rows, pockets and pores. It does not
  * apply to single mouths or bottlenecks.

@@ -47,13 +47,6 @@ std::vector<std::vector<vtkIdType>> BondedTo(vtkPointSet* input)
   return bonded;
 }
 
-/// Residue, number and chain, as "ASP 52 A".
-std::string MakeResidueLabel(const NamedAtom& atom)
-{
-  return atom.Residue + " " + std::to_string(atom.ResidueId) + atom.InsertionCode +
-    (atom.Chain.empty() ? "" : " ") + atom.Chain;
-}
-
 /// The atom of a residue that carries its label: CA, otherwise the first; none without names.
 vtkIdType LabelledPoint(const MoleculeAtoms& atoms, const std::vector<vtkIdType>& residue)
 {
@@ -92,6 +85,12 @@ std::vector<LiningResidue> FindLiningResidues(
   return residues;
 }
 
+std::string MakeResidueLabel(const NamedAtom& atom)
+{
+  return atom.Residue + " " + std::to_string(atom.ResidueId) + atom.InsertionCode +
+    (atom.Chain.empty() ? "" : " ") + atom.Chain;
+}
+
 std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms)
 {
   if (!atoms.HasNames)
@@ -103,7 +102,7 @@ std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& 
   std::string text;
   for (const LiningResidue& residue : residues)
   {
-    text += (text.empty() ? "" : ", ") + MakeResidueLabel(AtomAt(atoms, residue.Points.front()));
+    text += (text.empty() ? "" : "; ") + MakeResidueLabel(AtomAt(atoms, residue.Points.front()));
   }
   return text;
 }

@@ -24,6 +24,9 @@ class vtkTable;
 namespace isthmus
 {
 
+/// Residue, number and chain, as "ASP 52 A".
+std::string MakeResidueLabel(const NamedAtom& atom);
+
 /// A residue with those of its atoms that line a feature. Without residue names, each atom counts
 /// as a residue.
 struct LiningResidue
@@ -36,7 +39,7 @@ struct LiningResidue
 std::vector<LiningResidue> FindLiningResidues(
   const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms);
 
-/// Their names, those with the largest area first: "TRP 62 A, ASP 52 A"; empty if the atoms have no
+/// Their names, those with the largest area first: "TRP 62 A; ASP 52 A"; empty if the atoms have no
 /// names.
 std::string JoinNames(std::vector<LiningResidue> residues, const MoleculeAtoms& atoms);
 

@@ -48,7 +48,7 @@ std::string GetResidueName(const MoleculeAtoms& atoms, std::int64_t ball)
     (atom.Chain.empty() ? "" : " " + atom.Chain);
 }
 
-/// "SER 54 A, TRP 23 A": the residues with an atom that touches the ball, nearly, in order.
+/// "SER 54 A; TRP 23 A": the residues with an atom that touches the ball, nearly, in order.
 std::string ResiduesAround(
   const PoreSample& sample, const AtomField& field, const MoleculeAtoms& atoms)
 {
@@ -60,7 +60,7 @@ std::string ResiduesAround(
   std::string list;
   for (const std::string& name : names)
   {
-    list += (list.empty() ? "" : ", ") + name;
+    list += (list.empty() ? "" : "; ") + name;
   }
   return list;
 }

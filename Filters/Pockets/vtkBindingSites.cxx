@@ -63,8 +63,8 @@ const std::vector<isthmus::OutputArray>& vtkBindingSites::OutputArrayTable()
       "without a potential" },
     { 1, ArrayPlace::Rows, "Class", 1, "", ArrayChoice::None, "SiteClass in words" },
     { 1, ArrayPlace::Rows, "Residues", 1, "", ArrayChoice::None,
-      "with atoms: residues within 4 angstrom, those with the most atoms first: A HIS 57 (5) "
-      "is chain, name, number and number of atoms" },
+      "with atoms: residues within 4 angstrom, those with the most atoms first: HIS 57 A (5) "
+      "is name, number, chain and number of atoms" },
     { 1, ArrayPlace::Rows, "Volume", 1, "length^3", ArrayChoice::None, "of pockets" },
     { 1, ArrayPlace::Rows, "Area", 1, "length^2", ArrayChoice::None, "of the surface of the site" },
     { 1, ArrayPlace::Rows, "MeanDepth", 1, "length", ArrayChoice::None,

@@ -77,6 +77,26 @@ std::vector<isthmus::Pore> Find(const std::vector<isthmus::Ball>& balls, const P
   return { isthmus::PoreAlong(balls, point(ways.Point), point(ways.Direction), options, progress) };
 }
 
+/// Notes where the balls of neighbouring planes do not meet.
+void NoteJumps(const std::vector<isthmus::Pore>& pores, std::vector<std::string>& notes)
+{
+  for (std::size_t pore = 0; pore < pores.size(); ++pore)
+  {
+    const auto& samples = pores[pore].Samples;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+    {
+      const double jump = samples[i + 1].ArcLength - samples[i].ArcLength;
+      if (jump > samples[i].Radius + samples[i + 1].Radius)
+      {
+        notes.push_back("Pore " + std::to_string(pore + 1) + " jumps by " +
+          isthmus::FormatNumber(jump) + " at ArcLength " +
+          isthmus::FormatNumber(samples[i].ArcLength) +
+          ": of its radius in between only RadiusError is known.");
+      }
+    }
+  }
+}
+
 /// Returns a warning about residues of low confidence at the first pore.
 std::string Fill(
   const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationVector* outputs)
@@ -337,6 +357,7 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   const auto pores = this->Mode == CellVectors
     ? FindInCrystal(input, options, atoms, vtkTable::GetData(outputs, 2), progress)
     : Find(atoms.Balls, ways, options, progress);
+  NoteJumps(pores, atoms.Notes);
   const std::string confidence = Fill({ pores, atoms }, input, outputs);
   if (!confidence.empty())
   {

@@ -11,7 +11,8 @@
 #   FOLDER    the build tree, where environments, wheel and pictures go as well; default: build_wheel/ in the tree
 # ISTHMUS_WHEEL: an existing wheel to test instead of building one. ISTHMUS_PYTHON: the Python that it is for; in the folder
 # of another one only wrapping and linking are done again. ISTHMUS_BUILD_DIR: the build with pvpython's package, by default build/ in
-# the tree. Exit status 77: PyPI cannot be reached, or a package of Debian to build with is missing; the message says which.
+# the tree. ISTHMUS_OLD_GLIBC=1: linked with Debian 11's glibc, for more systems than those as new as this machine
+# (cmake/wheel/linux_sysroot.py); in a folder of its own. Exit status 77: PyPI cannot be reached, or a package of Debian to build with is missing; the message says which.
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scope=usual
@@ -57,6 +58,11 @@ if [ -z "${ISTHMUS_WHEEL:-}" ]; then
   # Pythons of other origin would choose compilers of other names, and all would be compiled again.
   export CC=${CC:-gcc} CXX=${CXX:-g++}
   rm -rf "$folder/raw" "$folder/dist"
+  if [ "${ISTHMUS_OLD_GLIBC:-0}" = 1 ]; then
+    CMAKE_TOOLCHAIN_FILE=$("$folder/build_env/bin/python" -B "$source_dir/cmake/wheel/linux_sysroot.py" "$folder/sysroot")
+    AUDITWHEEL_LD_LIBRARY_PATH=$(echo "$folder"/sysroot/root/usr/lib/*-linux-gnu)
+    export CMAKE_TOOLCHAIN_FILE AUDITWHEEL_LD_LIBRARY_PATH
+  fi
   # Sources with CGAL take 3 GB of memory each.
   CMAKE_BUILD_PARALLEL_LEVEL=${ISTHMUS_JOBS:-$(nproc)} "$folder/build_env/bin/python" -m build --wheel \
     --outdir "$folder/raw" -Cbuild-dir="$folder" "$source_dir" >"$folder/build.log" 2>&1 || {
@@ -155,6 +161,12 @@ oldest=$(sed -E 's/^vtk>=([0-9.]+),.*$/\1/' <<<"$vtk").0
 say "The same with VTK $oldest"
 fresh oldest_env "$ISTHMUS_WHEEL" "vtk==$oldest"
 tests "$folder/oldest_env/bin/python"
+newer=$(sed -E 's/^.*<([0-9.]+)$/vtk>=\1/' <<<"$vtk")
+say "With $newer: one sentence"
+"$folder/oldest_env/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps "$newer"
+said=$("$folder/oldest_env/bin/python" -B -c 'import isthmus' 2>&1 | tail -n 1) || true
+echo "$said"
+grep -qE "^ImportError: .* built for VTK .*: pip install 'vtk==" <<<"$said" || exit 1
 say "Python tests that need no ParaView"
 "$folder/plain_env/bin/python" -m pip install --quiet --disable-pip-version-check scipy
 # Those that import isthmus, and neither they nor their helpers ParaView.

@@ -11,15 +11,16 @@ from pathlib import Path
 
 import numpy
 from shared_data import shared_data
-from window_play import APPLY, button, click, complaints, pixels_of_window, play
+from window_play import APPLY, VERSION, asks_for_apply, button, click, complaints, pixels_of_window, play
 
 FOLDER = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "BrowserWindow"
 SCRIPT = Path(__file__).parent / "browser_session.py"
 BAR = "pqClientMainWindow/menubar"
 PAUSE = ("pqClientMainWindow", "pause", "3000")
 HELPERS = [(BAR, "activate", "menuIsthmus"), (BAR + "/menuIsthmus", "activate", "Show_helpers"), PAUSE]
-NAMES = (slice(163, 430), slice(24, 280))  # of the pipeline browser, in a window of 1600 x 1000
-APPLY_BUTTON = (slice(435, 540), slice(8, 88))
+# Of the pipeline browser, in a window of 1600 x 1000: the first of its lines, and the height of each.
+TOP, LINE, LINES = 154 if VERSION > (5, 12) else 163, 22, 12
+NAMES = (slice(TOP, TOP + LINES * LINE), slice(24, 280))
 ROW_BESIDE, ROW_BELOW = (1200, 288), (400, 823)  # rows of the table to the right of a view, and of the table below it
 
 
@@ -33,15 +34,8 @@ def entries(pixels):
     dark = (names.max(axis=2) < 90).sum(axis=1) > 3
     blue = ((names[..., 2] > 180) & (names[..., 0] < 90)).sum(axis=1) > 60
     white = blue & ((names.min(axis=2) > 200).sum(axis=1) > 3)
-    text = numpy.concatenate([[False], dark | white, [False]])
-    starts = numpy.flatnonzero(text[1:] & ~text[:-1])
-    # A letter below the line, or a dot above it, is no line of its own.
-    return 1 + int((numpy.diff(starts) > 12).sum()) if len(starts) else 0
-
-
-def asks_for_apply(pixels):
-    red, green, blue = numpy.moveaxis(pixels[APPLY_BUTTON], 2, 0)
-    return int(((green > red + 20) & (green > blue + 20)).sum()) > 500
+    # Without what reaches over from the line above or below.
+    return int((dark | white).reshape(LINES, LINE)[:, 5:-5].any(axis=1).sum())
 
 
 def session(name, data, events, row):

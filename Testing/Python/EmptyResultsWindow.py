@@ -1,6 +1,6 @@
 """Buttons and filters in the real ParaView on inputs that have no result: a ball without choking loops, pockets, pores,
 handles or cavities. The window stays alive, the view says what to try, and no legend is empty. A dialog of ParaView's that
-opens while a button works can be answered.
+opens while a button works can be answered; 6.1 opens none here.
 
 Pictures of the window are kept beside the test's other output.
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy
 from shared_data import shared_data
-from window_play import APPLY, STATUS_BAR, button, click, complaints, entry, place_of, play
+from window_play import APPLY, STATUS_BAR, VERSION, button, click, complaints, entry, place_of, play
 
 import isthmus
 
@@ -114,5 +114,5 @@ SESSIONS = {
 for session_name, arguments in SESSIONS.items():
     if not chosen or session_name in chosen:
         session(session_name, *arguments)
-if not chosen or "dialog" in chosen:
+if VERSION < (6,) and (not chosen or "dialog" in chosen):  # ParaView 6.1 only warns
     dialog()

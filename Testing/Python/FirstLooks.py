@@ -3,6 +3,7 @@ that it can use, hides all else, and refuses in one sentence; meshes have edges,
 a surface takes the place of its molecule.
 """
 
+import os
 from pathlib import Path
 
 from good_data import channel
@@ -10,7 +11,7 @@ from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
-from isthmus_plugin import look, pipelines  # there once paraview.simple has loaded the plugin
+from isthmus_plugin import colours, look, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import diagram_views as diagrams
 
 
@@ -180,6 +181,19 @@ def check_looks(density, atoms):
     assert not {"Along", "Current"} & set(sheet.HiddenColumnLabels), sheet.HiddenColumnLabels
 
 
+def check_file_without_atoms():
+    """ParaView shows a legend of nothing for a molecule without atoms, if it is visible."""
+    path = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "words.pdb"
+    path.write_text("no molecule\n")
+    words = simple.OpenDataFile(str(path))
+    view = simple.CreateView("RenderView")
+    displays = [simple.Show(simple.OutputPort(words, port), view) for port in (0, 1)]
+    look.first_look(*[display.GetGlobalID() for display in displays])
+    assert not visible(view), visible(view)
+    simple.Delete(view)
+    simple.Delete(words)
+
+
 def check_sites():
     """The best site faces the viewer; the potential is beside it, and the table; all close with their sources."""
     view = simple.GetActiveViewOrCreate("RenderView")
@@ -205,6 +219,10 @@ def check_sites():
     (display,) = [display for display in view.Representations
                   if getattr(display, "Input", None) == sites and display.Visibility]
     assert len(display.LookupTable.Annotations) == 2 * min(6, 1 + table.GetNumberOfRows())
+    bar = simple.GetScalarBar(display.LookupTable, view)
+    for count in (1, 3):
+        colours.set_categories(display.LookupTable, [(str(i), f"site {i}", (0.0, 0.0, 1.0)) for i in range(count)])
+        assert abs(bar.ScalarBarLength - 0.05 * count) < 1e-6, f"{count} entries in {bar.ScalarBarLength} of the view"
     for proxy in list(simple.GetSources().values()):
         simple.Delete(proxy)
     pipelines.forget()
@@ -233,6 +251,7 @@ check_sites()
 check_fault()
 check_first_values()
 check_looks(*check_buttons())
+check_file_without_atoms()
 check_diagram_of_deleted_loops()  # last: the plot's script puts numpy's all() in place of Python's
 assert servermanager.ActiveConnection is not None
 print("buttons and first looks")

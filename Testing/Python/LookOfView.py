@@ -2,7 +2,7 @@
 
 import math
 
-from paraview import simple
+from paraview import servermanager, simple
 
 from isthmus_plugin import figures, pipelines  # there once paraview.simple has loaded the plugin
 from isthmus_plugin import pocket_views as pockets
@@ -10,6 +10,7 @@ from shared_data import shared_data
 
 view = simple.GetActiveViewOrCreate("RenderView")
 view.ViewSize = [600, 450]
+figures._has_begun = True  # what depends on the speed of this machine is tested with given times, below
 molecule = simple.OpenDataFile(str(shared_data("molecules/1ubq.pdb")))
 pipelines.show(*pipelines.protein_to_surface(molecule), view=view)
 
@@ -93,3 +94,33 @@ except ValueError as error:
     assert "white, light, dark or standard" in str(error), error
 else:
     raise AssertionError("there is no such background")
+
+# The first result of a session: light where the background is ParaView's own, soft shadows where they are drawn fast.
+settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
+assert not settings.LightBackgroundAndSoftShadows, "after Standard background it stays"
+pipelines.change_look("light")
+assert servermanager.vtkSMSettings.GetInstance().HasSetting(".settings.ColorPalette.BackgroundColor"), "ParaView saves a choice"
+
+
+def first_sight(before, after, setting=1, background="standard"):
+    """Whether there is a light background, and soft shadows; before, after: seconds to draw the view without and with these."""
+    pipelines.change_look(background)
+    settings.LightBackgroundAndSoftShadows = setting
+    figures._has_begun, view.UseAmbientOcclusion = False, 0
+    times = [before, after]
+    figures._time_to_draw = lambda _: times.pop(0)
+    figures.first_sight(view)
+    return sum(view.SMProxy.GetRenderer().GetBackground()) > 1.5, bool(int(view.UseAmbientOcclusion))
+
+
+fast, slow = 0.5 * figures.FAST, 2.0 * figures.FAST
+assert first_sight(fast, fast) == (True, True)
+saved = servermanager.vtkSMSettings.GetInstance()
+assert not saved.HasSetting(".settings.ColorPalette.BackgroundColor"), "later sessions begin as ParaView does"
+view.UseAmbientOcclusion = 0
+figures.first_sight(view)
+assert not int(view.UseAmbientOcclusion), "only the first result"
+assert first_sight(fast, slow) == (True, False)
+assert first_sight(slow, fast) == (True, False)
+assert first_sight(fast, fast, background="dark") == (False, True)
+assert first_sight(fast, fast, setting=0) == (False, False)

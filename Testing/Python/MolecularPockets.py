@@ -87,7 +87,7 @@ for row in range(residues.GetNumberOfRows()):
     areas.setdefault(residues.GetValueByName(row, "PocketId").ToInt(), {})[name] = (
         residues.GetValueByName(row, "Area").ToDouble())
 for row in range(count):
-    named = table.GetValueByName(row, "Residues").ToString().split(", ")
+    named = table.GetValueByName(row, "Residues").ToString().split("; ")
     assert named == sorted(areas[row + 1], key=lambda name: -areas[row + 1][name]), (row, named)
 
 # The window: headers with units; a chosen row shows its pocket; Shown Pocket hides the others.

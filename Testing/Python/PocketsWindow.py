@@ -16,6 +16,7 @@ import window_home
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+from window_play import asks_for_apply
 
 PATIENCE = 240  # seconds for one step, on a machine with other things to do
 WIDTH, HEIGHT = 1600, 1000
@@ -130,6 +131,7 @@ def choose_until(paraview, folder, what, act, number):
 
 # Places in a window of WIDTH x HEIGHT; the camera is the first look's.
 VIEW = (slice(210, 960), slice(360, 1040))
+BODIES = (slice(210, 800), slice(360, 1040))  # without the legend
 CORNER = (360, 210)
 ROW_OF_POCKET_2, EMPTY_PLACE = (1200, 288), (400, 900)
 ROW_OF_PORE_4, CHART = (1200, 830), (slice(210, 640), slice(1070, 1590))
@@ -157,7 +159,7 @@ def pockets(paraview, folder):
     for colour in (VERMILION, BLUE):
         count = has_hue(before[VIEW], colour).sum()
         assert count > 2000, f"{count} pixels in the colour of a pocket"
-    pocket_1, pocket_2 = (middle_of(has_hue(before[VIEW], colour), CORNER) for colour in (VERMILION, BLUE))
+    pocket_1, pocket_2 = (middle_of(has_hue(before[BODIES], colour, least_chroma=0.2), CORNER) for colour in (VERMILION, BLUE))
 
     def in_view(place, key):
         click(*EMPTY_PLACE)
@@ -177,6 +179,7 @@ def pockets(paraview, folder):
     time.sleep(3)
     back = picture(folder / "pocket.png")
     assert (abs(back[VIEW] - after[VIEW]).max(axis=-1) > 60).sum() > 1000
+    assert not asks_for_apply(back), "Apply is green without an edit"
     choose_until(paraview, folder, "the other pocket", lambda: in_view(pocket_2, "s"), 2)
     print(f"residues of the first pocket: {first} atoms, of the second: {second}; {changed} pixels changed")
     assert min(first, second) > 20 and first != second

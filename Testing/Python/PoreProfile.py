@@ -70,6 +70,17 @@ assert abs(ours - hole[:, 1])[open_end].mean() <= 0.01
 
 potassium = tools.columns(profile(molecule("molecules/2kix.pdb")).GetPoreTable())
 assert abs(potassium["Radius"][0] - 1.40) <= 0.02, potassium["Radius"]
+# Where the balls of neighbouring planes do not meet, a note says that the radius in between is unknown.
+channels = profile(molecule("molecules/2kix.pdb", hole_radii=False))
+samples = tools.columns(channels.GetProfile())
+expected = {int(samples["PoreId"][i]) for i in range(len(samples["PoreId"]) - 1)
+            if samples["PoreId"][i] == samples["PoreId"][i + 1] and samples["ArcLength"][i + 1] - samples["ArcLength"][i] >
+            samples["Radius"][i] + samples["Radius"][i + 1]}
+notes = channels.GetOutput().GetFieldData().GetAbstractArray("Notes")
+notes = [notes.GetValue(i) for i in range(notes.GetNumberOfValues())] if notes else []
+told = {int(note.split()[1]) for note in notes if " jumps by " in note}
+assert told == expected and len(expected) == 1, (told, expected, notes)
+
 for name in ("1ubq.pdb", "1hew.pdb", "4pti.pdb"):
     for hole_radii in (True, False):
         found = profile(molecule("molecules/" + name, hole_radii)).GetPoreTable()

@@ -32,6 +32,6 @@ def session(name, events):
 
 
 atoms = session("atoms", [])
-assert "Narrowest: 1.34 ± 0.0" in atoms and "radii of the atoms" in atoms and "label 1.34" in atoms, atoms
+assert "Narrowest: 1.337 ± 0.0" in atoms and "radii of the atoms" in atoms and "label 1.34" in atoms, atoms
 hole = session("hole", [RADII, PAUSE, APPLY, PAUSE, PAUSE])
-assert "Narrowest: 1.20 ± 0.0" in hole and "radii of HOLE" in hole and "label 1.20" in hole, hole
+assert "Narrowest: 1.200 ± 0.0" in hole and "radii of HOLE" in hole and "label 1.20" in hole, hole

@@ -143,7 +143,7 @@ if "frames" in chosen:
         session.press(TRAJECTORY)
         session.cancel("frame 3 of ", lambda: xdotool("mousemove", *CANCEL, "sleep", "0.2", "click", "1"))
 if "filter" in chosen:
-    with Session("filter", shared_data("molecules/1hew.pdb")) as session:
+    with Session("filter", shared_data("molecules/1hew/1hew.pqr")) as session:  # with charges, without pdb2pqr
         xdotool("mousemove", *STATUS_BAR, "click", "1")
         session.press(SITES)
         session.cancel("1hew potential", escape)

@@ -78,7 +78,7 @@ for selected in (noisy, None):
     assert "denoised first, estimated gain" in text() and not said, (text(), said)
     names = [loop_views.registered_name(proxy) for proxy in (loops, loops.Input, loops.Input.Input)]
     number = "" if selected else " 2"
-    assert names == [f"ring {what}{number}" for what in ("loops", "surface", "denoised")], names
+    assert names == [f"ring {what}{number}" for what in ("loops", "largest parts", "denoised")], names
     assert loops.Input.Input.Input.SMProxy == noisy.SMProxy
     simple.Delete(simple.FindSource(names[0] + loop_views.COUNT))
 clear()

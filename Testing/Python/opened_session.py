@@ -22,4 +22,4 @@ def look_and_write(*ids):
 
 pipelines.first_look = look_and_write
 settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
-settings.SurfaceAndCartoonOfFiles = int(os.environ["ISTHMUS_SESSION_SETTING"])
+settings.SurfaceAndCartoonOfFiles = settings.LightBackgroundAndSoftShadows = int(os.environ["ISTHMUS_SESSION_SETTING"])

@@ -196,6 +196,12 @@ def pixels_of_view(path):
     return pixels_of(path)[::-1][60:790, 360:1440]
 
 
+def asks_for_apply(pixels):
+    """Whether Apply is green in a picture of the whole window, of 1600 x 1000."""
+    red, green, blue = numpy.moveaxis(pixels[435:540, 8:88], 2, 0)
+    return int(((green > red + 20) & (green > blue + 20)).sum()) > 500
+
+
 def coloured_fraction(path):
     """Share of the pixels of the view that are strongly coloured."""
     view = pixels_of_view(path)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """The input of the Python functions: a description of each filter, reader and writer.
 
-    describe.py SOURCE PACKAGE VERSION
+    describe.py SOURCE PACKAGE VERSION [VTK]
 
 Reads the panels (Plugin/*.xml), the lists of classes (CMakeLists.txt of the modules) and the examples of
 docstrings (function_examples.txt) of the tree SOURCE, and writes into the folder PACKAGE
 filters.json, from which functions.py creates the functions, __init__.py with the names of the classes, and stubs
-(__init__.pyi) for editors and type checkers.
+(__init__.pyi) for editors and type checkers. VTK, in a wheel, is the minor version that it needs.
 
 A keyword is the name of the property in snake_case.
 """
@@ -269,7 +269,7 @@ def pipelines_of(source):
 
 
 def main():
-    if len(sys.argv) != 4:
+    if len(sys.argv) not in (4, 5):
         sys.exit(__doc__)
     source, package = map(pathlib.Path, sys.argv[1:3])
     table = describe(source)
@@ -280,7 +280,9 @@ def main():
     (package / "__init__.pyi").write_text(stubs(table, pipelines))
     classes = "".join(f'    "{name}": "{module}",\n' for name, module in table["classes"].items())
     init = (source / "Wrapping" / "Python" / "isthmus" / "__init__.py.in").read_text()
-    (package / "__init__.py").write_text(init.replace("@VERSION@", sys.argv[3]).replace("@CLASSES@", classes))
+    for name, value in (("VERSION", sys.argv[3]), ("VTK", "".join(sys.argv[4:])), ("CLASSES", classes)):
+        init = init.replace(f"@{name}@", value)
+    (package / "__init__.py").write_text(init)
 
 
 if __name__ == "__main__":

@@ -112,8 +112,8 @@ TEST(BindingSiteTable, ResiduesWithinFourAngstromMostAtomsFirst)
   const auto table = MakeTable(Molecule({ { 13.9, "A", "ALA", 7 }, { 14.1, "A", "GLY", 8 },
     { 12.0, "B", "HIS", 57 }, { 11.0, "B", "HIS", 57 }, { -13.9, "A", "ALA", 7 } }));
   ASSERT_EQ(table->GetNumberOfRows(), 2);
-  EXPECT_EQ(Residues(table, 0), "B HIS 57 (2), A ALA 7 (1)");
-  EXPECT_EQ(Residues(table, 1), "A ALA 7 (1)");
+  EXPECT_EQ(Residues(table, 0), "HIS 57 B (2); ALA 7 A (1)");
+  EXPECT_EQ(Residues(table, 1), "ALA 7 A (1)");
 }
 
 TEST(BindingSiteTable, AtomsWithoutNamesAreCounted)

@@ -49,10 +49,15 @@ def legend(table, view, title):
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle, bar.HorizontalTitle = title, "", 1
     if int(table.InterpretValuesAsCategories):
-        bar.ScalarBarLength = min(0.33, 0.05 * len(table.Annotations) / 2)
+        _fit(bar, table)
     if not int(view.UseColorPaletteForBackground):
         bar.TitleColor = bar.LabelColor = ink(view.Background)
     return bar
+
+
+def _fit(bar, table):
+    """As long as its entries need."""
+    bar.ScalarBarLength = min(0.33, 0.05 * len(table.Annotations) / 2)
 
 
 def ink(background):
@@ -65,3 +70,7 @@ def set_categories(table, rows):
     table.Annotations = [word for value, name, _ in rows for word in (value, name)]
     table.IndexedColors = [part for _, _, colour in rows for part in colour]
     table.InterpretValuesAsCategories = 1
+    for view in simple.GetViews():
+        for bar in getattr(view, "Representations", ()):
+            if bar.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation" and bar.LookupTable == table:
+                _fit(bar, table)

@@ -22,20 +22,21 @@ for shadow in [name for name in dir(builtins) if str(getattr(globals().get(name)
 
 
 def make(kind, source, name, hidden=True, follows=True, **properties):
-    """The filter `kind` of paraview.simple on a source, with that name.
+    """The filter `kind` of paraview.simple on a source, or that source if `source` is None, with that name.
 
-    hidden: whether the pipeline browser leaves it out. follows: whether it is deleted when `source` is; a hidden one that
+    hidden: whether the pipeline browser leaves it out. follows: whether it is deleted when `source` is; a hidden filter that
     follows nothing is deleted when nothing is made from it any more."""
     selected = simple.GetActiveSource()
     controller = servermanager.ParaViewPipelineController()
-    made = getattr(servermanager.filters, kind)(no_update=True)
+    made = getattr(servermanager.sources if source is None else servermanager.filters, kind)(no_update=True)
     controller.PreInitializeProxy(made)
-    made.Input = source
+    if source is not None:
+        made.Input = source
     for key, value in properties.items():
         setattr(made, key, value)
     controller.PostInitializeProxy(made)
     made.SMProxy.SetAnnotation(ENTRY, "hidden" if hidden else "shown")
-    if follows:
+    if follows and source is not None:
         made.SMProxy.SetAnnotation(FOLLOWS, made.SMProxy.GetProducerProxy(0).GetXMLName())
     controller.RegisterPipelineProxy(made, name)
     simple.SetActiveSource(selected)
@@ -59,5 +60,5 @@ def _is_left_over(proxy, known):
         made_from = proxy.GetProducerProxy(0) if proxy.GetNumberOfProducers() else None
         return made_from is None or made_from.GetGlobalID() not in known or (
             made_from.GetXMLName() != proxy.GetAnnotation(FOLLOWS))
-    return proxy.GetAnnotation(ENTRY) == "hidden" and not any(
+    return proxy.GetAnnotation(ENTRY) == "hidden" and proxy.GetNumberOfProducers() > 0 and not any(
         proxy.GetConsumerProxy(i).IsA("vtkSMSourceProxy") for i in range(proxy.GetNumberOfConsumers()))

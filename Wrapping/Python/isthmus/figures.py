@@ -15,6 +15,7 @@ import os
 import re
 import struct
 import tempfile
+import time
 import zlib
 
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVersion
@@ -48,6 +49,7 @@ LETTER = 11.0  # pixels, the width of one in the text of the scale bar of a view
 SCALE_BAR = "scale bar"  # begins its name in the pipeline browser
 PALETTES = {"white": "WhiteBackground", "light": "WhiteBackground", "dark": "BlackBackground"}  # ParaView's
 LIGHT = [0.93, 0.93, 0.93]
+FAST = 0.04  # seconds to draw a view with soft shadows, so that it still turns smoothly
 
 
 def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background=WHITE, scale_bar=True, shadows=True,
@@ -104,7 +106,7 @@ def figure(view=None, width_mm=85, dpi=300, path=None, font_points=7, background
         _set_resolution(path, dpi)
     finally:
         change.undo()
-        simple.Render(view)
+        _draw(view)
     return path, vector
 
 
@@ -194,7 +196,40 @@ def background(name):
             _place_bar(view, ruler, display)
         for names in _names(view):
             names.PointLabelColor = view.OrientationAxesLabelColor
-        simple.Render(view)
+        _draw(view)
+
+
+def first_sight(view):
+    """Called before the window shows its first result of Isthmus, which it lights for a figure: a light background, where the
+    user has ParaView's own, and soft shadows, where the view is drawn fast enough with them. The setting Isthmus > Light
+    Background And Soft Shadows turns this off."""
+    global _has_begun
+    settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
+    if _has_begun or settings is None or not settings.LightBackgroundAndSoftShadows:
+        return
+    _has_begun = True
+    manager = servermanager.ProxyManager()
+    if manager.GetProxy("settings", "ColorPalette").GetProperty("BackgroundColor").IsValueDefault():
+        background("light")
+        # ParaView has saved it for later sessions, which may be without Isthmus: the default values take it out again.
+        servermanager.vtkSMSettings.GetInstance().SetProxySettings(manager.GetPrototypeProxy("settings", "ColorPalette"), None)
+    # A view that is slow without shadows is not made to wait for the measurement.
+    if _time_to_draw(view) < FAST and soft_shadows(view, True) and _time_to_draw(view) > FAST:
+        soft_shadows(view, False)
+
+
+_has_begun = False
+
+
+def _draw(view):
+    """Not simple.Render(), which resets the camera when it draws for the first time."""
+    view.SMProxy.StillRender()
+
+
+def _time_to_draw(view):
+    began = time.monotonic()
+    _draw(view)
+    return time.monotonic() - began
 
 
 def soft_shadows(view=None, on=None):
@@ -206,7 +241,7 @@ def soft_shadows(view=None, on=None):
         _occlude(view, _Changes())
     else:
         view.UseAmbientOcclusion = 0
-    simple.Render(view)
+    _draw(view)
     return on
 
 
@@ -221,7 +256,7 @@ def scale_bar(view=None, on=None):
         display.Visibility = int(on)
         _place_bar(view, ruler, display)
         cameras.follow(view)
-    simple.Render(view)
+    _draw(view)
     return on
 
 
@@ -233,6 +268,10 @@ def change_look(what):
             globals()[what]()
             return
         background(what)
+        if what == "standard":
+            settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
+            settings.LightBackgroundAndSoftShadows = 0
+            servermanager.vtkSMSettings.GetInstance().SetProxySettings(settings.SMProxy, None)  # for later sessions
         messages.show_note("ParaView keeps the background for later sessions; Standard background returns to its own.")
     except ValueError as error:
         messages.show_error(str(error))
@@ -343,7 +382,7 @@ def _set_fonts(view, change, size, thickness):
         change.set(bar, TitleFontSize=size, LabelFontSize=size, ScalarBarThickness=max(1, round(thickness)))
     for text in _texts(view):
         change.set(text, FontSize=size)
-    simple.Render(view)
+    _draw(view)
 
 
 def _add_scale_bar(view, change, ink):
@@ -446,7 +485,7 @@ class _Silhouettes:
                 change.set(each, SelectionPointLabelVisibility=0)
             change.set(view, OrientationAxesVisibility=0, CenterAxesVisibility=0)
             change.set(view, ViewSize=size)  # ignored if the window determines it
-            simple.Render(view)
+            _draw(view)
             depths = view.SMProxy.CaptureDepthBuffer()
             across, up = view.SMProxy.GetRenderWindow().GetSize()
             low, high = view.GetActiveCamera().GetClippingRange()
@@ -527,7 +566,7 @@ def _unit(a):
 def _set_chart_fonts(view, change, size):
     change.set(view, ChartTitleFontSize=size, LegendFontSize=size, **{
         f"{axis}Axis{part}FontSize": size for axis in ("Left", "Bottom", "Right", "Top") for part in ("Title", "Label")})
-    simple.Render(view)
+    _draw(view)
 
 
 def _save(path, view, size, lines=None):

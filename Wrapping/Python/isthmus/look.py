@@ -7,7 +7,7 @@ try:
 except ImportError:
     servermanager = simple = None  # with pip's vtk alone, isthmus.pipelines can still be imported
 
-from . import cameras, colours, diagram_views, loop_views, messages, steps, track_views
+from . import cameras, colours, diagram_views, figures, loop_views, messages, steps, track_views
 from . import molecule_views as molecules
 from . import pocket_views as pockets_and_pores
 
@@ -275,24 +275,26 @@ def _look_at_opened(display, view, name):
     and sticks. Both are ordinary filters; the setting Isthmus > Surface And Cartoon Of Files turns them off."""
     if display.Input.SMProxy.GetGlobalID() not in _by_hand or not _shows_files() or _has_filters(display.Input):
         return
-    before = set(simple.GetSources().values())
+    before, shown = set(simple.GetSources().values()), None
     if name in MAPS and data_of(display.Input).GetNumberOfPoints() <= steps.MOST_NODES:
-        surface = _show_surface(display, view, "surface")
-        if surface is not None and not any(each.Visibility for each in view.Representations if getattr(
-                each, "Input", None) is not None and not comes_from(each.Input.SMProxy, display.Input.SMProxy)):
-            view.SMProxy.ResetCamera(*surface.GetDataInformation().GetBounds())  # not to the box, which may be much larger
+        shown = _show_surface(display, view, "surface")
     elif name in MOLECULES and getattr(display.Input, "Port", 0) == 0 and display.Input.PointData["ResidueId"] is not None:
         selected = simple.GetActiveSource()
-        cartoon = simple.MoleculeCartoon(
+        shown = simple.MoleculeCartoon(
             display.Input, registrationName=pockets_and_pores.name_of(display.Input, "cartoon"))
-        cartoon.UpdatePipeline()
+        shown.UpdatePipeline()
         simple.SetActiveSource(selected)
-        if data_of(cartoon).GetNumberOfCells():
-            molecules.show(cartoon, view)
+        if data_of(shown).GetNumberOfCells():
+            molecules.show(shown, view)
             _hide_molecule(display.Input, view)
             display.Visibility = 0
         else:
-            simple.Delete(cartoon)
+            simple.Delete(shown)
+            shown = None
+    if shown is not None and not any(each.Visibility for each in view.Representations if getattr(
+            each, "Input", None) is not None and not comes_from(each.Input.SMProxy, display.Input.SMProxy)):
+        # Not to the box of the map, or the water of the molecule, which may be much larger.
+        view.SMProxy.ResetCamera(*shown.GetDataInformation().GetBounds())
     _first_sights.update(source.SMProxy.GetGlobalID() for source in set(simple.GetSources().values()) - before)
 
 
@@ -332,6 +334,11 @@ def _has_filters(source):
 def _shows_files():
     settings = servermanager.ProxyManager().GetProxy("settings", "IsthmusSettings")
     return settings is None or bool(settings.SurfaceAndCartoonOfFiles)
+
+
+def _count_atoms(port):
+    data = data_of(port)
+    return max(data.GetNumberOfPoints(), data.GetNumberOfVertices())  # the latter of a vtkMolecule
 
 
 def _colour_if_it_differs(display, view, array):
@@ -457,6 +464,9 @@ def _look_at_shape(display, view, source, name):
         if _show_surface(display, view, "denoised surface"):
             display.Visibility = 0
             _hide_made_from(source.Input.SMProxy, source.SMProxy, view)
+    elif name in MOLECULES and not _count_atoms(display.Input):
+        display.Visibility = 0  # of a file without atoms: ParaView shows a legend of nothing
+        simple.HideUnusedScalarBars(view)
     elif name in MAPS + MOLECULES:
         _look_at_opened(display, view, name)
     elif name == "AtomSelection":
@@ -502,20 +512,25 @@ def _look(display):
 def first_look(*ids):
     """Called by the window with the global ids of representations that are new or changed."""
     session = servermanager.ActiveConnection.Session
-    views = {}
+    views, lit = {}, []
     for number in ids:
         proxy = session.GetRemoteObject(number)
         if proxy is None:
             continue
         try:
-            view = _look(servermanager._getPyProxy(proxy))
+            display = servermanager._getPyProxy(proxy)
+            view = _look(display)
             if view is not None:
                 views[view.GetGlobalID()] = view
+                if display.Input.SMProxy.GetXMLName() in MAPS + MOLECULES or _is_ours(display.Input.SMProxy):
+                    lit.append(view)
         except Exception:  # a failed display must not cause an error
             messages.fault("The initial display of a result")
     for view in views.values():  # ParaView has drawn them before
         if hasattr(view, "HiddenLineRemoval"):  # a render view
             simple.HideUnusedScalarBars(view)
+            if view in lit:
+                figures.first_sight(view)
         view.SMProxy.StillRender()
 
 

@@ -24,6 +24,7 @@ LOOPS = ("ChokingLoops",)
 STALE = "the loops follow when the slider is released"
 COUNT = " shown"  # ends the names of the texts in the pipeline browser
 CHOKE_POINTS = 2  # port of Choking Loops
+ADVANCED = ("sides", "Minimum Persistence", "Maximum Length", "Maximum Reach")  # properties that the gear shows, in _advice()
 CONTEXT = 3.0  # size of the region shown around a clicked loop, relative to the size of the loop
 # Executed where the data is. Inputs: the loops, and the atoms of which the surface was made, if any. The residues of a loop
 # are those of the atoms nearest to its points; its position is the mean of them.
@@ -77,9 +78,11 @@ if len(ids):
                 atom = locator.FindClosestPoint(place)
                 found[feature].add((chain.GetValue(atom), int(number.GetTuple1(atom)), code.GetValue(atom) if code else "",
                                     name.GetValue(atom)))
-        texts("Residues", [", ".join(f"{word} {n}{c} {letter}".strip() for letter, n, c, word in sorted(found[feature]))
+        texts("Residues", ["; ".join(f"{word} {n}{c} {letter}".strip() for letter, n, c, word in sorted(found[feature]))
                            for feature in features])
-    texts("Trusted", ["yes" if each else "no" for each in trusted])
+    resolved = column("Uncertainty")[first] < 0.5 * column("Radius")[first]
+    texts("Trusted", ["no" if not exists else "yes" if known else "yes, radius unresolved"
+                      for exists, known in zip(trusted, resolved)])
     middle = numpy.round([numpy.mean(points[feature], axis=0) for feature in features], 3) + 0.0
     for axis in range(3):
         rows.append(middle[:, axis].copy(), "XYZ"[axis] + " (\\u00c5)")
@@ -105,13 +108,11 @@ def words(loops):
     if not found:
         lines = ["No choking loops", f"Try {_advice(proxy)}"]
     else:
-        lines = [f"{shown} of {found} loops shown"]
+        lines = [f"{shown} of {found} loops shown" if only_of(proxy) is None else f"the selected ones of {found} loops shown"]
         if untrusted and proxy.TrustedOnly:
             lines[0] += f", {untrusted} not trusted"
         if not shown:
             lines.append(f"Try {'Trusted Only off' if untrusted and proxy.TrustedOnly else _advice(proxy)}")
-    if only_of(proxy) is not None:
-        lines.append("only the selected ones are drawn")
     gain = _gain_of_denoising(proxy)
     if gain is not None:
         lines.append(f"map denoised first, estimated gain {gain:.1f} dB")
@@ -129,7 +130,8 @@ def _advice(loops):
         ("a larger Maximum Length", loops.MaximumLength > 0.0),
         ("a larger Maximum Reach", loops.MaximumReach > 0.0),
         ("another level of the map", loops.Input.SMProxy.GetXMLName() in steps.LEVELLED)) if helps]
-    return " or ".join(filter(None, [", ".join(found[:-1]), *found[-1:]])) or "a surface with narrow places"
+    words = " or ".join(filter(None, [", ".join(found[:-1]), *found[-1:]])) or "a surface with narrow places"
+    return words + " (the gear above the panel shows it)" * any(name in words for name in ADVANCED)
 
 
 def _gain_of_denoising(loops):
@@ -179,9 +181,7 @@ def count(loops, view):
     if text is None:
         if not said:
             return False
-        selected = simple.GetActiveSource()
-        text = simple.Text(registrationName=name + COUNT, Text=said)
-        simple.SetActiveSource(selected)
+        text = entries.make("Text", None, name + COUNT, Text=said)
         _place(simple.Show(text, view))
         return True
     has_changed = text.Text != said
@@ -276,6 +276,9 @@ def zoom(loops, cells):
         low, high = min(box[2 * axis] for box in boxes), max(box[2 * axis + 1] for box in boxes)
         reach = 0.5 * CONTEXT * (high - low)
         bounds += [0.5 * (low + high) - reach, 0.5 * (low + high) + reach]
+    whole = loops.Input.GetDataInformation().GetBounds()
+    if math.dist(bounds[::2], bounds[1::2]) > math.dist(whole[::2], whole[1::2]):
+        bounds = whole
     for view in views_of(loops):
         view.SMProxy.ResetCamera(*bounds)
 

@@ -52,6 +52,8 @@ def _is_volume(source):
 
 
 def _require_volume(source):
+    if look.data_of(source).GetDataSetTypeAsString() == "vtkImageData" and not look.data_of(source).GetNumberOfPoints():
+        raise ValueError("There is no map: the file could not be read. The window Output Messages says why.")
     if not _is_volume(source):
         raise ValueError("This needs a density map (a volume): select one in the pipeline browser, "
                          "or open one by File > Open.")
@@ -119,8 +121,13 @@ def _make(pipeline, name, source, hidden=False, **more):
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or an automatic level where none is
     given, which is then shown in the panel."""
+    return (_surface_of_map("map_to_surface", source, level),)
+
+
+def _surface_of_map(pipeline, source, level=None):
+    """The surface of a map as in that pipeline."""
     _require_volume(source)
-    surface = _make("map_to_surface", "surface", source, Scalars=["POINTS", _point_array(source)])
+    surface = _make(pipeline, "surface", source, Scalars=["POINTS", _point_array(source)])
     if level is not None:
         surface.AutomaticLevel, surface.Level = 0, level
     surface.UpdatePipeline()
@@ -133,7 +140,7 @@ def map_to_surface(source, level=None):
     surface.Level = _field_number(surface, "Level")
     surface.AutomaticLevel = 0
     surface.UpdatePipeline()
-    return (surface,)
+    return surface
 
 
 def map_to_curvature(source, level=None):
@@ -164,8 +171,7 @@ def map_to_loops(source, level=None, denoise=None, significant=False):
     significant: the 20 most persistent loops that are trusted, as the button shows; else all of them."""
     _require_volume(source)
     source = _denoised(source, denoise)
-    (surface,) = map_to_surface(source, level)
-    surface.LargestComponents = steps.PIPELINES["map_to_loops"]["surface"].properties["LargestComponents"]
+    surface = _surface_of_map("map_to_loops", source, level)
     return surface, surface_to_loops(surface, significant)[-1]
 
 
@@ -245,8 +251,7 @@ def trajectory_to_loops(source, frames=steps.MOST_FRAMES):
     if _has_atoms(moving):
         surface = _molecule(_chains(moving, hidden=True), hidden=("density",))[1]
     elif _is_volume(moving):
-        (surface,) = map_to_surface(moving)
-        surface.LargestComponents = steps.PIPELINES["map_to_loops"]["surface"].properties["LargestComponents"]
+        surface = _surface_of_map("map_to_loops", moving)
     else:
         surface = moving
     (loops,) = surface_to_loops(surface, significant=True)
@@ -666,9 +671,10 @@ def run(function):
             bar.Visibility = 1
         simple.HideUnusedScalarBars(view)
         show(*proxies, view=view, tables=True)
+    figures.first_sight(view)
     figures.refresh(view)
     simple.SetActiveSource(proxies[-1])
-    simple.Render(view)
+    view.SMProxy.StillRender()
 
 
 # ---------------------------------------------------------------------------- without ParaView

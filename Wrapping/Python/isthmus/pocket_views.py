@@ -38,7 +38,8 @@ HIDDEN_COLUMNS = {
         "MeanPotential", "MouthArea", "MouthRadius", "Parent", "PolarShare", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
 # Units of columns of tables, which their headers show.
-UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "MouthRadius": "Å", "Length": "Å", "Span": "Å",
+UNITS = {"Area": "Å²", "MouthArea": "Å²", "Volume": "Å³", "Radius": "Å", "RadiusError": "Å", "MouthRadius": "Å", "Length": "Å",
+         "Span": "Å",
          "CenterX": "Å", "CenterY": "Å", "CenterZ": "Å", "BottleneckX": "Å", "BottleneckY": "Å", "BottleneckZ": "Å",
          "MeanDepth": "Å", "MeanPotential": "kT/e", "MeanPolarized": "kT/(e Å)"}
 FIRST_COLUMNS = {"Rank": "# Rank", "PoreId": "# Pore"}  # names that ParaView, which sorts columns by name, places first
@@ -629,8 +630,8 @@ def _show_chart(pores, view):
     lines.XArrayName = "ArcLength"
     lines.SeriesVisibility = ["Radius"]
     lines.SeriesLineThickness = ["Radius", "3"]
-    chart.BottomAxisTitle = "Along the pore (Å)"
-    chart.ChartTitleFontSize = 12
+    chart.BottomAxisTitle = f"Along the pore (Å). One water passes from {WATERS[0]} Å, two from {WATERS[1]} Å"
+    chart.ChartTitleFontSize = chart.BottomAxisTitleFontSize = 12
     _title_chart(chart_of(pores), chart)
     chart.LeftAxisUseCustomLabels = 1
     chart.LeftAxisLabels = [word for value in ("0", *WATERS, "3", "4", "5") for word in (value, value)]
@@ -640,18 +641,18 @@ def _show_chart(pores, view):
 
 
 def _title_chart(profile, chart):
-    """The title of a chart: the narrowest place, and the radii at which water passes. The axis names the radii of atoms."""
+    """The title of a chart: the narrowest place. The axis names the radii of atoms."""
     pores = servermanager._getPyProxy(profile.Input.SMProxy)
     chart.LeftAxisTitle = f"Radius (Å), {RADII[pores.RadiusTable.GetData()]}"
     rows = servermanager.Fetch(profile)
     columns = ("Radius", "ArcLength", "RadiusError")
     places = [[rows.GetValueByName(row, name).ToDouble() for name in columns] for row in range(rows.GetNumberOfRows())]
-    narrowest = ""
+    chart.ChartTitle = ""
     if places:
         radius, along, _ = min(places)
         error = radius - min(each - below for each, _, below in places)  # of the narrowest place, wherever it is
-        narrowest = f"Narrowest: {radius:.2f} ± {error:.2f} Å, at {along:.1f} Å. "
-    chart.ChartTitle = narrowest + "One water passes from 1.15 Å, two from 2.30 Å"
+        digits = 2 if error >= 0.005 else 3
+        chart.ChartTitle = (f"Pore {int(profile.MinValue)}. Narrowest: {radius:.{digits}f} ± {error:.{digits}f} Å, at {along:.1f} Å")
 
 
 def follow_profile(profile, chart):

@@ -51,7 +51,7 @@ PIPELINES = {
                          "curvature": _step("curvature", "CurvatureOnSurface")},
     "map_to_loops": {
         "denoised": _step("denoised", "DenoiseMap"),
-        "surface": _step("surface", "MapSurface", LargestComponents=10),
+        "surface": _step("largest parts", "MapSurface", LargestComponents=10),
         "loops": _step("loops", "ChokingLoops")},
     "surface_to_loops": {"loops": _step("loops", "ChokingLoops")},
     "protein_to_surface": {"chains": _CHAINS, "ligands": _LIGANDS, "density": _DENSITY,
